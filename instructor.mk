@@ -9,6 +9,7 @@ TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED
 TAKES_handout := CHAPTERS GIVEN OUT
 TAKES_classroom := CHAPTERS GIVEN OUT
 TAKES_gradescope := CHAPTERS GIVEN OUT
+TAKES_site := OUT SOLUTIONS
 TAKES_test := CH
 TAKES_lint :=
 TAKES_update :=
@@ -23,7 +24,7 @@ TAKES_limits :=
 TAKES_economy :=
 TAKES_soak :=
 
-.PHONY: grade handout classroom gradescope update stubs test say-what-test-is lint bench charts limits
+.PHONY: grade handout classroom gradescope site update stubs test say-what-test-is lint bench charts limits
 .PHONY: economy soak figures mutants seeds table
 
 # == For instructors ==
@@ -38,6 +39,9 @@ classroom: $(READY) ## a hand-out for GitHub Classroom (CHAPTERS=2 OUT=dir)
 
 gradescope: $(READY) ## the zip for Gradescope (CHAPTERS=2-3 OUT=file.zip)
 	@$(RUN) -m autograder gradescope $(or $(CHAPTERS),$(error name the chapters: make gradescope CHAPTERS=2-3)) --out "$(or $(OUT),build/gradescope.zip)" $(if $(GIVEN),--given "$(GIVEN)")
+
+site: $(READY) ## the course as a site; needs Node.js (OUT=dir SOLUTIONS=1)
+	@$(RUN) -m web --out "$(or $(OUT),build/site)" $(if $(SOLUTIONS),--with-solutions)
 
 # == For those who work on the companion itself ==
 # A test runs lint beside the others. The tests of one chapter are few, so there it comes first.

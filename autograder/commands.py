@@ -55,8 +55,11 @@ def find_engine(folder: str) -> list[Path]:
 
 
 def command(name: str, **variables: str) -> str:
-    """Return the line that runs a command, with make or, where it is not installed, with Python."""
-    if shutil.which("make"):
+    """Return the line that runs a command, with make or, where it is not installed, with Python.
+
+    In a browser there are no commands, but the page's buttons have the names of make's commands.
+    """
+    if sys.platform == "emscripten" or shutil.which("make"):
         return " ".join(["make", name, *(f"{key}={value}" for key, value in variables.items())])
     words = [shown_python(), "-m", MODULES.get(name, f"autograder {name}")]
     for key, value in variables.items():

@@ -14,11 +14,10 @@ import os
 import sys
 from pathlib import Path
 
+from lab.broken_off import TIME_LIMIT
 from lab.host import Host
 from studies.engine import add_engine_options, use_engine
 from studies.reason import reason
-
-TIME_LIMIT = 2.5  # s per message; a message normally takes a few milliseconds
 
 
 def main() -> None:

@@ -10,9 +10,8 @@ import tempfile
 from collections.abc import AsyncIterator
 from pathlib import Path
 
-from autograder.checks.explain import explain_hang
 from autograder.manifest import ROOT
-from lab.child import TIME_LIMIT
+from lab.broken_off import TIME_LIMIT, why_it_broke_off
 
 LONGEST_LINE = 4_000_000  # bytes in one answer
 GRACE = 0.4  # s, in addition to the child's own time limit
@@ -78,9 +77,7 @@ class EngineProcess:
     def _why(self) -> str:
         """Return an explanation of why the process stopped."""
         stack = self.stack.read_text(encoding="utf-8") if self.stack.exists() else ""
-        if stack:
-            return str(explain_hang(stack, TIME_LIMIT, [ROOT / self.engine]))
-        return "The engine's process ended by itself. Does your code call os._exit?"
+        return why_it_broke_off(stack, [ROOT / self.engine])
 
 
 async def recording(engine: str, given: str, scene: str, values: dict[str, str]) -> bytes:

@@ -9,7 +9,6 @@ operation without an audit event, such as os.pipe, is carried out.
 from __future__ import annotations
 
 import _thread
-import errno
 import os
 import socket
 import sys
@@ -24,6 +23,10 @@ from autograder.checks.students_code import LIBRARY, StudentsCode
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 READABLE = [*LIBRARY, *map(Path, ("/lib", "/lib64", "/usr/lib", "/usr/lib64"))]
 THREAD_STARTERS = "start_new_thread _start_new_thread start_joinable_thread _start_joinable_thread"
+# As Linux numbers them. Python in a browser numbers errors differently.
+NOT_PERMITTED = 1, "Operation not permitted"
+NOT_FOUND = 2, "No such file or directory"
+DENIED = 13, "Permission denied"
 NOT_STARTED = 32512  # what os.system returns if it cannot start a process
 
 # Audit events that are not permitted. The error names one path, two paths, or none.
@@ -66,13 +69,14 @@ def _open(code: StudentsCode, path: Any, _: str | None, flags: int) -> None:
     file = os.path.realpath(path)
     if flags & WRITING:
         if os.path.isdir(os.path.dirname(file)):  # noqa: PTH112, PTH120 - it may be bytes
-            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), path)
+            raise PermissionError(*DENIED, path)
     elif not os.path.exists(file):  # noqa: PTH110
-        return
+        if sys.platform == "emscripten":
+            raise FileNotFoundError(*NOT_FOUND, path)
     elif is_inside(os.fsdecode(file), code.folders):
         package, name = Path(os.fsdecode(file)).parts[-2:]
         if not code.is_graded(package, name):
-            raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), path)
+            raise FileNotFoundError(*NOT_FOUND, path)
     else:
         _allow_reading(file, path)
 
@@ -87,12 +91,11 @@ def _allow_reading(file: Any, path: Any, more: list[Path] | None = None) -> None
     """Raise PermissionError for a path outside Python's library and the ``more`` folders."""
     inside = os.path.join(os.fsdecode(file), "x")  # noqa: PTH118 - a folder contains itself
     if not is_inside(inside, [*READABLE, *(more or []), Path(os.devnull)]):
-        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), path)
+        raise PermissionError(*DENIED, path)
 
 
 def _not_permitted(one: Any = None, two: Any = None) -> None:
-    reason = os.strerror(errno.EPERM)
-    raise PermissionError(errno.EPERM, reason, one, None, two)
+    raise PermissionError(*NOT_PERMITTED, one, None, two)
 
 
 def _no_address(*_: Any) -> None:

@@ -14,7 +14,7 @@ import sys
 import traceback
 from collections.abc import Callable
 
-CAN_COPY = hasattr(os, "fork")
+CAN_COPY = hasattr(os, "fork") and sys.platform != "emscripten"  # there it always fails
 DONE = 87  # exit code of a copy that has finished its work
 
 

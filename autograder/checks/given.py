@@ -38,7 +38,7 @@ def with_given(
                 )
             target = Path(folder) / chapter.name
             target.mkdir()
-            for file in (root / "solutions" / chapter.name).glob("*.py"):
+            for file in (root / "solutions" / chapter.name).glob("*.py*"):  # a site has .pyc
                 shutil.copyfile(file, target / file.name)
         yield [Path(folder), *engine]
 

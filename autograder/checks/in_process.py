@@ -56,10 +56,7 @@ class InProcess:
 
     def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
         """Import the student's modules before the checks do, so that a bad one stops no other."""
-        leave_home()
-        code = StudentsCode(self.engine, self.graded)
-        limit_imports(code)
-        limit_acts(code)
+        self.surround()
         for module, message in broken.items():
             sys.modules[module] = broken_module(module, message)
         for module in modules:
@@ -73,6 +70,13 @@ class InProcess:
         # such a name raises ImportError, both here and in the sandbox.
         for imported in filter(None, map(sys.modules.get, modules)):
             imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
+
+    def surround(self) -> None:
+        """Let the code find the surroundings of a grader, and do no more than there."""
+        leave_home()
+        code = StudentsCode(self.engine, self.graded)
+        limit_imports(code)
+        limit_acts(code)
 
     def after_collection(self) -> None:
         """Exclude existing objects from garbage collection, so that copies share more memory."""
@@ -98,20 +102,25 @@ class InProcess:
         return read_definitions(file)
 
     def start(self) -> None:
-        """Redirect the streams and start the time limit.
-
-        When the time is up, the process writes its stack and ends, whatever the code is doing.
-        """
+        """Redirect the streams and start the time limit."""
         self.depth.adapt(CALLS)
         sys.stdin = Path(os.devnull).open(encoding="utf-8")  # noqa: SIM115 - closed by stop
         sys.stdout = sys.stderr = CappedText(self.printed.append)
-        faulthandler.dump_traceback_later(self.time_limit, exit=True, file=self.stack_file)
+        self.start_clock()
 
     def stop(self) -> str:
         """Stop the time limit, and return the printed output."""
-        faulthandler.cancel_dump_traceback_later()
+        self.stop_clock()
         sys.stdin.close()
         sys.stdin, sys.stdout, sys.stderr = self.streams
         printed = "".join(self.printed).strip()
         self.printed.clear()
         return printed
+
+    def start_clock(self) -> None:
+        """Write the stack and end the process when the time is up, whatever the code is doing."""
+        faulthandler.dump_traceback_later(self.time_limit, exit=True, file=self.stack_file)
+
+    def stop_clock(self) -> None:
+        """Forget the time limit."""
+        faulthandler.cancel_dump_traceback_later()

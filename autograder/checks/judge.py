@@ -3,18 +3,29 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import os
 import queue
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 from collections.abc import Generator, Iterator
+from dataclasses import dataclass
 from pathlib import Path
-from typing import IO
+from typing import IO, TYPE_CHECKING
 
+from autograder.checks.apart import how_it_ended
+from autograder.checks.arrange import root_of_checks
+from autograder.checks.explain import explain_hang
 from autograder.manifest import ROOT
+from autograder.message import Kind, Message
+from autograder.records import to_json
+
+if TYPE_CHECKING:
+    from autograder.checks.runner import Run
 
 GRACE = 10.0  # seconds of silence, on top of a check's limit, before the process is killed
 MOST_STDERR = 2000  # bytes that are kept from the end of standard error
@@ -93,6 +104,49 @@ class Judge:
                     process.stdin.close()
                 stderr.seek(max(0, stderr.seek(0, os.SEEK_END) - MOST_STDERR))
                 self.stderr = stderr.read().decode("utf-8", errors="replace").strip()
+
+
+@dataclass(frozen=True)
+class Ending:
+    """How a process of the checks has ended.
+
+    Where its time was up, ``stack`` says what it was doing. It is ``silent`` where it had to be
+    ended from outside. ``stderr`` is the end of what it said of itself.
+    """
+
+    stack: str = ""
+    silent: bool = False
+    code: int = 0
+    stderr: str = ""
+
+    def explain(self, time_limit: float, engine: list[Path]) -> Message:
+        """Return what a check says in which the process ended."""
+        if self.stack or self.silent:
+            return explain_hang(self.stack, time_limit, engine)
+        return Message(how_it_ended(self.code), kind=Kind.LEFT)
+
+
+def judge(run: Run) -> Ending:
+    """Start a process for the checks of a run that have no verdict yet; follow it to its end."""
+    order, silent = run.order, False
+    # Windows holds on to the files of a process for a moment after its end.
+    with tempfile.TemporaryDirectory(prefix="checks-", ignore_cleanup_errors=True) as name:
+        folder = Path(name)
+        config = folder / "config.json"  # it may be longer than a command line
+        arranged = run.config(folder)
+        stack_file = Path(arranged.stack_file)
+        stack_file.touch()
+        config.write_text(json.dumps(to_json(arranged)), encoding="utf-8")
+        place = root_of_checks(folder, order.root, order.behind)
+        process = Judge(config, place, holds_input=order.behind is not None)
+        try:
+            with contextlib.closing(process.lines(run.limit, run.deadline)) as lines:
+                for line in lines:
+                    run.hear(line)
+        except SilentError:
+            silent = True
+        stack = stack_file.read_text(encoding="utf-8", errors="replace")
+    return Ending(stack, silent, process.code, process.stderr)
 
 
 def _lines(process: subprocess.Popen[str], silence: float, deadline: float) -> Iterator[str]:

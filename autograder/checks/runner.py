@@ -6,27 +6,21 @@ a sandbox, nothing here needs POSIX.
 
 from __future__ import annotations
 
-import json
 import re
-import tempfile
 import time
 from collections.abc import Callable
-from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 
 from autograder.checks import events
-from autograder.checks.apart import how_it_ended
-from autograder.checks.arrange import Behind, Config, arrange, root_of_checks
+from autograder.checks.arrange import Behind, Config, arrange
 from autograder.checks.events import Event, read_event
-from autograder.checks.explain import explain_hang
-from autograder.checks.judge import Judge, SilentError, is_stopped
+from autograder.checks.judge import Ending, is_stopped, judge
 from autograder.checks.missing import while_imported
 from autograder.checks.verdict import Verdict, mark_blocked, needs_of, with_needs
 from autograder.clean import clean
 from autograder.manifest import ROOT, Chapter
 from autograder.message import Kind, Message
-from autograder.records import to_json
 
 HURRIED = 0.25  # fraction of the time limit for later checks, once one function has hung twice
 LONGEST_MESSAGE = 8000  # characters; a message shows returned values, which may be huge
@@ -40,6 +34,9 @@ class Limits:
 
     check: float = 3.0
     run: float = 90.0
+
+
+Judging = Callable[["Run"], Ending]
 
 
 class GraderError(Exception):
@@ -75,18 +72,20 @@ def run_checks(
     limits: Limits | None = None,
     behind: Behind | None = None,
     root: Path = ROOT,
+    judge: Judging = judge,
 ) -> list[Verdict]:
     """Run the checks of a chapter on an engine, and return a verdict for each.
 
     ``exercises`` limits the run to some exercises and those that they need. ``on_verdict`` is
-    called with the number of verdicts so far and the number of checks. ``Order`` explains the other
-    arguments.
+    called with the number of verdicts so far and the number of checks. ``Order`` and ``Run``
+    explain the other arguments.
 
     Raises:
         GraderError: The checks themselves cannot be run.
     """
     wanted = with_needs(chapter, exercises)
-    run = Run(Order(chapter, engine, wanted, seed, limits or Limits(), behind, root), on_verdict)
+    order = Order(chapter, engine, wanted, seed, limits or Limits(), behind, root)
+    run = Run(order, on_verdict, judge)
     while not run.finished:
         if is_stopped():
             raise GraderError("the run was stopped")
@@ -100,10 +99,19 @@ def run_checks(
 
 
 class Run:
-    """The state of a run, which may take several processes."""
+    """The state of a run, which may take several processes.
 
-    def __init__(self, order: Order, on_verdict: Callable[[int, int], None] | None = None) -> None:
+    ``judge`` starts a process, passes its events to the run, and returns how it ended.
+    """
+
+    def __init__(
+        self,
+        order: Order,
+        on_verdict: Callable[[int, int], None] | None = None,
+        judge: Judging = judge,
+    ) -> None:
         self.order = order
+        self.judge = judge
         self.on_verdict = on_verdict or (lambda *_: None)
         self.checks: dict[str, events.Check] = {}
         self.verdicts: dict[str, Verdict] = {}
@@ -142,32 +150,13 @@ class Run:
         return mark_blocked(self.order.chapter, verdicts)
 
     def one_process(self) -> None:
-        """Start a process for the checks that have no verdict yet, and follow it until it ends."""
-        order, silent, self.current = self.order, False, None
-        # Windows keeps the files of a process open for a moment after it ends.
-        with tempfile.TemporaryDirectory(prefix="checks-", ignore_cleanup_errors=True) as name:
-            folder = Path(name)
-            stack_file = folder / "stack.txt"
-            stack_file.touch()
-            config = folder / "config.json"  # may be too long for a command line
-            config.write_text(json.dumps(to_json(self.config(folder))), encoding="utf-8")
-            place = root_of_checks(folder, order.root, order.behind)
-            judge = Judge(config, place, holds_input=order.behind is not None)
-            try:
-                with closing(judge.lines(self.limit, self.deadline)) as lines:
-                    for line in lines:
-                        self.take(_event(line))
-            except SilentError:
-                silent = True
-            self.stderr = judge.stderr
-            if self.finished or self.current is None or time.monotonic() > self.deadline:
-                return
-            stack = stack_file.read_text(encoding="utf-8", errors="replace")
-        if stack or silent:
-            why = explain_hang(stack, self.limit, order.engine)
-        else:
-            why = Message(how_it_ended(judge.code), kind=Kind.LEFT)
-        self._break_off(self.current, why)
+        """Check in one process what has no verdict yet, until that process ends."""
+        self.current = None
+        ending = self.judge(self)
+        self.stderr = ending.stderr
+        if self.finished or self.current is None or time.monotonic() > self.deadline:
+            return
+        self._break_off(self.current, ending.explain(self.limit, self.order.engine))
 
     def config(self, folder: Path) -> Config:
         """Return the configuration for the check process."""
@@ -182,6 +171,14 @@ class Run:
             broken=self.broken,
             done=list(self.verdicts),
         )
+
+    def hear(self, line: str) -> None:
+        """Handle one line of the process, which contains an event."""
+        try:
+            event = read_event(line)
+        except ValueError as error:
+            raise GraderError(f"the check process sent an unknown event, {line[:200]!r}") from error
+        self.take(event)
 
     def take(self, event: Event) -> None:
         """Handle one event of the process.
@@ -274,10 +271,3 @@ def _cut(text: str) -> str:
     if len(text) <= LONGEST_PART:
         return text
     return f"{text[: LONGEST_PART - 50]} ... ({len(text)} characters in all)"
-
-
-def _event(line: str) -> Event:
-    try:
-        return read_event(line)
-    except ValueError as error:
-        raise GraderError(f"the check process sent an unknown event, {line[:200]!r}") from error

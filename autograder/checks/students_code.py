@@ -11,6 +11,8 @@ from autograder.checks.faults import is_inside, short
 from autograder.manifest import Chapter
 
 LIBRARY = [Path(sysconfig.get_path(name)).resolve() for name in ("stdlib", "platstdlib")]
+# The library may also be in a zip file beside that folder, as it is in a browser.
+LIBRARY.append(LIBRARY[0].with_name(f"python{''.join(map(str, sys.version_info[:2]))}.zip"))
 PACKAGES = ("site-packages", "dist-packages")  # these may be inside the library's folder
 
 
@@ -33,6 +35,15 @@ class StudentsCode:
         graded: Mapping[str, Collection[str]],
         ours: Collection[str] = (),
     ) -> None:
+        self.change(folders, graded, ours)
+
+    def change(
+        self,
+        folders: Iterable[Path],
+        graded: Mapping[str, Collection[str]],
+        ours: Collection[str] = (),
+    ) -> None:
+        """Know the code of another engine from now on; what limits it stays installed."""
         self.folders = [folder.resolve() for folder in folders]
         self.graded = graded
         self.ours = ours

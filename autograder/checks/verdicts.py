@@ -45,12 +45,15 @@ MOST_KEPT = (40, 2000)  # lines and characters of the printed output
 
 
 class Recorder:
-    """A pytest plugin that selects the checks to run, limits their time and reports verdicts."""
+    """A pytest plugin that selects the checks to run, limits their time and reports verdicts.
 
-    def __init__(self, config: Config, send: Send) -> None:
+    ``engine`` holds the student's code. By default, the configuration decides what that is.
+    """
+
+    def __init__(self, config: Config, send: Send, engine: InProcess | None = None) -> None:
         self.config = config
         self.send = send
-        self.engine = _engine(config)
+        self.engine = engine or _engine(config)
         self.definitions: dict[str, set[str] | None] = {}
 
     def pytest_sessionstart(self) -> None:

@@ -23,12 +23,18 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Failure:
-    """A failed check: its diagnosis, the output of the student's code, and the next steps."""
+    """A failed check: its diagnosis, the output of the student's code, and the next steps.
+
+    ``place`` is the position to open, and ``hints`` the exercise whose hints help. Both are empty
+    if an earlier chapter must be fixed first.
+    """
 
     heading: str
     diagnosis: list[Row]
     printed: str
     steps: list[str]
+    place: str = ""
+    hints: str = ""
 
 
 def failure_of(
@@ -66,11 +72,10 @@ def failure_of(
     heading = f"{'Inherited, for example' if inherited else title}: {exercise.id} {exercise.title}"
     if inherited:
         steps = [f"Next: {check_command(engine, CH=numbers_of(chapters_below(chapter)))}"]
-    else:
-        hint = command("hint", EX=message.exercise or exercise.id)
-        place = next_place(engine, chapter, exercise, failed)
-        steps = [f"Next: open {place}", f"For a hint: {hint}"]
-    return Failure(heading, rows, message.printed, steps)
+        return Failure(heading, rows, message.printed, steps)
+    place, hints = next_place(engine, chapter, exercise, failed), message.exercise or exercise.id
+    steps = [f"Next: open {place}", f"For a hint: {command('hint', EX=hints)}"]
+    return Failure(heading, rows, message.printed, steps, place, hints)
 
 
 def print_failure(console: Console, chapter: Chapter, result: Result, engine: list[Path]) -> None:

@@ -97,40 +97,59 @@ def print_report(
     for report in reports:
         print_chapter(console, report, engine)
         print_inherited(console, report, exercise, engine)
-    on_given = f" on the reference's {_named(given)}" if given else ""
+    first = first_open(reports, exercise)
+    changed = [words for report in reports for words in changed_notes(report.chapter, engine)]
+    for words in changed:
+        console.print(f"{words}\n", style="red", markup=False, soft_wrap=True)
+    if first:
+        print_failure(console, *first, engine)
+    else:
+        words = passed_words(reports, exercise, engine, given, changed=bool(changed))
+        style = "red" if changed else "bold green"
+        console.print(words, style=style, markup=False, soft_wrap=True)
+    print_finish(console, reports, exercise, engine, given)
+    return not first and not changed
+
+
+def first_open(reports: list[Report], exercise: Exercise | None) -> tuple[Chapter, Result] | None:
+    """Return what to work on first, of the results that are open; None where all pass."""
     everything = [(report.chapter, result) for report in reports for result in report.results]
     open_ones = [pair for pair in everything if pair[1].status not in ("passed", "waiting")]
     if exercise:  # of the exercises that it builds on, only the physics counts
         open_ones = [p for p in open_ones if p[1].exercise == exercise or not p[1].works]
-    changed = [line for report in reports for line in print_changed(console, report, engine)]
-    if open_ones:
-        # All physics comes before any robust check.
-        first = min(open_ones, key=lambda pair: (pair[1].works, URGENCY.get(pair[1].status, 0)))
-        print_failure(console, *first, engine)
-    elif changed:
-        console.print("All checks pass here, but grading uses the original files.", style="red")
-    elif exercise:
-        console.print(f"All checks of {exercise.id} pass{on_given}.", style="bold green")
-    else:
-        words = all_pass([report.chapter for report in reports], engine, on_given)
-        console.print(words, style="bold green", markup=False, soft_wrap=True)
-    print_finish(console, reports, exercise, engine, given)
-    return not open_ones and not changed
+    # All physics comes before any robust check.
+    return min(
+        open_ones,
+        key=lambda pair: (pair[1].works, URGENCY.get(pair[1].status, 0)),
+        default=None,
+    )
 
 
-def print_changed(console: Console, report: Report, engine: list[Path]) -> list[Path]:
-    """Print which complete files of a chapter were edited, and return them."""
-    changed = changed_files(report.chapter, engine)
-    for file in changed:
-        console.print(
-            f"{file} has been edited. It is not handed in, and grading uses the original, so code "
-            "that needs your change fails there. Keep your own code in the files that the "
-            f"exercises name, and restore the original, for example with: git checkout -- {file}\n",
-            style="red",
-            markup=False,
-            soft_wrap=True,
-        )
-    return changed
+def passed_words(
+    reports: list[Report],
+    exercise: Exercise | None,
+    engine: list[Path],
+    given: list[Chapter],
+    *,
+    changed: bool,
+) -> str:
+    """Return the sentence that says that all checks pass. ``changed``: an original was edited."""
+    if changed:
+        return "All checks pass here, but grading uses the original files."
+    on_given = f" on the reference's {_named(given)}" if given else ""
+    if exercise:
+        return f"All checks of {exercise.id} pass{on_given}."
+    return all_pass([report.chapter for report in reports], engine, on_given)
+
+
+def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
+    """Return a note on each complete file of a chapter that was edited."""
+    return [
+        f"{file} has been edited. It is not handed in, and grading uses the original, so code "
+        "that needs your change fails there. Keep your own code in the files that the "
+        f"exercises name, and restore the original, for example with: git checkout -- {file}"
+        for file in changed_files(chapter, engine)
+    ]
 
 
 def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
@@ -142,10 +161,9 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
     table = Table("", "exercise", "", "state", box=None, pad_edge=False)
     for column in ("physics", "robust", "points"):
         table.add_column(column, justify="right")
-    written = _answered(chapter, engine)
-    for result in results:
+    states = states_of(report, engine)
+    for result, state in zip(results, states, strict=True):
         exercise = result.exercise
-        state = _state(result, written)
         table.add_row(
             exercise.id,
             exercise.title,
@@ -158,7 +176,7 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
         )
     console.print(table)
     console.print()
-    if any(_state(result, written) == WORKS for result in results):
+    if WORKS in states:
         console.print(f'"{WORKS}" means that the physics passes and robust checks are open.\n')
     earned, points = total(results)
     answers = sum(result.exercise.points for result in results) - points
@@ -171,14 +189,16 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
             exercise = result.exercise
             where = place_on_chart(exercise.chart, result.on_chart)
             console.print(f"Your {exercise.id}: {where}\n", markup=False, soft_wrap=True)
+    for words in extra_notes(chapter, engine):
+        console.print(f"{words}\n", markup=False, soft_wrap=True)
+
+
+def extra_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
+    """Return a note on the modules in a chapter's folder that no exercise names, if any."""
     known = {*chapter.edited_files, *chapter.complete}
     files = sorted(file.name for file in (engine[0] / chapter.name).glob("*.py"))
-    if extra := [name for name in files if name not in known]:
-        console.print(
-            f"Not handed in, so nothing may import it: {', '.join(extra)}\n",
-            markup=False,
-            soft_wrap=True,
-        )
+    extra = [name for name in files if name not in known]
+    return [f"Not handed in, so nothing may import it: {', '.join(extra)}"] if extra else []
 
 
 def passing(checks: Sequence[Verdict]) -> str:
@@ -231,9 +251,9 @@ def _named(chapters: list[Chapter]) -> str:
     return f"chapter{'' if len(chapters) == 1 else 's'} {numbers_of(chapters)}"
 
 
-def _state(result: Result, written: set[str]) -> str:
+def _state(result: Result, answered: set[str]) -> str:
     if result.status == "waiting":
-        return "answered" if result.exercise.id in written else "to answer"
+        return "answered" if result.exercise.id in answered else "to answer"
     if result.status == "inherited":
         return result.status
     if result.works and result.status == "failed":
@@ -249,5 +269,8 @@ def _waits_for(exercise: Exercise, message: Message) -> bool:
     return message.kind is Kind.UNWRITTEN and message.exercise == exercise.id
 
 
-def _answered(chapter: Chapter, engine: list[Path]) -> set[str]:
-    return {q.exercise.id for q in questions_of(chapter, engine) if q.answered}
+def states_of(report: Report, engine: list[Path]) -> list[str]:
+    """Return the state of each result in a word or two."""
+    questions = questions_of(report.chapter, engine)
+    answered = {question.exercise.id for question in questions if question.answered}
+    return [_state(result, answered) for result in report.results]

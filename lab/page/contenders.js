@@ -1,62 +1,66 @@
 // The contenders: the student's engine first, then the engines and methods to compare it with.
 
-import {EngineLink} from "./engine.js";
 import {showStages} from "./stages.js";
-import {$, page, remember, tint} from "./state.js";
 
-export function addContender({engine, peer, changes}, answered) {
-  const contender = {engine, peer, changes, number: page.contenders.length, asked: page.target, worst: 0, frame: null};
+export function compare(lab, {engine, peer, changes}) {
+  const contender = {engine, peer, changes, number: lab.contenders.length, asked: lab.target, worst: 0, frame: null};
   contender.label = [peer || (engine === "yours" ? "your engine" : "the reference"), ...Object.values(changes)].join(", ");
-  contender.link = new EngineLink(engine, (answer) => answered(contender, answer));
-  page.contenders.push(contender);
-  load(contender);
+  contender.link = lab.connect(engine, (answer) => lab.answered(contender, answer));
+  lab.contenders.push(contender);
+  load(lab, contender);
 }
 
-export function load(contender) {
+export function load(lab, contender) {
   contender.dead = false;
-  contender.link.send({kind: "load", scene: page.name, peer: contender.peer, values: {...page.values, ...contender.changes}});
+  contender.link.send({kind: "load", scene: lab.name, peer: contender.peer, values: {...lab.values, ...contender.changes}});
 }
 
-export function showRivals(spec) {
+// Offer the engines and methods to compare the scene with, and name those that are not available.
+export function showRivals(lab) {
+  const {$, spec} = lab;
   $("add").replaceChildren(new Option("choose ...", ""));
   const add = (label, rival) => $("add").add(new Option(label, JSON.stringify(rival)));
-  for (const engine of page.list.engines.slice(1)) add("the reference", {engine, peer: "", changes: {}});
-  const own = page.list.engines[0];
-  for (const peer of spec.peers) add(peer, {engine: own, peer, changes: {}});
+  for (const engine of lab.engines.slice(1)) add("the reference", {engine, peer: "", changes: {}});
+  const own = lab.engines[0];
+  for (const peer of spec.peers) if (!lab.absent[peer]) add(peer, {engine: own, peer, changes: {}});
   for (const {name, label, options} of spec.parameters) {
     if (!spec.compare.includes(name)) continue;
     for (const option of options) add(`${label}: ${option}`, {engine: own, peer: "", changes: {[name]: option}});
   }
+  const absent = spec.peers.map((peer) => lab.absent[peer]).filter(Boolean);
+  $("absent").hidden = !absent.length;
+  $("absent").textContent = absent.join(" ");
 }
 
-export function showContenders() {
-  const body = $("contenders").tBodies[0];
+export function showContenders(lab) {
+  const body = lab.$("contenders").tBodies[0];
   body.replaceChildren();
-  for (const contender of page.contenders) {
+  for (const contender of lab.contenders) {
     const row = body.insertRow();
     const name = document.createElement("th");
     name.scope = "row";
-    name.innerHTML = `<span class="swatch" style="background:${tint(contender)}"></span>`;
-    name.append(contender.label);
+    const swatch = document.createElement("span");
+    swatch.className = "swatch";
+    swatch.style.background = lab.tint(contender);
+    name.append(swatch, contender.label);
     row.append(name);
     contender.cells = [row.insertCell(), row.insertCell()];
     const last = row.insertCell();
     if (contender.number) {
       const remove = document.createElement("button");
-      remove.textContent = "remove";
+      Object.assign(remove, {type: "button", textContent: "remove", onclick: () => removeContender(lab, contender)});
       remove.setAttribute("aria-label", `remove ${contender.label}`);
-      remove.onclick = () => removeContender(contender);
       last.append(remove);
     }
   }
 }
 
-function removeContender(contender) {
+function removeContender(lab, contender) {
   contender.link.close();
-  page.contenders.splice(page.contenders.indexOf(contender), 1);
-  page.contenders.forEach((each, number) => (each.number = number));
-  page.charts.clear();
-  showContenders();
-  showStages();
-  remember();
+  lab.contenders.splice(lab.contenders.indexOf(contender), 1);
+  lab.contenders.forEach((each, number) => (each.number = number));
+  lab.charts.clear();
+  showContenders(lab);
+  showStages(lab);
+  lab.changed(lab);
 }

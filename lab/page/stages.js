@@ -1,19 +1,19 @@
 // The pictures of the scene, and pointer events on them.
 
 import {Stage} from "./draw.js";
-import {$, page, tint} from "./state.js";
 
-export function showStages() {
-  const apart = $("split").checked ? page.contenders : page.contenders.slice(0, 1);
+export function showStages(lab) {
+  const {$, spec} = lab;
+  const apart = $("split").checked ? lab.contenders : lab.contenders.slice(0, 1);
   $("stage").classList.toggle("split", apart.length > 1);
   $("stage").replaceChildren();
-  page.stages = apart.map((contender) => {
+  lab.stages = apart.map((contender) => {
     const figure = document.createElement("figure");
     const canvas = document.createElement("canvas");
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "img");
-    canvas.setAttribute("aria-label", `${page.spec.title}: ${page.spec.question}`);
-    canvas.setAttribute("aria-describedby", "say");
+    canvas.setAttribute("aria-label", `${spec.title}: ${spec.question}`);
+    canvas.setAttribute("aria-describedby", `${lab.prefix}say`);
     figure.append(canvas);
     if (apart.length > 1) {
       const caption = document.createElement("figcaption");
@@ -22,19 +22,19 @@ export function showStages() {
     }
     $("stage").append(figure);
     const stage = new Stage(canvas);
-    stage.view = page.spec.view;
+    stage.view = spec.view;
     stage.fit();
-    listen(stage);
+    listen(lab, stage);
     return stage;
   });
 }
 
-export function drawAll() {
-  page.stages?.forEach((stage, place) => {
+export function drawAll(lab) {
+  lab.stages?.forEach((stage, place) => {
     stage.clear();
-    page.contenders.forEach((contender, number) => {
-      if (!contender.frame || (page.stages.length > 1 && number !== place)) return;
-      stage.draw(contender.frame.items, page.hidden, number ? tint(contender) : "");
+    lab.contenders.forEach((contender, number) => {
+      if (!contender.frame || (lab.stages.length > 1 && number !== place)) return;
+      stage.draw(contender.frame.items, lab.hidden, number ? lab.tint(contender) : "");
     });
   });
 }
@@ -43,25 +43,25 @@ export function drawAll() {
 export const isGrabbed = (item) => item[0] === "circle" && item[6];
 
 // Return the name of the draggable circle at a point, or "".
-function grabbed(stage, x, y) {
-  const circles = (page.contenders[0].frame?.items ?? []).filter(isGrabbed);
+function grabbed(lab, stage, x, y) {
+  const circles = (lab.contenders[0].frame?.items ?? []).filter(isGrabbed);
   return circles.find(([, , cx, cy, radius]) => Math.hypot(cx - x, cy - y) < Math.max(radius, 14 / stage.scale))?.[6] ?? "";
 }
 
-function listen(stage) {
+function listen(lab, stage) {
   const canvas = stage.canvas;
   let held = "";
-  const send = (message) => page.contenders.forEach((contender) => contender.link.send(message));
+  const send = (message) => lab.contenders.forEach((contender) => contender.link.send(message));
   canvas.onpointerdown = (event) => {
     const [x, y] = stage.point(event);
-    held = grabbed(stage, x, y);
+    held = grabbed(lab, stage, x, y);
     if (held) canvas.setPointerCapture(event.pointerId);
     else send({kind: "click", x, y});
   };
   canvas.onpointermove = (event) => {
     const [x, y] = stage.point(event);
-    if (!held) canvas.style.cursor = grabbed(stage, x, y) ? "grab" : "";
-    if (!held || page.contenders[0].link.busy) return;
+    if (!held) canvas.style.cursor = grabbed(lab, stage, x, y) ? "grab" : "";
+    if (!held || lab.contenders[0].link.busy) return;
     send({kind: "drag", name: held, x, y});
   };
   canvas.onpointerup = () => (held = "");

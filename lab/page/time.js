@@ -1,25 +1,26 @@
 // Advance time: count the frames that are due, and request them from the engines.
 
-import {load} from "./contenders.js";
 import {drawAll} from "./stages.js";
-import {$, FRAMES, page, say, trouble} from "./state.js";
 
+export const FRAMES = 60; // per second
 const MOST_AT_ONCE = 8; // frames requested from an engine in one message
-let pictures = 0;
+const SLOW = 0.85; // fraction of real time below which the page shows a note
+const WINDOW = 1000; // ms over which the pace is measured
 
-export function play(wanted) {
-  page.playing = wanted;
-  page.last = performance.now();
-  $("play").textContent = wanted ? "Pause" : "Play";
+export function play(lab, wanted) {
+  lab.playing = wanted;
+  lab.last = performance.now();
+  lab.measured = null;
+  lab.$("play").textContent = wanted ? "Pause" : "Play";
   if (wanted) return;
-  page.target = Math.max(0, ...page.contenders.map((c) => c.asked)); // slower contenders catch up
-  if (page.contenders[0]?.frame) say(page.contenders[0].frame.say);
+  lab.target = Math.max(0, ...lab.contenders.map((c) => c.asked)); // slower contenders catch up
+  if (lab.contenders[0]?.frame) lab.say(lab.contenders[0].frame.say);
 }
 
-export function advance(frames) {
-  page.target += frames;
-  for (const contender of page.contenders) {
-    const due = Math.floor(page.target) - contender.asked;
+export function advance(lab, frames) {
+  lab.target += frames;
+  for (const contender of lab.contenders) {
+    const due = Math.floor(lab.target) - contender.asked;
     if (contender.dead || contender.link.busy || due < 1) continue;
     const now = Math.min(due, MOST_AT_ONCE);
     contender.asked += now;
@@ -27,33 +28,50 @@ export function advance(frames) {
   }
 }
 
-export function restart() {
-  trouble("");
-  page.charts.clear();
-  page.target = 0;
-  page.until = Infinity;
-  for (const contender of page.contenders) {
-    Object.assign(contender, {asked: 0, worst: 0});
-    load(contender);
-  }
+export function restart(lab) {
+  lab.trouble("");
+  lab.charts.clear();
+  lab.target = 0;
+  lab.until = Infinity;
+  for (const contender of lab.contenders) Object.assign(contender, {asked: 0, worst: 0});
+  lab.reload();
 }
 
 // Run before each screen refresh: advance time, draw, and sometimes update the numbers.
-export function tick(now, showNumbers) {
-  if (page.playing) {
-    advance(((now - page.last) / 1000) * FRAMES * Number($("speed").value));
-    page.last = now;
+export function tick(lab, now) {
+  if (lab.closed) return;
+  if (lab.playing) {
+    const speed = Number(lab.$("speed").value);
+    advance(lab, ((now - lab.last) / 1000) * FRAMES * speed);
+    lab.last = now;
     // If an engine cannot keep up, time passes more slowly.
-    const slowest = Math.min(...page.contenders.filter((c) => !c.dead).map((c) => c.asked));
-    page.target = Math.min(page.target, slowest + 4 * MOST_AT_ONCE, page.until);
-    if (slowest >= page.until) {
-      page.until = Infinity;
-      play(false);
-      page.contenders[0].link.send({kind: "predict", option: page.guess});
+    const slowest = Math.min(...lab.contenders.filter((c) => !c.dead).map((c) => c.asked));
+    lab.target = Math.min(lab.target, slowest + 4 * MOST_AT_ONCE, lab.until);
+    showPace(lab, now, speed);
+    if (slowest >= lab.until) {
+      lab.until = Infinity;
+      play(lab, false);
+      lab.contenders[0].link.send({kind: "predict", option: lab.guess});
     }
   }
-  advance(0); // request steps that came due while an engine was busy
-  drawAll();
-  if (++pictures % 6 === 0) showNumbers();
-  requestAnimationFrame((later) => tick(later, showNumbers));
+  advance(lab, 0); // request steps that came due while an engine was busy
+  drawAll(lab);
+  lab.pictures = (lab.pictures ?? 0) + 1;
+  if (lab.pictures % 6 === 0) lab.showNumbers();
+  requestAnimationFrame((later) => tick(lab, later));
+}
+
+// Show a note if the scene does not run in real time.
+function showPace(lab, now, speed) {
+  const time = lab.contenders[0]?.frame?.time;
+  if (time === undefined) return;
+  const since = lab.measured;
+  if (!since || since.speed !== speed || time < since.time) lab.measured = {now, time, speed};
+  else if (now - since.now >= WINDOW) {
+    const pace = (time - since.time) / ((now - since.now) / 1000) / speed;
+    lab.measured = {now, time, speed};
+    lab.$("pace").hidden = pace >= SLOW;
+    const words = `This runs at ${Math.round(100 * pace)} % of the speed that was asked for: one frame takes too long here.`;
+    lab.$("pace").textContent = pace >= SLOW ? "" : words;
+  }
 }

@@ -26,14 +26,30 @@ def missing() -> str:
 
 def browser() -> Iterator[Any]:
     """Yield a browser, for a fixture."""
-    if why := missing():
-        if os.environ.get("CI"):
-            pytest.fail(why)
-        pytest.skip(why)
+    yield from launched()
+
+
+def browser_alone() -> Iterator[Any]:
+    """Yield a browser that finds no host but this machine, for a fixture."""
+    yield from launched("--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1")
+
+
+def launched(*arguments: str) -> Iterator[Any]:
+    """Yield a browser with further arguments."""
+    need(missing())
     from playwright.sync_api import sync_playwright
 
     with sync_playwright() as driver:
         # Chromium's sandbox needs rights that containers do not give, and the pages are our own.
-        opened = driver.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
+        command = ["--no-sandbox", *arguments]
+        opened = driver.chromium.launch(executable_path=CHROMIUM, args=command)
         yield opened
         opened.close()
+
+
+def need(missing: str) -> None:
+    """Skip the test where something is missing; in CI it fails."""
+    if missing:
+        if os.environ.get("CI"):
+            pytest.fail(missing)
+        pytest.skip(missing)

@@ -1,0 +1,197 @@
+// A lab: one scene, its parameters, and one or more engines that play it.
+//
+// options:
+//   prefix         what stands before the ids of its parts
+//   compact        charts and comparison are folded away
+//   engines        names of the engines that a reader may choose from, the student's own first
+//   connect        connect(engine, onAnswer) returns a link to an engine: send, close and busy
+//   absent         what cannot be compared here, with the reason: {pymunk: "..."}
+//   opened         is called with the description of a scene that has been opened
+//   troubled       troubled(words, place) may add to what is shown where a scene cannot run
+//   address        address(lab) returns an address that brings all of this back
+//   changed        is called when that address changes
+//   record         record(scene, values) promises an animation, where there is a way to make one
+
+import {Charts} from "./charts.js";
+import {compare, load, showContenders, showRivals} from "./contenders.js";
+import {makeControl} from "./controls.js";
+import {connectButtons} from "./keys.js";
+import {isKnown, showNumbers} from "./numbers.js";
+import {ask} from "./predict.js";
+import {isGrabbed, showStages} from "./stages.js";
+import {FRAMES, play, restart, tick} from "./time.js";
+import {markup} from "./view.js";
+
+const TINTS = ["--blue", "--red", "--green", "--violet", "--orange"];
+const nothing = () => {};
+
+export class Lab {
+  constructor(place, options) {
+    const defaults = {prefix: "", compact: false, absent: {}, opened: nothing, troubled: nothing, changed: nothing, address: () => location.href};
+    Object.assign(this, {...defaults, ...options});
+    this.place = place;
+    place.innerHTML = markup(this.prefix, this.compact);
+    place.classList.toggle("compact", this.compact);
+    this.$ = (name) => document.getElementById(this.prefix + name);
+    this.spec = null;
+    this.values = {};
+    this.contenders = [];
+    this.playing = false;
+    this.target = 0; // frames that should have passed
+    this.until = Infinity; // frames after which a question is answered
+    this.hidden = new Set(["force", "contact"]);
+    this.charts = new Charts(this.$("charts"));
+    this.controls = new Map();
+    connectButtons(this);
+    this.sizes = new ResizeObserver(() => this.charts.fit());
+    this.sizes.observe(this.$("right"));
+    requestAnimationFrame((now) => tick(this, now));
+  }
+
+  // Open a scene. Rivals are the engines that the student's own is compared with.
+  open(name, values, rivals = []) {
+    for (const contender of this.contenders.splice(0)) contender.link.close();
+    Object.assign(this, {spec: null, values, name});
+    this.trouble("");
+    this.$("stage").replaceChildren();
+    this.$("parameters").replaceChildren();
+    for (const rival of [{engine: this.engines[0], peer: "", changes: {}}, ...rivals]) compare(this, rival);
+  }
+
+  close() {
+    this.closed = true;
+    this.sizes.disconnect();
+    for (const contender of this.contenders.splice(0)) contender.link.close();
+    this.charts.clear();
+    this.place.replaceChildren();
+  }
+
+  answered(contender, answer) {
+    if (this.closed) return;
+    if (answer.kind === "scene") {
+      if (!this.spec) this.show(answer);
+      showContenders(this);
+    } else if (answer.kind === "frame") {
+      contender.frame = answer;
+      this.$("grab").hidden = !answer.items.some(isGrabbed);
+      if (isKnown(answer.error)) contender.worst = Math.max(contender.worst, answer.error);
+      this.chart(contender, answer);
+    } else if (answer.kind === "stopped") {
+      contender.dead = true;
+      this.trouble(`${contender.label}: ${answer.why}`);
+      if (this.contenders.every((each) => each.dead)) play(this, false);
+    } else if (answer.kind === "refused") {
+      this.trouble(answer.why);
+    } else if (answer.kind === "saved") {
+      this.say(`${answer.files.join(", ")} saved. The scene restarts with the new code.`);
+      restart(this);
+    } else if (answer.kind === "judged") {
+      this.judged?.(answer);
+    }
+  }
+
+  // Show a scene that has been opened.
+  show(spec) {
+    this.spec = spec;
+    this.values = spec.values; // as the scene has understood them
+    this.controls.clear();
+    for (const parameter of spec.parameters) {
+      const value = this.values[parameter.name] ?? parameter.default;
+      const control = makeControl(parameter, value, (wanted) => this.change(parameter.name, wanted));
+      this.$("parameters").append(control);
+      this.controls.set(parameter.name, control);
+    }
+    this.$("parameters").hidden = !spec.parameters.length;
+    this.showActions(spec.keys);
+    showRivals(this);
+    showStages(this);
+    ask(this.$("predict"), spec.predict, {
+      skip: () => play(this, true),
+      watch: (option, then) => {
+        this.until = this.target + spec.predict.seconds * FRAMES;
+        Object.assign(this, {guess: option, judged: then});
+        play(this, true);
+      },
+    });
+    this.opened(spec);
+  }
+
+  showActions(keys) {
+    this.$("actions").replaceChildren();
+    this.$("actions").hidden = !Object.keys(keys).length;
+    for (const [key, words] of Object.entries(keys)) {
+      const button = document.createElement("button");
+      Object.assign(button, {type: "button", textContent: `${words} (${key})`, onclick: () => this.press(key)});
+      this.$("actions").append(button);
+    }
+  }
+
+  chart(contender, frame) {
+    const colors = this.contenders.map((each) => this.tint(each));
+    if (contender.number >= colors.length) return;
+    const values = {...frame.chart};
+    if (isKnown(frame.error)) values[`error, ${this.spec.errorUnit}`] = frame.error;
+    for (const [title, value] of Object.entries(values)) {
+      this.charts.add(title, frame.time, contender.number, colors, value);
+    }
+  }
+
+  // What a reader does with the scene.
+  change(name, value) {
+    this.values[name] = value;
+    this.trouble("");
+    const {live} = this.spec.parameters.find((parameter) => parameter.name === name);
+    for (const contender of this.contenders) {
+      if (name in contender.changes) continue;
+      contender.dead = false;
+      contender.worst = 0;
+      contender.link.send({kind: "set", name, value});
+      if (!live) contender.asked = 0;
+    }
+    if (!live) this.target = 0;
+    if (!live) this.charts.clear();
+    this.changed(this);
+  }
+
+  press(key) {
+    for (const contender of this.contenders) contender.link.send({kind: "press", key});
+  }
+
+  trouble(words) {
+    this.$("trouble").hidden = !words;
+    this.$("trouble").textContent = words;
+    if (words) this.troubled(words, this.$("trouble"));
+  }
+
+  say(words) {
+    if (this.$("say").textContent !== words) this.$("say").textContent = words;
+  }
+
+  // The color of a contender in the table, the charts and the picture.
+  tint(contender) {
+    return getComputedStyle(document.documentElement).getPropertyValue(TINTS[contender.number % TINTS.length]);
+  }
+
+  // What brings this back: scene, parameters, contenders.
+  query() {
+    const query = new URLSearchParams({scene: this.name, ...this.values});
+    for (const {engine, peer, changes} of this.contenders.slice(1)) {
+      query.append("with", JSON.stringify({engine, peer, changes}));
+    }
+    return query;
+  }
+
+  showNumbers() {
+    showNumbers(this);
+  }
+
+  reload() {
+    for (const contender of this.contenders) load(this, contender);
+  }
+}
+
+// What an address asks for: a scene, values of its parameters, and rivals.
+export function asked(query, first) {
+  const {scene = first, ...values} = Object.fromEntries([...query].filter(([key]) => key !== "with"));
+  return {scene, values, rivals: query.getAll("with").map((rival) => JSON.parse(rival))};
+}

@@ -1,0 +1,82 @@
+"""The course's site, built once for all processes of a test run, and served from a sub-path."""
+
+from __future__ import annotations
+
+import contextlib
+import fcntl
+import functools
+import os
+import threading
+from collections.abc import Iterator
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+import pytest
+
+from browser import need
+from web.__main__ import build
+from web.node import missing
+
+BELOW = "some/where"  # the site must work from any path
+
+
+def built(factory: pytest.TempPathFactory, *, with_solutions: bool = False) -> Path:
+    """Return a folder with the site below BELOW. The first process that asks builds it."""
+    need(missing())
+    shared = factory.getbasetemp()
+    if os.environ.get("PYTEST_XDIST_WORKER"):
+        shared = shared.parent
+    folder = shared / ("site-with-solutions" if with_solutions else "site")
+    with (shared / "site.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not (folder / BELOW).exists():
+            build(folder / BELOW, with_solutions=with_solutions)
+    return folder
+
+
+class Quiet(SimpleHTTPRequestHandler):
+    """Serves files without a word."""
+
+    def log_message(self, *_: object) -> None:
+        """Say nothing."""
+
+
+class Served:
+    """A server of a folder that can be stopped and started again at the same address."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.port = 0
+        self.start()
+
+    @property
+    def address(self) -> str:
+        return f"http://127.0.0.1:{self.port}/{BELOW}/"
+
+    def start(self) -> None:
+        """Serve from now on."""
+        handler = functools.partial(Quiet, directory=str(self.folder))
+        self.server = ThreadingHTTPServer(("127.0.0.1", self.port), handler)
+        self.port = self.server.server_address[1]
+        threading.Thread(target=self.server.serve_forever, daemon=True).start()
+
+    def stop(self) -> None:
+        """Answer nothing any more."""
+        self.server.shutdown()
+        self.server.server_close()
+
+
+def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
+    """Yield the site, served, for a fixture."""
+    with served_site(built(tmp_path_factory)) as server:
+        yield server
+
+
+@contextlib.contextmanager
+def served_site(folder: Path) -> Iterator[Served]:
+    """Serve a folder that ``built`` has returned."""
+    server = Served(folder)
+    try:
+        yield server
+    finally:
+        server.stop()

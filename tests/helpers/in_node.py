@@ -1,0 +1,79 @@
+"""The engines of the site's pages in Node: the page's own scripts, and Pyodide in their workers."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from autograder.manifest import ROOT, Chapter, load_chapters
+from course_site import BELOW, built
+
+SCRIPT = ROOT / "tests" / "web" / "engines.mjs"
+
+
+class NodeEngines:
+    """A process of Node with the engines of a site."""
+
+    def __init__(self, site: Path) -> None:
+        self.process = subprocess.Popen(
+            ["node", str(SCRIPT), str(site)],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            encoding="utf-8",
+        )
+
+    def ask(self, what: str, **request: Any) -> dict[str, Any]:
+        """Send a request, and return the answer."""
+        assert self.process.stdin is not None
+        assert self.process.stdout is not None
+        print(json.dumps({"what": what, **request}), file=self.process.stdin, flush=True)
+        answer: dict[str, Any] = json.loads(self.process.stdout.readline())
+        return answer
+
+    def check(
+        self, files: dict[str, str], chapter: Chapter, exercise: str | None = None, **asked: Any
+    ) -> dict[str, Any]:
+        """Return the report on a chapter or an exercise, as the page gets it."""
+        asked |= {"files": files, "chapter": chapter.name, "exercise": exercise}
+        answer = self.ask("check", asked=asked)
+        assert "report" in answer, answer.get("error")
+        report: dict[str, Any] = answer["report"]
+        return report
+
+    def scene(self, link: int, kind: str, **message: Any) -> list[dict[str, Any]]:
+        """Return the answers to a message about a scene."""
+        answers: list[dict[str, Any]] = self.ask(
+            "scene", link=link, message={"kind": kind, **message}
+        )["answers"]
+        return answers
+
+    def close(self) -> None:
+        """End the process."""
+        self.process.stdin.close()
+        self.process.wait()
+
+
+def engines(tmp_path_factory: pytest.TempPathFactory) -> Iterator[NodeEngines]:
+    """Yield the engines of the site, for a fixture."""
+    yield from engines_of(built(tmp_path_factory) / BELOW)
+
+
+def engines_of(site: Path) -> Iterator[NodeEngines]:
+    """Yield the engines of a site."""
+    engines = NodeEngines(site)
+    yield engines
+    engines.close()
+
+
+def reference() -> dict[str, str]:
+    """Return what the reference hands in, of all chapters, by its path."""
+    return {
+        f"{chapter.name}/{name}": (ROOT / "solutions" / chapter.name / name).read_text("utf-8")
+        for chapter in load_chapters()
+        for name in chapter.handed_in
+    }

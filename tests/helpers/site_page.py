@@ -1,0 +1,126 @@
+"""Pages of the site in a browser, and what a student does on them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlsplit
+
+PASTE = """([text]) => {
+  const data = new DataTransfer();
+  data.setData("text/plain", text);
+  const paste = {clipboardData: data, bubbles: true, cancelable: true};
+  document.activeElement.dispatchEvent(new ClipboardEvent("paste", paste));
+}"""
+
+
+@contextmanager
+def visit(browser: Any, width: int = 1280, scheme: str = "light") -> Iterator[Any]:
+    """Yield the context of a new visitor. No page may fail, or ask for another host."""
+    size = {"width": width, "height": 900}
+    context = browser.new_context(viewport=size, color_scheme=scheme, accept_downloads=True)
+    context.set_default_timeout(20_000.0)  # ms; machines of CI are slow
+    context.troubles, context.hosts = [], set()
+    context.on("request", lambda request: context.hosts.add(urlsplit(request.url).hostname))
+    context.on("weberror", lambda error: context.troubles.append(str(error.error)))
+    context.on("console", lambda message: _hear(context, message))
+    yield context
+    context.close()
+    assert context.troubles == []
+    assert context.hosts <= {"127.0.0.1", None}  # None: data within the page
+
+
+def visitor(browser: Any) -> Iterator[Any]:
+    """Yield the context of a visitor who has nothing stored yet, for a fixture."""
+    with visit(browser) as context:
+        yield context
+
+
+def _hear(context: Any, message: Any) -> None:
+    if message.type == "error":
+        context.troubles.append(f"{message.text} {message.location}")
+
+
+def accessible(page: Any) -> None:
+    """Hold a page to axe's rules, and to the width of its window."""
+    from axe_playwright_python.sync_playwright import Axe
+
+    found = Axe().run(page).response["violations"]
+    assert found == [], json.dumps([(v["id"], [n["html"] for n in v["nodes"][:3]]) for v in found])
+    width = page.viewport_size["width"]
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+
+
+def turn(page: Any, exercise: str) -> Any:
+    """Return the panel of an exercise, with its editor."""
+    panel = page.locator(f"#ex-{exercise.replace('.', '-')}")
+    panel.scroll_into_view_if_needed()
+    panel.locator(".cm-content, textarea").wait_for()
+    return panel
+
+
+def write(page: Any, panel: Any, file: str, text: str) -> None:
+    """Replace all the text of a file in a panel's editor, as by select all and paste."""
+    path = panel.locator(".editor").get_attribute("data-path") or ""
+    if not path.endswith(f"/{file}"):
+        panel.get_by_label("Show a file of the chapter").select_option(label=file)
+        panel.locator(f".editor[data-path$='/{file}']").wait_for()
+    panel.locator(".cm-content").focus()
+    page.keyboard.press("Control+a")
+    page.evaluate(PASTE, [text])
+
+
+def check(panel: Any, button: str = "Check") -> str:
+    """Press Check, and return what is said when the checks are done."""
+    panel.get_by_role("button", name=button, exact=True).click()
+    panel.locator(".result:not([aria-busy])").wait_for(state="attached")
+    status = panel.locator("[role=status]")
+    for _ in range(600):
+        words = status.inner_text()
+        if not words.startswith(("Checking", "Python is starting")):
+            return str(words)
+        panel.page.wait_for_timeout(50)
+    raise AssertionError(f"the checks do not end: {words}")
+
+
+def rows(panel: Any) -> list[tuple[str, str]]:
+    """Return the labels and words of the failure that a panel shows."""
+    read = """list => [...list.children].map(e => [e.tagName, e.textContent])"""
+    found = panel.locator(".result .rows").evaluate(read)
+    labeled: list[tuple[str, str]] = []
+    label = ""
+    for tag, words in found:
+        if tag == "DT":
+            label = words
+        else:
+            labeled.append((label, words))
+            label = ""
+    return labeled
+
+
+def reference(*chapters: str) -> dict[str, str]:
+    """Return the reference's modules of these chapters, by their paths; of all without any."""
+    from autograder.manifest import ROOT, load_chapters
+
+    return {
+        f"{chapter.name}/{name}": (ROOT / "solutions" / chapter.name / name).read_text("utf-8")
+        for chapter in load_chapters()
+        if not chapters or chapter.name in chapters
+        for name in chapter.handed_in
+    }
+
+
+def upload(page: Any, address: str, texts: dict[str, str], folder: Path) -> None:
+    """Bring texts to the site as a zip, on its start page."""
+    import zipfile
+
+    archive = folder / "mine.zip"
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as file:
+        for path, text in texts.items():
+            file.writestr(path, text)
+    page.goto(f"{address}index.html")
+    page.locator("#zip-file").set_input_files(archive)
+    page.locator(".work [role=status]").filter(has_text="taken from mine.zip").wait_for()

@@ -1,0 +1,298 @@
+"""What a student writes is kept: over reloads, in two tabs, in a zip and a folder, and offline."""
+
+from __future__ import annotations
+
+import csv
+import shutil
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import browser as browsers
+import course_site
+import site_page
+from autograder.manifest import ROOT, load_chapters
+from course_site import BELOW, Served
+from site_page import accessible, check, reference, turn, upload, visit, write
+
+VECTOR = "ch02_vectors/vector.py"
+STUB = (ROOT / "chapters" / VECTOR).read_text(encoding="utf-8")
+
+browser = pytest.fixture(browsers.browser_alone, scope="module")
+site = pytest.fixture(course_site.site, scope="module")
+visitor = pytest.fixture(site_page.visitor)
+
+STORED = """(path) => new Promise(resolve => {
+  const name = `game-physics-companion ${new URL(".", document.baseURI).pathname}`;
+  indexedDB.open(name).onsuccess = ({target: {result}}) =>
+    result.transaction("files").objectStore("files").get(path).onsuccess = (event) => {
+      result.close();
+      resolve(event.target.result?.text ?? "");
+    };
+})"""
+
+
+def lesson(visitor: Any, site: Served, name: str = "ch02_vectors") -> Any:
+    page = visitor.new_page()
+    page.goto(f"{site.address}{name}.html")
+    return page
+
+
+def marked(note: str) -> str:
+    """Return the stub of vector.py with a comment at its end."""
+    return f"{STUB}# {note}\n"
+
+
+def until(page: Any, condition: Any) -> None:
+    """Wait until a condition holds."""
+    for _ in range(200):
+        if condition():
+            return
+        page.wait_for_timeout(25)
+    raise AssertionError("it does not come to hold")
+
+
+def stored(page: Any, path: str = VECTOR) -> str:
+    return str(page.evaluate(STORED, path))
+
+
+def test_work_survives_a_reload_a_closed_tab_and_typing_up_to_the_end(
+    visitor: Any, site: Served
+) -> None:
+    page = lesson(visitor, site)
+    write(page, turn(page, "B2.1"), "vector.py", marked("one"))
+    until(page, lambda: stored(page) == marked("one"))
+    page.reload()
+    panel = turn(page, "B2.1")
+    panel.locator(".cm-content").focus()
+    page.keyboard.press("Control+End")
+    page.keyboard.insert_text("# two\n")
+    page.close()  # at once, before it is saved
+    page = lesson(visitor, site)
+    turn(page, "B2.1")
+    until(page, lambda: stored(page) == f"{marked('one')}# two\n")
+
+
+def test_several_editors_of_one_file_show_one_text(visitor: Any, site: Served) -> None:
+    page = lesson(visitor, site)
+    first, second = turn(page, "B2.2"), turn(page, "B2.3")
+    text = STUB.replace('raise NotImplementedError("Exercise B2.2: Length")', "return 0.0", 1)
+    write(page, first, "vector.py", text)
+    second.get_by_label("What you write").get_by_role("button", name="__mul__").click()
+    page.keyboard.press("Control+z")  # nothing of its own is there to undo
+    page.keyboard.press("Control+Home")
+    page.keyboard.insert_text("# top\n")
+    until(page, lambda: stored(page) == f"# top\n{text}")
+    first.locator(".cm-content").focus()
+    page.keyboard.press("Control+z")  # takes back what was pasted here, and not the other's line
+    until(page, lambda: stored(page) == f"# top\n{STUB}")
+
+
+def test_two_tabs_follow_each_other_and_never_overwrite_silently(
+    visitor: Any, site: Served
+) -> None:
+    first, second = lesson(visitor, site), lesson(visitor, site)
+    one, two = turn(first, "B2.1"), turn(second, "B2.1")
+    write(first, one, "vector.py", marked("from the first"))
+    until(first, lambda: stored(first) == marked("from the first"))
+    two.locator(".cm-content").focus()
+    second.keyboard.press("Control+End")
+    second.keyboard.insert_text("# and the second\n")
+    both = f"{marked('from the first')}# and the second\n"
+    until(second, lambda: stored(second) == both)
+    one.locator(".cm-content").focus()
+    first.keyboard.press("Control+End")
+    assert "and the second" in one.locator(".cm-content").inner_text()
+    # Both change it within the moment before anything is saved.
+    late = "BroadcastChannel.prototype.postMessage = () => undefined"
+    second.evaluate(late)
+    write(second, two, "vector.py", marked("second wins"))
+    until(second, lambda: stored(second) == marked("second wins"))
+    write(first, one, "vector.py", marked("first loses"))
+    one.get_by_text("was changed in another tab at the same time").wait_for()
+    assert stored(first) == marked("second wins")
+    one.get_by_role("button", name="Take mine instead").click()
+    until(first, lambda: stored(first) == marked("first loses"))
+    first.goto(f"{site.address}index.html")
+    first.get_by_text("earlier version").click()
+    assert first.locator(".work li", has_text=VECTOR).count() >= 2
+
+
+def test_the_download_is_graded_with_the_points_of_the_page(
+    visitor: Any, site: Served, tmp_path: Path
+) -> None:
+    page = visitor.new_page()
+    page.goto(f"{site.address}index.html")
+    page.get_by_role("button", name="Download my work").click()
+    page.get_by_text("nothing to download").wait_for()
+    texts = reference("ch02_vectors", "ch03_laws_of_motion")
+    texts[VECTOR] = texts[VECTOR].replace("return Vector3(-self.x", "return Vector3(self.x")
+    upload(page, site.address, texts, tmp_path)
+    earned = []
+    for chapter in load_chapters()[:2]:
+        page.goto(f"{site.address}{chapter.name}.html")
+        whole = page.locator("[data-whole]")
+        whole.scroll_into_view_if_needed()
+        check(whole, "Check the whole chapter")
+        earned.append(float(whole.locator(".note").first.inner_text().split(" of ")[0]))
+    page.goto(f"{site.address}index.html")
+    page.get_by_label("Your name").fill("Ada Example")
+    page.get_by_label("Your name").blur()
+    with page.expect_download() as download:
+        page.get_by_role("button", name="Download my work").click()
+    assert download.value.suggested_filename == "Ada Example.zip"
+    (tmp_path / "class").mkdir()
+    download.value.save_as(tmp_path / "class" / "Ada Example.zip")
+    command = [sys.executable, "-m", "autograder", "grade", str(tmp_path / "class")]
+    options = ["--chapters", "2-3", "--seed", "1", "--out", str(tmp_path / "grades")]
+    done = subprocess.run(
+        [*command, *options], cwd=ROOT, capture_output=True, encoding="utf-8", check=False
+    )
+    assert done.returncode in (0, 1), done.stderr
+    with (tmp_path / "grades" / "gradebook.csv").open(encoding="utf-8", newline="") as file:
+        graded = {row["student"]: row for row in csv.DictReader(file)}["Ada Example"]
+    assert 70.0 < sum(earned) < 80.0, "one mistake"
+    assert float(graded["score"]) == pytest.approx(sum(earned))
+
+
+def test_an_upload_asks_before_it_overwrites_and_refuses_what_is_no_zip(
+    visitor: Any, site: Served, tmp_path: Path
+) -> None:
+    page = visitor.new_page()
+    upload(
+        page, site.address, {f"me/chapters/{VECTOR}": marked("one"), "me/notes.txt": ""}, tmp_path
+    )
+    status = page.locator(".work [role=status]")
+    assert "1 other file in it is not part of what you write" in status.inner_text()
+    assert stored(page) == marked("one")
+    with zipfile.ZipFile(tmp_path / "mine.zip", "w") as archive:
+        archive.writestr(VECTOR, marked("two"))
+    chooser = page.locator("#zip-file")
+    chooser.set_input_files(tmp_path / "mine.zip")
+    dialog = page.get_by_role("dialog")
+    dialog.get_by_text(VECTOR).wait_for()
+    accessible(page)
+    dialog.get_by_role("button", name="Cancel").click()
+    assert stored(page) == marked("one")
+    chooser.set_input_files(tmp_path / "mine.zip")
+    dialog.get_by_role("button", name="Replace them").click()
+    until(page, lambda: stored(page) == marked("two"))
+    for content, words in {
+        b"no zip": "no ordinary zip",
+        b"x" * 5_000_001: "larger than 5 MB",
+    }.items():
+        (tmp_path / "bad.zip").write_bytes(content)
+        chooser.set_input_files(tmp_path / "bad.zip")
+        status.filter(has_text=words).wait_for()
+    for name, text, words in (
+        ("other/file.py", b"", "has no file of the course"),
+        (VECTOR, b"\xff\xfe", "not a text in UTF-8"),
+        (VECTOR, b"x" * 200_001, "too large"),
+    ):
+        with zipfile.ZipFile(tmp_path / "bad.zip", "w", zipfile.ZIP_DEFLATED) as archive:
+            archive.writestr(name, text)
+        chooser.set_input_files(tmp_path / "bad.zip")
+        status.filter(has_text=words).wait_for()
+    assert stored(page) == marked("two")
+    page.get_by_text("earlier version").click()
+    page.get_by_role("button", name="Take back").first.click()
+    until(page, lambda: stored(page) == marked("one"))
+    page.get_by_role("button", name="Erase everything").click()
+    dialog.get_by_role("button", name="Cancel").click()
+    assert stored(page) == marked("one")
+    page.get_by_role("button", name="Erase everything").click()
+    dialog.get_by_role("button", name="Erase everything").click()
+    page.get_by_text("Nothing yet.").wait_for()
+    assert stored(page) == ""
+
+
+# The browser's own file system stands for a folder, since nobody can press the picker's buttons.
+FOLDER = """async (text) => {
+  const top = await navigator.storage.getDirectory();
+  const chapters = await top.getDirectoryHandle("chapters", {create: true});
+  const chapter = await chapters.getDirectoryHandle("ch02_vectors", {create: true});
+  window.file = await chapter.getFileHandle("vector.py", {create: true});
+  window.put = async (words) => {
+    const out = await window.file.createWritable();
+    await out.write(words);
+    await out.close();
+  };
+  await window.put(text);
+  window.showDirectoryPicker = async () => top;
+}"""
+
+
+def test_a_folder_is_opened_and_followed_both_ways(visitor: Any, site: Served) -> None:
+    page = visitor.new_page()
+    page.goto(f"{site.address}index.html")
+    page.get_by_role("button", name="Open a folder").wait_for()
+    page.evaluate(FOLDER, marked("in the folder"))
+    page.get_by_role("button", name="Open a folder").click()
+    page.get_by_text("is saved in the folder").wait_for()
+    until(page, lambda: stored(page) == marked("in the folder"))
+    page.evaluate("put", marked("by another editor"))
+    page.evaluate("dispatchEvent(new Event('focus'))")
+    until(page, lambda: stored(page) == marked("by another editor"))
+    page.get_by_text("earlier version").click()
+    page.get_by_role("button", name="Take back").first.click()
+    until(page, lambda: page.evaluate("file.getFile().then(f => f.text())") == stored(page))
+    assert stored(page) == marked("in the folder")
+
+
+def test_everything_works_offline_after_the_first_visit(browser: Any, site: Served) -> None:
+    with course_site.served_site(site.folder) as server, visit(browser) as context:
+        page = context.new_page()
+        page.goto(f"{server.address}index.html")
+        page.get_by_text("Everything is kept for use without the internet.").wait_for(
+            timeout=60_000
+        )
+        server.stop()
+        page.goto(f"{server.address}ch03_laws_of_motion.html")
+        panel = turn(page, "B3.1")
+        assert check(panel).startswith("B3.1: ")
+        for name in ("glossary.html", "ch09_rotations_reference.html", ""):
+            page.goto(server.address + name)
+            assert page.locator("h1").is_visible()
+        server.start()
+
+
+def test_a_new_version_is_taken_when_the_reader_wants_it(
+    browser: Any, site: Served, tmp_path: Path
+) -> None:
+    folder = tmp_path / "changing"
+    below = folder / BELOW
+    below.parent.mkdir(parents=True)
+    below.symlink_to(site.folder / BELOW)
+    with course_site.served_site(folder) as server, visit(browser) as context:
+        page = context.new_page()
+        page.goto(f"{server.address}errata.html")
+        page.evaluate("navigator.serviceWorker.ready.then(() => undefined)")
+        page.reload()
+        changed = tmp_path / "changed"
+        shutil.copytree(site.folder / BELOW, changed, copy_function=shutil.copyfile)
+        text = (changed / "errata.html").read_text(encoding="utf-8")
+        (changed / "errata.html").write_text(
+            text.replace("<h1 ", "<p>The new version.</p><h1 "), encoding="utf-8"
+        )
+        subprocess.run(
+            ["node", "--input-type=module", "-e", REWRITE, str(changed)], cwd=ROOT, check=True
+        )
+        below.unlink()
+        below.symlink_to(changed)
+        page.evaluate("navigator.serviceWorker.ready.then(r => r.update()).then(() => undefined)")
+        page.get_by_text("A new version of the course is ready.").wait_for()
+        assert page.get_by_text("The new version.").count() == 0
+        page.reload()  # still the old one
+        assert page.get_by_text("The new version.").count() == 0
+        page.get_by_role("button", name="Use it now").click()
+        page.get_by_text("The new version.").wait_for()
+
+
+REWRITE = """
+const {writeServiceWorker} = await import("./web/builder/offline.mjs");
+await writeServiceWorker(process.argv[1]);
+"""

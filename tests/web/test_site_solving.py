@@ -1,0 +1,207 @@
+"""Exercises are written and checked on the pages, and mistakes are told as on the command line."""
+
+from __future__ import annotations
+
+import random
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import browser as browsers
+import course_site
+import site_page
+from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.message import laid_out
+from course_site import Served
+from site_page import check, reference, rows, turn, upload, visit, write
+from wrong import Wrong, read_wrong, write_wrong
+
+CHAPTERS = load_chapters()
+SEED = 1  # of the wrong submissions that are drawn
+LOOP = "def clear(self) -> None:\n        while True:\n            pass\n"
+
+browser = pytest.fixture(browsers.browser_alone, scope="module")
+site = pytest.fixture(course_site.site, scope="module")
+visitor = pytest.fixture(site_page.visitor)
+
+
+@pytest.fixture(scope="module")
+def solver(browser: Any, site: Served, tmp_path_factory: pytest.TempPathFactory) -> Any:
+    """A visitor whose folder has the reference's modules, brought as a zip."""
+    with visit(browser) as context:
+        page = context.new_page()
+        upload(page, site.address, reference(), tmp_path_factory.mktemp("zip"))
+        page.close()
+        yield context
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS[:2], ids=lambda chapter: chapter.name)
+def test_the_solutions_earn_all_points(visitor: Any, site: Served, chapter: Chapter) -> None:
+    page = visitor.new_page()
+    page.goto(f"{site.address}{chapter.name}.html")
+    if chapter.number > 2:  # what it builds on is solved on its own page
+        page.goto(f"{site.address}ch02_vectors.html")
+        solve(page, CHAPTERS[0])
+        page.goto(f"{site.address}{chapter.name}.html")
+    solve(page, chapter)
+    exercise = chapter.exercises[0]
+    assert check(turn(page, exercise.id)).startswith(f"All checks of {exercise.id} pass")
+    whole = page.locator("[data-whole]")
+    whole.scroll_into_view_if_needed()
+    began = time.monotonic()
+    words = check(whole, "Check the whole chapter")
+    assert time.monotonic() - began < 10.0
+    assert words.startswith("All checks pass")
+    points = sum(e.points for e in chapter.exercises if e.kind != "written")
+    assert f"{points} of {points} points earned so far" in whole.inner_text()
+    assert "Well done!" in whole.inner_text()
+    page.goto(f"{site.address}index.html")
+    page.get_by_text(f"{points} of {points} points").wait_for()
+
+
+def solve(page: Any, chapter: Chapter) -> None:
+    """Set the text of each file in the editor of its first exercise."""
+    texts = reference(chapter.name)
+    for file in chapter.handed_in:
+        module = file.removesuffix(".py")
+        first = next(
+            exercise
+            for exercise in chapter.exercises
+            if file in exercise.files
+            or any(name.startswith(f"{module}.") for name in exercise.edit)
+        )
+        write(page, turn(page, first.id), file, texts[f"{chapter.name}/{file}"])
+
+
+def drawn(chapter: Chapter) -> list[Wrong]:
+    return random.Random(f"{SEED} {chapter.name}").sample(read_wrong(chapter), 3)
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
+def test_a_mistake_is_told_as_on_the_command_line(
+    solver: Any, site: Served, chapter: Chapter, tmp_path: Path
+) -> None:
+    page = solver.new_page()
+    page.goto(f"{site.address}{chapter.name}.html")
+    for number, wrong in enumerate(drawn(chapter)):
+        engine = tmp_path / str(number)
+        for path, text in reference().items():
+            (engine / path).parent.mkdir(parents=True, exist_ok=True)
+            (engine / path).write_text(text, encoding="utf-8")
+        write_wrong(chapter, [wrong], engine)
+        file = f"{wrong.edit.partition('.')[0]}.py"
+        exercise = next(e for e in chapter.exercises if wrong.edit in e.edit)
+        panel = turn(page, exercise.id)
+        write(page, panel, file, (engine / chapter.name / file).read_text(encoding="utf-8"))
+        check(panel)
+        screen = printed(exercise.id, engine)
+        heading = panel.locator(".failure > :first-child").inner_text()
+        assert f"\n{heading}\n{laid_out(rows(panel))}\n" in screen, wrong.mistake
+        write(page, panel, file, reference()[f"{chapter.name}/{file}"])
+    page.close()
+
+
+def printed(exercise: str, engine: Path) -> str:
+    """Return what the command line prints of an exercise."""
+    command = [sys.executable, "-m", "autograder", "check", "--exercise", exercise]
+    done = subprocess.run(
+        [*command, "--engine", str(engine)],
+        cwd=ROOT,
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+    )
+    assert done.returncode == 1, done.stdout + done.stderr
+    return done.stdout
+
+
+WATCH = """() => {
+  let last = performance.now();
+  window.longest = 0;
+  setInterval(() => {
+    const now = performance.now();
+    window.longest = Math.max(window.longest, now - last);
+    last = now;
+  }, 10);
+}"""
+
+
+def test_an_endless_loop_ends_and_the_page_stays_responsive(visitor: Any, site: Served) -> None:
+    page = visitor.new_page()
+    page.goto(f"{site.address}ch02_vectors.html")
+    panel = turn(page, "B2.1")
+    text = reference("ch02_vectors")["ch02_vectors/vector.py"]
+    write(page, panel, "vector.py", text)
+    assert check(panel).startswith("All checks of B2.1 pass")
+    body = text[text.index("def clear") : text.index("def invert")]
+    looping = text.replace(body, f"{LOOP}\n    ")
+    write(page, panel, "vector.py", looping)
+    page.evaluate(WATCH)
+    began = time.monotonic()
+    panel.get_by_role("button", name="Check", exact=True).click()
+    panel.locator(".failure").wait_for()
+    assert time.monotonic() - began < 4.0
+    assert page.evaluate("window.longest") < 1000.0
+    line = looping[: looping.index("while True")].count("\n") + 1
+    where = dict(rows(panel))["where"]
+    assert where in {f"ch02_vectors/vector.py, line {line + n}, in clear" for n in (0, 1)}
+    panel.get_by_role("button", name="Go to line").click()
+    assert panel.locator(".cm-wrong").count() == 1
+    write(page, panel, "vector.py", text)
+    assert check(panel).startswith("All checks of B2.1 pass")
+
+
+def test_a_written_answer_is_kept_in_answers_md(visitor: Any, site: Served) -> None:
+    page = visitor.new_page()
+    page.goto(f"{site.address}ch02_vectors.html")
+    panel = turn(page, "2.2b")
+    assert "Why does the sign" in panel.inner_text()
+    panel.get_by_label("Your answer").fill("Both lengths are positive.\n\nSo the cosine decides.")
+    assert panel.locator(".state").inner_text() == "answered"
+    turn(page, "2.3").get_by_label("Your answer").fill("It is squared_magnitude.")
+    page.wait_for_timeout(400)
+    page.reload()
+    assert turn(page, "2.2b").get_by_label("Your answer").input_value() == (
+        "Both lengths are positive.\n\nSo the cosine decides."
+    )
+    whole = page.locator("[data-whole]")
+    whole.scroll_into_view_if_needed()
+    check(whole, "Check the whole chapter")
+    assert whole.locator("tr", has_text="2.2b").locator(".state").inner_text() == "answered"
+
+
+def test_hints_come_one_by_one_and_a_reset_can_be_undone(visitor: Any, site: Served) -> None:
+    page = visitor.new_page()
+    page.goto(f"{site.address}ch02_vectors.html")
+    panel = turn(page, "B2.2")
+    hint = panel.get_by_role("button", name="hint", exact=False)
+    for number in range(1, 4):
+        hint.click()
+        assert panel.locator(".hints li").count() == number
+    assert hint.inner_text() == "No more hints"
+    mine = reference("ch02_vectors")["ch02_vectors/vector.py"]
+    write(page, panel, "vector.py", mine)
+    panel.get_by_role("button", name="Reset").click()
+    page.get_by_role("dialog").get_by_role("button", name="Cancel").click()
+    assert page.evaluate(EDITED) == mine
+    panel.get_by_role("button", name="Reset").click()
+    page.get_by_role("dialog").get_by_role("button", name="Reset").click()
+    panel.get_by_text("The stub of B2.2 is back.").wait_for()
+    assert page.evaluate(EDITED).count("Exercise B2.2: Length") == 2
+    assert "math.hypot" not in page.evaluate(EDITED)
+    assert "return Vector3(-self.x" in page.evaluate(EDITED)  # the rest is as it was
+    panel.get_by_role("button", name="Undo").click()
+    panel.get_by_text("Your code is back.").wait_for()
+    assert page.evaluate(EDITED) == mine
+
+
+EDITED = """new Promise(resolve => {
+  const name = `game-physics-companion ${new URL(".", document.baseURI).pathname}`;
+  indexedDB.open(name).onsuccess = ({target: {result}}) =>
+    result.transaction("files").objectStore("files").get("ch02_vectors/vector.py").onsuccess =
+      (event) => resolve(event.target.result?.text ?? "");
+})"""

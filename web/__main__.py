@@ -1,0 +1,89 @@
+"""Build the course as static pages: python -m web --out build/site [--with-solutions]."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from autograder.manifest import ROOT
+from web.course import course
+from web.node import run_node
+from web.pack import pack
+from web.pictures import copy_pictures
+
+PARTS = ROOT / "build" / "web"  # what the pages are made of
+NOT_OURS = ("pyodide", "vendor")
+
+
+def main() -> int:
+    """Build the site; return 1 where it cannot be built."""
+    parser = argparse.ArgumentParser(prog="python -m web", description=__doc__)
+    parser.add_argument("--out", type=Path, default=ROOT / "build" / "site")
+    parser.add_argument(
+        "--with-solutions",
+        action="store_true",
+        help="put the reference's compiled modules in, for those who skip a chapter",
+    )
+    options = parser.parse_args()
+    try:
+        build(options.out, with_solutions=options.with_solutions)
+    except (OSError, ValueError, subprocess.CalledProcessError) as error:
+        print(f"make site: {error}", file=sys.stderr)
+        return 1
+    print(f"\nThe site is in {options.out}: {_sizes(options.out)}.")
+    print(f"Look at it: {Path(sys.executable)} -m http.server -d {options.out} 8000")
+    print("and open http://localhost:8000/ in a browser.")
+    return 0
+
+
+def build(out: Path, *, with_solutions: bool) -> None:
+    """Build the site into a folder that is new, empty, or an earlier build."""
+    if out.exists() and any(out.iterdir()) and not (out / "sw.js").is_file():
+        raise ValueError(f"{out} is not empty, and is no earlier build of the site")
+    shutil.rmtree(PARTS, ignore_errors=True)
+    PARTS.mkdir(parents=True)
+    _say("Reading the chapters ...")
+    _write("course.json", course())
+    _write("settings.json", {"solutions": with_solutions, "repository": repository()})
+    _say("Drawing the scenes ...")
+    # In a process of its own: a scene imports the reference, which stays imported.
+    subprocess.run([sys.executable, "-m", "web.stills", PARTS / "stills"], cwd=ROOT, check=True)
+    _write("pictures.json", copy_pictures(PARTS / "figures"))
+    _say("Packing what Python needs ...")
+    pack(PARTS / "site", with_solutions=with_solutions)
+    _say("Making the pages ...")
+    run_node("builder/site.mjs", str(PARTS), str(PARTS / "site"))
+    shutil.rmtree(out, ignore_errors=True)
+    out.parent.mkdir(parents=True, exist_ok=True)
+    shutil.move(PARTS / "site", out)
+
+
+def repository() -> str:
+    """Return the address of the repository, where a workflow of GitHub builds; else nothing."""
+    server, name = os.environ.get("GITHUB_SERVER_URL"), os.environ.get("GITHUB_REPOSITORY")
+    return f"{server}/{name}" if server and name else ""
+
+
+def _write(name: str, data: object) -> None:
+    (PARTS / name).write_text(json.dumps(data), encoding="utf-8")
+
+
+def _say(words: str) -> None:
+    print(words, flush=True)
+
+
+def _sizes(out: Path) -> str:
+    """Return how large the site is, and how much of it is ours."""
+    sizes = {file: file.stat().st_size for file in out.rglob("*") if file.is_file()}
+    other = sum(size for file, size in sizes.items() if file.relative_to(out).parts[0] in NOT_OURS)
+    total = sum(sizes.values())
+    return f"{total / 1e6:.1f} MB, {(total - other) / 1e6:.2f} MB of it without Pyodide"
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,40 @@
+// Which page a Markdown file becomes, and where its links lead.
+
+import path from "node:path";
+
+import {escape} from "./markdown.mjs";
+
+// Return the file of the page that a Markdown file becomes; nothing for one that is no page.
+export function pageOf(file) {
+  const lesson = /^chapters\/(ch\d\d_\w+)\/(README|reference)\.md$/.exec(file);
+  if (lesson) return lesson[2] === "README" ? `${lesson[1]}.html` : `${lesson[1]}_reference.html`;
+  return {
+    "chapters/README.md": "commands.html",
+    "glossary.md": "glossary.html",
+    "errata.md": "errata.html",
+    "learning_path.md": "learning_path.html",
+    "README.md": "index.html",
+  }[file];
+}
+
+// A function that turns a link of a Markdown file into one of the site. A file that is no page is
+// in the repository, if its address is known; "" says that there is no link.
+export function linker(source, repository) {
+  return (href) => {
+    if (/^(https?:|#)/.test(href)) return href;
+    const [target, hash] = href.split("#");
+    const file = path.posix.join(path.posix.dirname(source), target).replace(/\/$/, "");
+    const page = pageOf(file) ?? pageOf(`${file}/README.md`);
+    if (page) return page + (hash ? `#${hash}` : "");
+    return repository ? `${repository}/blob/HEAD/${file}` : "";
+  };
+}
+
+// A function that turns a picture of a Markdown file into one of the site.
+export function pictures(source, known) {
+  return (src, alt) => {
+    const file = path.posix.join(path.posix.dirname(source), src);
+    const {name, width, height} = known[file];
+    return `<img src="figures/${name}" width="${width}" height="${height}" loading="lazy" alt="${escape(alt.replaceAll("\n", " "))}">`;
+  };
+}

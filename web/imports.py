@@ -1,0 +1,59 @@
+"""Find the modules that files import, directly or through others, without importing any."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Collection, Iterable, Iterator
+from pathlib import Path
+
+
+def imported_by(
+    roots: Iterable[Path], folders: Iterable[Path], packages: Collection[str]
+) -> list[Path]:
+    """Return the files of these packages that the roots import, wherever in their code.
+
+    ``folders`` are where the packages are. A root that lies in one of the packages is among them.
+    """
+    folders = list(folders)
+    found: set[Path] = set()
+    waiting = list(roots)
+    while waiting:
+        file = waiting.pop()
+        for name in _names(file, folders):
+            for module in _files(name, folders) if name.split(".")[0] in packages else ():
+                if module not in found:
+                    found.add(module)
+                    waiting.append(module)
+        own = file.relative_to(folder).parts[0] if (folder := _home(file, folders)) else ""
+        if own in packages:
+            found.add(file)
+    return sorted(found)
+
+
+def _names(file: Path, folders: Iterable[Path]) -> Iterator[str]:
+    """Yield the modules that a file may import; of a name in a package, nobody knows what it is."""
+    for node in ast.walk(ast.parse(file.read_bytes())):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            base = node.module or ""
+            if node.level and (home := _home(file, folders)):
+                package = file.relative_to(home).parts[: -node.level]
+                base = ".".join([*package, *filter(None, [node.module])])
+            yield base
+            yield from (f"{base}.{alias.name}" for alias in node.names)
+
+
+def _home(file: Path, folders: Iterable[Path]) -> Path | None:
+    return next((folder for folder in folders if file.is_relative_to(folder)), None)
+
+
+def _files(name: str, folders: Iterable[Path]) -> Iterator[Path]:
+    """Yield the file of a module, and those of the packages that it is in."""
+    parts = name.split(".")
+    for count in range(1, len(parts) + 1):
+        for folder in folders:
+            place = folder.joinpath(*parts[:count])
+            for file in (place / "__init__.py", place.with_suffix(".py")):
+                if file.is_file():
+                    yield file

@@ -1,0 +1,53 @@
+"""Run Node, which only the site's build needs, with the packages that package-lock.json pins."""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+WEB = Path(__file__).parent
+OLDEST = 20
+PACKAGES = WEB / "node_modules"
+
+
+def missing() -> str:
+    """Return what is missing to run Node; an empty text where nothing is."""
+    node = shutil.which("node")
+    if node is None or shutil.which("npm") is None:
+        what = "node" if node is None else "npm"
+        return f"there is no {what}: install Node.js {OLDEST} or newer, from https://nodejs.org"
+    version = subprocess.run([node, "--version"], capture_output=True, text=True, check=True).stdout
+    number = re.match(r"v(\d+)", version)
+    if number is None or int(number[1]) < OLDEST:
+        return f"Node.js {OLDEST} or newer is needed, and this is {version.strip()}"
+    return ""
+
+
+def run_node(script: str, *arguments: str) -> None:
+    """Run a script of this folder. Raises ValueError, with what to do, where that is impossible."""
+    if why := missing():
+        raise ValueError(why)
+    install()
+    done = subprocess.run(["node", script, *arguments], cwd=WEB, check=False)
+    if done.returncode:
+        raise ValueError(f"node {script} failed, see above")
+
+
+def install() -> None:
+    """Install the pinned packages, unless they are installed already."""
+    wanted = hashlib.sha256((WEB / "package-lock.json").read_bytes()).hexdigest()
+    stamp = PACKAGES / ".installed"
+    if stamp.is_file() and stamp.read_text(encoding="utf-8") == wanted:
+        return
+    print("Installing the packages of web/package-lock.json ...", flush=True)
+    # No package needs to run a script of its own.
+    npm = shutil.which("npm") or "npm"  # npm.cmd on Windows
+    done = subprocess.run(
+        [npm, "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--silent"], cwd=WEB, check=False
+    )
+    if done.returncode:
+        raise ValueError("npm ci failed in web/: is this computer online?")
+    stamp.write_text(wanted, encoding="utf-8")

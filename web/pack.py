@@ -1,0 +1,103 @@
+"""Pack what Pyodide needs: course.zip, and Python's own library, both compiled where that helps.
+
+The course is a hand-out of all chapters, with the parts of pytest and of the tools that a check or
+a scene imports. Two builds of the same sources give the same bytes.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import shutil
+import tempfile
+import zipfile
+from pathlib import Path
+from sysconfig import get_path
+
+from autograder.handout import make_handout
+from autograder.manifest import ROOT, load_chapters
+from web.imports import imported_by
+from web.node import PACKAGES, run_node
+
+CHECKED = ("chapters", "tests")  # these stay source code: it is what tracebacks show
+OURS = ("autograder", "lab", "studies", "web")
+# Packages whose parts are found by name while pytest runs, and those of which little is imported.
+WHOLE, IN_PART = ("_pytest", "pytest", "pluggy", "iniconfig"), ("packaging", "py", "pygments")
+LICENSED = ("pytest", "pluggy", "iniconfig", "packaging", "pygments")
+# Parts of Python's library that need another process, a socket, a terminal or a database.
+LEFT_OUT = "_pyrepl/ ctypes/macholib/ multiprocessing/ sqlite3/ wsgiref/ xmlrpc/ mailbox. imaplib."
+LEFT_OUT += " smtplib. ftplib. poplib."
+
+
+def pack(out: Path, *, with_solutions: bool = False) -> None:
+    """Write ``course.zip`` and ``pyodide/python_stdlib.zip`` into a folder.
+
+    ``with_solutions`` adds the reference's modules, compiled, for students who skip a chapter.
+    """
+    with tempfile.TemporaryDirectory(prefix="pack-") as name:
+        stage = Path(name)
+        _stage_course(stage / "course", with_solutions=with_solutions)
+        _stage_packages(stage / "packages", stage / "course")
+        _stage_library(stage / "library")
+        (out / "pyodide").mkdir(parents=True, exist_ok=True)
+        run_node("builder/compile.mjs", str(stage), str(out.resolve()))
+
+
+def _stage_course(folder: Path, *, with_solutions: bool) -> None:
+    """Put the files of the course into a folder: what students get, and our Python for browsers."""
+    with tempfile.TemporaryDirectory(prefix="handout-") as place:
+        handout = Path(place) / "handout"
+        with contextlib.redirect_stdout(io.StringIO()):  # it says what an instructor wants to know
+            make_handout(load_chapters(), [], handout)
+        _copy_tree(ROOT / "web" / "python", handout / "web" / "python", "*.py")
+        (handout / "web" / "__init__.py").write_text('"""The course in a browser."""\n')
+        for part in CHECKED:
+            _copy_tree(handout / part, folder / part, "*")
+        for name in ("pyproject.toml", "stubs.lock", "LICENSE"):
+            shutil.copyfile(handout / name, folder / name)
+        roots = [*handout.glob("web/python/**/*.py"), *handout.glob("lab/scenes/*.py")]
+        roots += handout.glob("tests/**/*.py")
+        for file in imported_by(roots, [handout], OURS):
+            _copy(file, handout, folder)
+    for pattern in ("chapters/**/*.png", "chapters/**/*.gif", "chapters/**/*.md"):
+        for file in folder.glob(pattern):
+            if file.name != "answers.md":
+                file.unlink()
+    if with_solutions:
+        _copy_tree(ROOT / "solutions", folder / "solutions", "*.py")
+
+
+def _stage_packages(folder: Path, course: Path) -> None:
+    """Put pytest and what it needs into a folder, and each package's license."""
+    site = Path(get_path("purelib"))
+    for name in WHOLE:
+        _copy_tree(site / name, folder / name, "*.py")
+    for file in imported_by(folder.rglob("*.py"), [site], (*WHOLE, *IN_PART)):
+        _copy(file, site, folder)
+    for name in LICENSED:
+        for file in sorted(site.glob(f"{name}-*.dist-info/licenses/*")):
+            if file.is_file():
+                (course / "licenses" / name).mkdir(parents=True, exist_ok=True)
+                shutil.copyfile(file, course / "licenses" / name / file.name)
+
+
+def _stage_library(folder: Path) -> None:
+    """Put Python's library, as Pyodide brings it, into a folder."""
+    left_out = tuple(LEFT_OUT.split())
+    with zipfile.ZipFile(PACKAGES / "pyodide" / "python_stdlib.zip") as archive:
+        wanted = [name for name in archive.namelist() if not name.startswith(left_out)]
+        archive.extractall(folder, wanted)
+
+
+def _copy_tree(source: Path, target: Path, pattern: str) -> None:
+    for file in sorted(source.rglob(pattern)):
+        if file.is_file() and "__pycache__" not in file.parts:
+            copy = target / file.relative_to(source)
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(file, copy)
+
+
+def _copy(file: Path, source: Path, target: Path) -> None:
+    copy = target / file.relative_to(source)
+    copy.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(file, copy)

@@ -1,0 +1,68 @@
+// The student's work as a zip: for make grade, and to go on at another computer.
+
+import {strToU8, unzipSync, zipSync} from "fflate";
+
+import {allStubs} from "./course.js";
+import {workspace} from "./workspace.js";
+
+const LARGEST = 5_000_000; // bytes of a zip, as make grade has it
+const LARGEST_FILE = 200_000; // bytes of one text
+const MOST = 5_000; // entries
+
+// Return the zip of every chapter in which something is written; null where nothing is.
+export async function zipped() {
+  const [written, stubs] = [workspace.written(), await allStubs()];
+  const chapters = new Set(Object.keys(written).map((path) => path.split("/")[0]));
+  if (!chapters.size) return null;
+  const paths = Object.keys(stubs).filter((path) => chapters.has(path.split("/")[0]));
+  return zipSync(Object.fromEntries(paths.map((path) => [path, strToU8(written[path] ?? stubs[path])])));
+}
+
+// Return the texts in a zip that are files of the course, and the names of the others. Raises an
+// Error with words for the student where it cannot be read.
+export async function unzipped(file) {
+  if (file.size > LARGEST) throw new Error(`The file is larger than ${LARGEST / 1e6} MB. A zip of your work is far smaller.`);
+  const stubs = await allStubs();
+  const [texts, others] = [{}, []];
+  let entries = 0;
+  const filter = ({name, originalSize}) => {
+    if (++entries > MOST) throw new Error(`The zip has more than ${MOST} files in it.`);
+    if (/(^|\/)(\.|__MACOSX\/|__pycache__\/)|\/$/.test(name)) return false;
+    const path = pathOf(name, stubs);
+    if (path && originalSize > LARGEST_FILE) throw new Error(`${name} in the zip is too large to be a file of the course.`);
+    if (!path) others.push(name);
+    return Boolean(path);
+  };
+  for (const [name, bytes] of Object.entries(opened(new Uint8Array(await file.arrayBuffer()), filter))) {
+    const path = pathOf(name, stubs);
+    if (path in texts) throw new Error(`${path} is in the zip twice. Remove one of them.`);
+    texts[path] = decoded(bytes, name);
+  }
+  if (!Object.keys(texts).length) {
+    throw new Error("The zip has no file of the course in it, such as ch02_vectors/vector.py. Zip the folders of the chapters.");
+  }
+  return {texts, others};
+}
+
+// The path of a file of the course, wherever it is in the zip; undefined for any other.
+function pathOf(name, stubs) {
+  const path = name.replaceAll("\\", "/").split("/").slice(-2).join("/");
+  return path in stubs ? path : undefined;
+}
+
+function opened(bytes, filter) {
+  try {
+    return unzipSync(bytes, {filter});
+  } catch (error) {
+    throw error.code === undefined ? error : new Error("The file is damaged, or no ordinary zip. Zip the folders of the chapters again.");
+  }
+}
+
+export function decoded(bytes, name) {
+  try {
+    return new TextDecoder("utf-8", {fatal: true}).decode(bytes).replaceAll("\r\n", "\n");
+  } catch {
+    throw new Error(`${name} is not a text in UTF-8. Save it again with that encoding.`);
+  }
+}
+

@@ -1,0 +1,78 @@
+// The engines of a page: workers with Python. One checks, one plays scenes when somebody opens one, and
+// one more is kept warm to take the place of one that has to be ended.
+//
+//   const engines = new Engines({base, worker});  the addresses of the site's folder and of worker.js
+//   engines.start();        start Python; the first call of check or lab does so as well
+//   await engines.ready;    Python is ready
+//   await engines.check({files, chapter, exercise, given, seed, onProgress, onTrouble});
+//   engines.lab(onAnswer);  returns a link: send(message), close() and busy
+//   engines.stop();         end all of it
+
+import {runChecks} from "./checker.js";
+import {Interpreter} from "./interpreter.js";
+import {Scenes} from "./scenes.js";
+
+export class Engines {
+  constructor({base, worker = new URL("worker.js", base)}) {
+    Object.assign(this, {base, worker});
+    this.all = new Set();
+    this.warm = null; // an interpreter that nobody uses yet
+    this.checker = null; // promises the one that checks
+    this.turn = Promise.resolve(); // of the checks: one after the other
+    this.scenes = new Scenes(() => this.take());
+    this.ready = new Promise((resolve) => (this.tellReady = resolve));
+  }
+
+  start() {
+    this.forChecks().catch(() => undefined); // whoever checks hears of it
+  }
+
+  check({files, chapter, exercise = null, given = [], seed = "1", ...hear}) {
+    const asked = {files, chapter, exercise, given, seed};
+    const report = this.turn.then(() => runChecks(asked, () => this.forChecks(), hear));
+    this.turn = report.catch(() => undefined);
+    return report;
+  }
+
+  lab(onAnswer) {
+    return this.scenes.link(onAnswer);
+  }
+
+  stop() {
+    for (const interpreter of [...this.all]) interpreter.end("Python was stopped.");
+    Object.assign(this, {warm: null, checker: null});
+  }
+
+  async forChecks() {
+    this.checker ??= this.take();
+    try {
+      const interpreter = await this.checker;
+      if (!interpreter.ended) return interpreter;
+    } catch (error) {
+      this.checker = null;
+      throw error;
+    }
+    this.checker = this.take();
+    return this.checker;
+  }
+
+  // Promise an interpreter that is ready, and keep another one warm from then on.
+  async take() {
+    const interpreter = this.warm ?? this.make();
+    this.warm = null;
+    await interpreter.ready;
+    this.warm ??= this.make();
+    return interpreter;
+  }
+
+  make() {
+    const interpreter = new Interpreter(this.worker, this.base);
+    this.all.add(interpreter);
+    interpreter.ready.then(this.tellReady, () => undefined);
+    interpreter.whenEnded = () => {
+      this.all.delete(interpreter);
+      if (this.warm === interpreter) this.warm = null;
+    };
+    return interpreter;
+  }
+}

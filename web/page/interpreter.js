@@ -1,0 +1,41 @@
+// One worker with Python, as the pool of engines sees it.
+
+export class Interpreter {
+  constructor(worker, base) {
+    this.hear = () => undefined; // takes its messages, and {kind: "lost"} when it is ended from here
+    this.whenEnded = () => undefined;
+    this.words = null; // what to say of a scene that Python can tell nothing of any more
+    this.ready = new Promise((resolve, reject) => Object.assign(this, {resolve, reject}));
+    this.ready.catch(() => undefined); // whoever waits for it hears of it
+    this.worker = new Worker(worker, {type: "module"});
+    this.worker.onmessage = ({data}) => this.heard(JSON.parse(data));
+    this.worker.onerror = (event) => this.heard({kind: "crashed", why: event.message ?? "its script could not be loaded"});
+    this.worker.postMessage(JSON.stringify({base: String(base)}));
+  }
+
+  heard(message) {
+    if (message.kind === "ready") {
+      this.words = message;
+      this.resolve();
+    } else if (this.words) {
+      this.hear(message);
+    } else {
+      this.end(`Python could not be started: ${message.why ?? message.kind}`);
+    }
+  }
+
+  send(message) {
+    this.worker.postMessage(JSON.stringify(message));
+  }
+
+  // End Python, whatever it is doing.
+  end(why) {
+    if (this.ended) return;
+    this.ended = true;
+    this.worker.terminate();
+    this.whenEnded();
+    this.reject(new Error(why));
+    this.hear({kind: "lost", why});
+    this.hear = () => undefined;
+  }
+}

@@ -1,0 +1,52 @@
+// The page of the lab: a choice of scenes in the address, and one lab.
+
+import {outline} from "./course.js";
+import {el} from "./dom.js";
+import {labOptions, loadLab} from "./link.js";
+import {chaptersGiven, numbersOf, results} from "./results.js";
+import {workspace} from "./workspace.js";
+
+const $ = (id) => document.getElementById(id);
+
+export async function startLabPage() {
+  const {scenes, chapters} = await outline();
+  listScenes($("scenes"), scenes);
+  const [[{Lab, asked}, {listenToKeys}], options] = await Promise.all([loadLab(), labOptions(), workspace.opened(), results()]);
+  const remember = (lab) => history.replaceState(null, "", `?${lab.query()}`);
+  const lab = new Lab($("lab"), {
+    ...options,
+    changed: remember,
+    opened: (spec) => lab.say(""),
+    troubled: (words, place) => (lab.say(""), options.troubled(words, place)), // it has started, too
+  });
+  listenToKeys(lab, document);
+  const open = (name, values, rivals) => {
+    const scene = scenes.find((each) => each.name === name) ?? scenes[0];
+    const chapter = chapters.find(({number}) => number === scene.chapter);
+    $("scenes").value = scene.name;
+    $("title").textContent = scene.title;
+    document.title = `${scene.title} - the lab`;
+    $("question").textContent = scene.question;
+    $("lesson").replaceChildren(el("a", {href: `${chapter.name}.html`}, `Lesson: chapter ${chapter.number}`));
+    lab.open(scene.name, values, rivals);
+    const still = {src: `stills/${scene.name}.svg`, width: 640, height: 400, alt: "A still picture of the scene."};
+    lab.$("stage").replaceChildren(el("img", still)); // until Python has started
+    lab.say("Python is starting. This takes some seconds, once.");
+  };
+  const given = chaptersGiven();
+  $("whose").textContent = given.length
+    ? `This plays your own code, on the reference's chapters ${numbersOf(given)}.`
+    : "This plays your own code, as you have written it in the lessons.";
+  $("scenes").onchange = () => (open($("scenes").value, {}), remember(lab));
+  workspace.addEventListener("saved", () => lab.say("Your code has changed. Restart plays it."));
+  const {scene, values, rivals} = asked(new URLSearchParams(location.search), scenes[0].name);
+  open(scene, values, rivals);
+}
+
+function listScenes(select, scenes) {
+  const chapters = [...new Set(scenes.map(({chapter}) => chapter))];
+  for (const chapter of chapters) {
+    const own = scenes.filter((scene) => scene.chapter === chapter);
+    select.append(el("optgroup", {label: `Chapter ${chapter}`}, own.map(({name, title}) => new Option(title, name))));
+  }
+}

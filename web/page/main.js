@@ -1,0 +1,51 @@
+// What every page does once its text is there. The parts are loaded where they are needed.
+
+import {startOffline} from "./offline.js";
+import {startTips} from "./tips.js";
+
+const search = document.getElementById("search-open");
+const openSearch = async () => (await import("./search.js")).openSearch();
+search.hidden = false;
+search.onclick = openSearch;
+document.addEventListener("keydown", (event) => {
+  if (event.key !== "/" || event.ctrlKey || event.metaKey || event.altKey) return;
+  if (event.target.closest("input, textarea, select, [contenteditable], dialog")) return;
+  event.preventDefault();
+  openSearch();
+});
+
+// On a narrow screen the list of sections is folded.
+const contents = document.querySelector(".contents details");
+if (contents && matchMedia("(max-width: 1099px)").matches) contents.open = false;
+
+// What is too wide for its place can be scrolled with the keyboard.
+const wide = new ResizeObserver((entries) => {
+  for (const {target} of entries) {
+    const scrolls = target.scrollWidth > target.clientWidth;
+    const needed = {tabindex: "0", role: "group", "aria-label": target.dataset.scrolls};
+    for (const [name, value] of Object.entries(needed)) {
+      if (scrolls) target.setAttribute(name, value);
+      else target.removeAttribute(name);
+    }
+  }
+});
+document.querySelectorAll("[data-scrolls]").forEach((element) => wide.observe(element));
+
+startTips();
+
+const {chapter} = document.body.dataset;
+if (chapter) {
+  const [{startTurns}, {startWhole}, {startLive}] = await Promise.all([import("./turn.js"), import("./whole.js"), import("./live.js")]);
+  startTurns(chapter);
+  document.querySelectorAll("[data-whole]").forEach(startWhole);
+  startLive();
+}
+if (document.getElementById("lab")) (await import("./labpage.js")).startLabPage();
+const work = document.querySelector("[data-work]");
+if (work) {
+  const {startProgress, startWork} = await import("./work.js");
+  startProgress();
+  startWork(work);
+}
+
+startOffline();

@@ -1,0 +1,38 @@
+// Offline use: a service worker keeps all pages, and then what Python needs.
+
+import {button} from "./dom.js";
+import {workspace} from "./workspace.js";
+
+export async function startOffline() {
+  if (!("serviceWorker" in navigator)) return;
+  const status = document.getElementById("offline");
+  const service = navigator.serviceWorker;
+  const hadOne = Boolean(service.controller);
+  service.addEventListener("message", ({data}) => {
+    if (data.kind === "ready") status.textContent = "Everything is kept for use without the internet.";
+  });
+  service.addEventListener("controllerchange", async () => {
+    if (!hadOne) return;
+    await workspace.saveAll();
+    location.reload(); // the new version
+  });
+  try {
+    const registration = await service.register("sw.js");
+    const offer = () => registration.waiting && hadOne && offerVersion(status, registration.waiting);
+    registration.addEventListener("updatefound", () => {
+      registration.installing?.addEventListener("statechange", offer);
+    });
+    offer();
+    const ready = await service.ready;
+    // The large files wait until the page has been read a little, and where data is dear until they
+    // are needed.
+    if (!navigator.connection?.saveData) setTimeout(() => ready.active.postMessage({kind: "later"}), 1500);
+  } catch (error) {
+    console.info(`Offline use is not possible here: ${error.message}`);
+  }
+}
+
+function offerVersion(status, waiting) {
+  status.textContent = "A new version of the course is ready. ";
+  status.append(button("Use it now", () => waiting.postMessage({kind: "activate"})));
+}

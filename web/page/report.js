@@ -1,0 +1,48 @@
+// A report of checks as elements, in the words of `make check`.
+
+import {count, el} from "./dom.js";
+import {shown} from "./results.js";
+
+const CODE = ["called", "got", "wanted", "where", "printed", "check"];
+
+// The first failure with its rows; and what to do next, by buttons.
+export function failureOf(failure, level, buttons) {
+  const rows = failure.rows.flatMap(([label, words]) => row(label, words));
+  if (failure.printed) rows.push(...row("printed", failure.printed));
+  return el("div", {className: "failure"}, el(`h${level}`, {}, failure.heading), el("dl", {className: "rows"}, rows), el("div", {className: "row"}, buttons));
+}
+
+function row(label, words) {
+  if (!label) return [el("dd", {className: "alone"}, words)];
+  return [el("dt", {}, label), el("dd", {className: CODE.includes(label) ? "code" : ""}, words)];
+}
+
+// All exercises with their states and points.
+export function tableOf(results, titles) {
+  const head = ["", "exercise", "state", "physics", "robust", "points"].map((words) => el("th", {scope: "col"}, words));
+  const body = results.map(({id, state, physics, robust, score, points}) =>
+    el(
+      "tr",
+      {},
+      el("th", {scope: "row"}, el("a", {href: `#ex-${id.replace(".", "-")}`}, id)),
+      el("td", {}, titles[id] ?? ""),
+      el("td", {}, el("span", {className: "state", "data-state": state}, state)),
+      [physics, robust, `${shown(score)}/${points}`].map((words) => el("td", {}, words)),
+    ),
+  );
+  const table = el("table", {}, el("thead", {}, el("tr", {}, head)), el("tbody", {}, body));
+  return el("div", {className: "scores", tabIndex: 0, role: "group", "aria-label": "Exercises and their states"}, table);
+}
+
+// A bar of points, with the same in words.
+export function meter(earned, points, more = "") {
+  const bar = el("i");
+  bar.style.width = `${points ? (100 * earned) / points : 0}%`;
+  return [el("span", {className: "meter", "aria-hidden": "true"}, bar), `${shown(earned)} of ${count(points, "point")}${more}`];
+}
+
+// One line about an exercise: how many checks pass, and its points.
+export function lineOf({id, physics, robust, score, points, state}) {
+  const tiers = [physics && `physics ${physics}`, robust && `robust ${robust}`].filter(Boolean).join(", ");
+  return `${id}: ${state}${tiers ? `, ${tiers}` : ""}, ${shown(score)} of ${count(points, "point")}.`;
+}

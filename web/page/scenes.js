@@ -1,0 +1,104 @@
+// Scenes play in one worker. Each link has an engine of its own there, and messages are answered in
+// turn. When one does not end, its worker is ended, and the scenes of the other links begin again.
+
+const MORE = 1; // s beyond the limit of a message, for a loop that Python cannot interrupt
+
+export class Scenes {
+  constructor(next) {
+    this.next = next; // promises an interpreter
+    this.interpreter = null;
+    this.links = new Map();
+    this.waiting = []; // messages, of all links
+    this.busy = false;
+    this.count = 0;
+  }
+
+  link(onAnswer) {
+    const link = new Link(this, ++this.count, onAnswer);
+    this.links.set(link.number, link);
+    return link;
+  }
+
+  send(link, message) {
+    this.waiting.push({link, message});
+    this.work();
+  }
+
+  async work() {
+    if (this.busy || !this.waiting.length) return;
+    this.busy = true;
+    const {link, message} = this.waiting.shift();
+    if (!link.closed) await this.ask(link, message);
+    this.busy = false;
+    this.work();
+  }
+
+  async ask(link, message) {
+    try {
+      if (!this.interpreter || this.interpreter.ended) this.interpreter = await this.next();
+    } catch (error) {
+      return link.answered([{kind: "stopped", why: error.message}]);
+    }
+    const end = await attempt(this.interpreter, link.number, message);
+    if (end.kind === "answers") return link.answered(end.answers);
+    link.answered([{kind: "stopped", why: end.why}]);
+    if (end.kind === "failed" || end.kind === "lost") return;
+    this.interpreter.end("A scene did not end.");
+    for (const other of this.links.values()) if (other !== link) other.begin();
+  }
+
+  close(link) {
+    this.links.delete(link.number);
+    if (this.interpreter && !this.interpreter.ended) this.interpreter.send({kind: "close", link: link.number});
+  }
+}
+
+// Send a message; promise its answers, or why there are none.
+function attempt(interpreter, link, message) {
+  const {hung, left, limit} = interpreter.words;
+  return new Promise((resolve) => {
+    const finish = (end) => {
+      clearTimeout(timer);
+      interpreter.hear = () => undefined;
+      resolve(end);
+    };
+    const timer = setTimeout(() => finish({kind: "hung", why: hung}), 1000 * (limit + MORE));
+    interpreter.hear = (end) => finish(["left", "crashed"].includes(end.kind) ? {kind: "left", why: left} : end);
+    interpreter.send({kind: "scene", link, message});
+  });
+}
+
+class Link {
+  constructor(scenes, number, onAnswer) {
+    Object.assign(this, {scenes, number, onAnswer});
+    this.pending = 0; // messages that are not answered yet
+    this.load = null; // the last message that loaded a scene
+    this.closed = false;
+  }
+
+  get busy() {
+    return this.pending > 0;
+  }
+
+  send(message) {
+    if (message.kind === "load") this.load = message;
+    this.pending += 1;
+    this.scenes.send(this, message);
+  }
+
+  // The worker has been ended under this link: its scene begins again.
+  begin() {
+    if (this.load) this.send(this.load);
+  }
+
+  answered(answers) {
+    this.pending -= 1;
+    if (this.closed) return;
+    for (const answer of answers) this.onAnswer(answer);
+  }
+
+  close() {
+    this.closed = true;
+    this.scenes.close(this);
+  }
+}

@@ -1,0 +1,80 @@
+// Python in a thread of its own. It takes the messages of engines.js, and Python answers them.
+
+const UNPACK = `
+import os, sys, zipfile
+places = {"packages": next(path for path in sys.path if path.endswith("site-packages")), "course": "/course"}
+with zipfile.ZipFile("/course.zip") as archive:
+    for name in archive.namelist():
+        part, _, path = name.partition("/")
+        file = f"{places[part]}/{path}"
+        os.makedirs(os.path.dirname(file), exist_ok=True)
+        with open(file, "wb") as target:
+            target.write(archive.read(name))
+os.remove("/course.zip")
+sys.path.insert(0, "/course")
+`;
+const POLLS = 16; // of Python, between two looks at the clock
+const SIGALRM = 14;
+const quiet = () => undefined;
+
+console.error = quiet; // Pyodide says there what the page is told below, by say
+
+let receive = null;
+let deadline = Infinity;
+let polls = 0;
+
+// Python reads number 0 very often, as a sign that somebody has pressed Ctrl-C. It takes any signal.
+const clock = {
+  get 0() {
+    if (++polls % POLLS || performance.now() < deadline) return 0;
+    deadline = Infinity;
+    return SIGALRM;
+  },
+  set 0(_) {},
+};
+const forPython = {
+  post: (text) => self.postMessage(text),
+  startClock(seconds) {
+    deadline = performance.now() + 1000 * seconds;
+  },
+  stopClock() {
+    deadline = Infinity;
+  },
+};
+
+async function start(base) {
+  const folder = new URL("pyodide/", base).href;
+  const course = fetch(new URL("course.zip", base)).then((answer) => answer.arrayBuffer());
+  const {loadPyodide} = await import(`${folder}pyodide.mjs`);
+  const python = await loadPyodide({
+    indexURL: folder.replace("file://", ""), // Node, which tests run this in, takes a path
+    packageBaseUrl: folder, // nothing is asked of another host
+    stdout: quiet,
+    stderr: quiet,
+  });
+  python.FS.writeFile("/course.zip", new Uint8Array(await course));
+  python.runPython(UNPACK);
+  python.registerJsModule("worker", forPython);
+  python.setInterruptBuffer(clock);
+  const main = python.pyimport("web.python.browser.main");
+  receive = main.receive;
+  main.start();
+}
+
+// What went wrong below Python: an os._exit in the student's code, or the end of the memory.
+function say(error) {
+  const code = error.status ?? error.exitCode;
+  self.postMessage(JSON.stringify(code === undefined ? {kind: "crashed", why: error.message} : {kind: "left", code}));
+}
+
+self.onmessage = async ({data}) => {
+  try {
+    if (receive) {
+      receive(data);
+    } else {
+      await start(JSON.parse(data).base);
+    }
+  } catch (error) {
+    say(error);
+  }
+};

@@ -1,0 +1,104 @@
+"""Check a chapter or an exercise for the page, by the same steps as make check."""
+
+from __future__ import annotations
+
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from autograder.checks.given import with_given
+from autograder.checks.runner import run_checks
+from autograder.checks.verdict import Verdict
+from autograder.manifest import Chapter, Exercise, load_chapters
+from autograder.message import Kind
+from autograder.scores import results_of
+from autograder.student.check import report_on
+from autograder.student.failure import failure_of
+from autograder.student.memory import Memory
+from autograder.student.screen import ProgressBar, Report, first_open
+from web.python.browser.folder import CHAPTERS, Folder
+from web.python.browser.page import post
+from web.python.browser.past import Processes
+from web.python.browser.report import failure_to_page, report_of_written, report_to_page
+
+memories: dict[str, Memory] = {}  # by the seed: what earlier chapters' checks have found
+
+
+class Progress(ProgressBar):
+    """Tells the page how many checks are done."""
+
+    def __init__(self, processes: Processes) -> None:
+        self.processes = processes
+
+    def show(self, done: int, of: int) -> None:
+        """Tell the page, unless it has been told by a worker before this one."""
+        if self.processes.is_live:
+            post("progress", done=done, of=of)
+
+
+class Runs:
+    """Runs checks. What it finds in other chapters than the asked one, it remembers.
+
+    Before it runs another chapter, which takes seconds, it shows what was found in this one. It
+    runs none where a loop did not end: that failure names its line, and others would wait for it.
+    """
+
+    def __init__(
+        self, chapter: Chapter, exercise: Exercise | None, seed: str, processes: Processes
+    ) -> None:
+        self.chapter = chapter
+        self.exercise = exercise
+        self.run = partial(run_checks, judge=processes.judge)
+        self.seed = seed
+        self.memory = memories.setdefault(seed, Memory(seed))
+        self.memory.run = self.run
+        self.found: list[Verdict] = []  # in the chapter that was asked for
+        self.shown = False
+
+    def __call__(self, chapter: Chapter, engine: list[Path], **options: Any) -> list[Verdict]:
+        """Return verdicts as run_checks does."""
+        if chapter == self.chapter:
+            self.found = self.run(chapter, engine, seed=self.seed, **options)
+            return self.found
+        if any(verdict.message.kind is Kind.HUNG for verdict in self.found):
+            return []
+        if not self.shown:
+            self.show(engine)
+        return self.memory(chapter, engine, **options)
+
+    def show(self, engine: list[Path]) -> None:
+        """Tell the page what to work on, before all is known of where it comes from."""
+        self.shown = True
+        wanted = {verdict.exercise for verdict in self.found}
+        results = [r for r in results_of(self.chapter, self.found) if r.exercise.id in wanted]
+        first = first_open([Report(self.chapter, results, [], [])], self.exercise)
+        failure = failure_of(*first, engine) if first else None
+        if failure:
+            post("trouble", failure=failure_to_page(failure))
+
+
+def check(request: dict[str, Any], folder: Folder) -> dict[str, Any]:
+    """Return the report on what the page asks for. Raises ValueError and GraderError."""
+    chapters = load_chapters()
+    chapter = _chapter(chapters, request["chapter"])
+    exercise = chapter.exercise(request["exercise"]) if request["exercise"] else None
+    given = [other for other in chapters if other.number in request["given"]]
+    if chapter in given:
+        raise ValueError(f"nothing is left of your own: chapter {chapter.number} is given")
+    folder.lay(request["files"])
+    engine = [CHAPTERS]
+    if exercise and exercise.kind == "written":
+        return report_of_written(chapter, exercise, engine)
+    processes = Processes(request["past"], shallow=request.get("shallow", False))
+    runs = Runs(chapter, exercise, request["seed"], processes)
+    with with_given(given, engine) as folders:
+        report = report_on(chapter, exercise, folders, given, runs, Progress(processes))
+    return report_to_page(report, exercise, engine, given)
+
+
+def _chapter(chapters: list[Chapter], name: str) -> Chapter:
+    """Return the chapter of that name. Raises ValueError where there is none."""
+    for chapter in chapters:
+        if chapter.name == name:
+            return chapter
+    raise ValueError(f"there is no chapter {name!r}")

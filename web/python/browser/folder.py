@@ -1,0 +1,40 @@
+"""The student's folder: the files of the page over the stubs, where the commands expect them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+
+from autograder.manifest import ROOT
+
+CHAPTERS = ROOT / "chapters"
+TAKEN = re.compile(r"ch\d\d_[a-z0-9_]+/[^/]+")
+
+
+class Folder:
+    """A folder of chapters whose files are stubs until the page has others."""
+
+    def __init__(self, folder: Path = CHAPTERS) -> None:
+        self.folder = folder
+        self.stubs = {
+            file.relative_to(folder).as_posix(): file.read_bytes()
+            for file in folder.glob("*/*.*")
+            if file.is_file()
+        }
+        self.there = dict(self.stubs)
+
+    def lay(self, files: Mapping[str, str]) -> None:
+        """Make the folder what the page has. Raises ValueError for a path of another form."""
+        for path in files:
+            if not TAKEN.fullmatch(path):
+                raise ValueError(f"a file must be chNN_name/name, got {path!r}")
+        wanted = self.stubs | {path: text.encode("utf-8") for path, text in files.items()}
+        for path in self.there.keys() - wanted.keys():
+            (self.folder / path).unlink()
+        for path, data in wanted.items():
+            if self.there.get(path) != data:
+                file = self.folder / path
+                file.parent.mkdir(exist_ok=True)
+                file.write_bytes(data)
+        self.there = wanted

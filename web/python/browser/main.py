@@ -1,0 +1,60 @@
+"""What the worker calls: it starts Python's side, and answers one message after the other."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any
+
+from autograder.checks.explain import explain_hang
+from autograder.checks.runner import GraderError
+from autograder.manifest import ROOT
+from lab.broken_off import TIME_LIMIT, why_it_broke_off
+from web.python.browser.checks import check
+from web.python.browser.folder import Folder
+from web.python.browser.page import post
+from web.python.browser.process import install_limits
+from web.python.browser.scenes import Link
+from web.python.browser.watchdog import watchdog
+
+folder = Folder()
+links: dict[int, Link] = {}
+
+
+def start() -> None:
+    """Be ready for messages, and tell the page so.
+
+    It is told as well what to say of a scene that Python can tell nothing of any more.
+    """
+    os.chdir(ROOT)
+    watchdog.install()
+    install_limits()
+    post(
+        "ready",
+        hung=str(explain_hang("", TIME_LIMIT, [])),
+        left=why_it_broke_off("", []),
+        limit=TIME_LIMIT,
+    )
+
+
+def receive(text: str) -> None:
+    """Answer a message of the page."""
+    message = json.loads(text)
+    try:
+        _answer(message)
+    except (ValueError, OSError, GraderError) as error:
+        post("failed", why=str(error))
+
+
+def _answer(message: dict[str, Any]) -> None:
+    match message:
+        case {"kind": "check"}:
+            post("report", report=check(message, folder))
+        case {"kind": "scene", "link": int(number), "message": dict(asked)}:
+            link = links.setdefault(number, Link(folder))
+            post("answers", answers=link.receive(asked))
+        case {"kind": "close", "link": int(number)}:
+            if number in links:
+                links.pop(number).close()
+        case _:
+            raise ValueError(f"a message of no known kind: {message!r:.200}")

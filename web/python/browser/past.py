@@ -1,0 +1,101 @@
+"""Continue a run that another worker has begun: what its processes told comes first.
+
+A check that does not end costs its worker. The page keeps what the worker told, and a new one
+starts from the beginning: what is known already is not run again.
+"""
+
+from __future__ import annotations
+
+import os
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from autograder.checks.events import Event, Started, write_event
+from autograder.checks.explain import explain_hang
+from autograder.checks.judge import Ending
+from autograder.checks.runner import Run
+from autograder.checks.verdict import Verdict
+from autograder.manifest import ROOT
+from autograder.scores import result_of
+from autograder.student.failure import failure_of
+from web.python.browser.page import post
+from web.python.browser.process import run_here
+from web.python.browser.report import failure_to_page
+from web.python.browser.watchdog import watchdog
+
+
+@dataclass(frozen=True)
+class Past:
+    """A process that another worker has had: what it told, and how it ended.
+
+    ``run`` says which checks of which chapter it was to run. It began ``left`` seconds before the
+    time for all of them was used up, and took ``seconds``.
+    """
+
+    run: str
+    lines: list[str]
+    left: float
+    seconds: float
+    stack: str
+    silent: bool
+    code: int
+
+
+class Processes:
+    """The processes of a check, in the order in which they are run."""
+
+    def __init__(self, past: list[dict[str, Any]], *, shallow: bool) -> None:
+        self.past = [Past(**one) for one in past]
+        self.shallow = shallow
+
+    @property
+    def is_live(self) -> bool:
+        """Whether what is told now is told for the first time."""
+        return not self.past
+
+    def judge(self, run: Run) -> Ending:
+        """Have a run take what its next process tells."""
+        order = run.order
+        # Folders with given modules have another name each time.
+        key = f"{order.chapter.name} on {len(order.engine)}: {' '.join(order.exercises)}"
+        for past in self.past:
+            if past.run == key:
+                return self._repeat(run, past)
+        left = run.deadline - time.monotonic()
+        post("process", run=key, limit=run.limit, left=left)
+
+        def send(event: Event) -> None:
+            post("event", line=write_event(event))
+            run.take(event)
+
+        with tempfile.TemporaryDirectory(prefix="checks-") as folder:
+            watchdog.explain = lambda stack: {"failure": failure_of_hang(run, stack)}
+            ending = run_here(run.config(Path(folder)), send, shallow=self.shallow)
+        post("ended")
+        return ending
+
+    def _repeat(self, run: Run, past: Past) -> Ending:
+        """Have a run take what a process told before, as if it were told now."""
+        for line in past.lines:
+            run.hear(line)
+        run.deadline = time.monotonic() + past.left - past.seconds
+        if past.silent and len(self.past) == 1:
+            post("trouble", failure=failure_of_hang(run, ""))
+        self.past.remove(past)
+        return Ending(past.stack, past.silent, past.code)
+
+
+def failure_of_hang(run: Run, stack: str) -> dict[str, Any] | None:
+    """Return what to show of the check that has just not ended, before the others are done."""
+    if not isinstance(run.current, Started):
+        return None
+    check, order = run.checks[run.current.name], run.order
+    why = explain_hang(stack, run.limit, order.engine)
+    verdict = Verdict(check.name, check.exercise, check.weight, "failed", why, robust=check.robust)
+    result = result_of(order.chapter.exercise(check.exercise), [verdict])
+    os.chdir(ROOT)  # the student's code was elsewhere
+    failure = failure_of(order.chapter, result, order.engine)
+    return failure_to_page(failure) if failure else None

@@ -1,0 +1,123 @@
+"""Run checks in this interpreter as a new process would, since a browser starts no processes.
+
+What a process leaves behind is removed: modules, entries of sys.path, and the working folder.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import re
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from autograder.checks.allowed_acts import limit_acts
+from autograder.checks.allowed_imports import limit_imports
+from autograder.checks.arrange import Config
+from autograder.checks.in_process import InProcess, Send
+from autograder.checks.judge import MOST_STDERR, Ending
+from autograder.checks.students_code import StudentsCode
+from autograder.checks.surroundings import Depth, leave_home
+from autograder.checks.verdicts import Recorder, pytest_arguments
+from autograder.manifest import ROOT
+from web.python.browser.watchdog import watchdog
+
+OF_A_RUN = re.compile(r"ch\d\d_\w+|tests|conftest")  # packages whose modules one run imports
+SHALLOW = 250  # nested calls, each through an operator, that fit on the stack of every browser
+code = StudentsCode([], {})  # whose acts are limited: the engine that is checked
+
+
+def install_limits() -> None:
+    """Limit what the student's code may import and do, once for all runs."""
+    limit_imports(code)
+    limit_acts(code)
+
+
+class InBrowser(InProcess):
+    """The student's modules, imported in a browser, where there is no process to end."""
+
+    def surround(self) -> None:
+        """Let the code find a grader's surroundings, and do no more than there."""
+        leave_home()
+        code.change(self.engine, self.graded)
+
+    def after_collection(self) -> None:
+        """Do nothing: this process is not copied."""
+
+    def start_clock(self) -> None:
+        """Have the watchdog look when the time is up."""
+        watchdog.start(self.time_limit)
+
+    def stop_clock(self) -> None:
+        """Forget the time limit."""
+        watchdog.stop()
+
+
+class BrowserRecorder(Recorder):
+    """A recorder that reads no more files than it needs: WebAssembly takes three times as long."""
+
+    def pytest_ignore_collect(self, collection_path: Path) -> bool | None:
+        """Leave out a file of checks that names none of the exercises."""
+        if not collection_path.name.startswith("test_"):
+            return None
+        text = collection_path.read_text(encoding="utf-8")
+        named = any(f'"{exercise}"' in text for exercise in self.config.exercises)
+        return None if named else True
+
+
+def run_here(config: Config, send: Send, *, shallow: bool) -> Ending:
+    """Run the checks that a configuration names, and send their events.
+
+    With ``shallow`` the student's code may nest fewer calls than where it is graded.
+    """
+    said = io.StringIO()
+    with as_a_process(), contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
+        os.environ["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"
+        engine = InBrowser(
+            config.arranged.engine,
+            config.time_limit,
+            config.stack_file,
+            config.arranged.complete,
+            config.arranged.graded,
+            apart=False,
+        )
+        if shallow:
+            engine.depth = Depth(SHALLOW)
+        pytest.main(pytest_arguments(config), plugins=[BrowserRecorder(config, send, engine)])
+    return Ending(stderr=said.getvalue()[-MOST_STDERR:].strip())
+
+
+@contextlib.contextmanager
+def as_a_process() -> Iterator[None]:
+    """Have what is done here leave nothing behind in the interpreter."""
+    path, limit = list(sys.path), sys.getrecursionlimit()
+    forget_modules()
+    os.chdir(ROOT)
+    try:
+        yield
+    finally:
+        forget_modules()
+        sys.path[:] = path
+        sys.setrecursionlimit(limit)
+        os.chdir(ROOT)
+
+
+def forget_modules() -> None:
+    """Forget the student's modules, the checks, and what checks share."""
+    shared = str(ROOT / "tests")
+    for name, module in list(sys.modules.items()):
+        file = getattr(module, "__file__", None) or ""
+        if OF_A_RUN.match(name) or str(file).startswith(shared):
+            del sys.modules[name]
+    forget_folders()
+
+
+def forget_folders() -> None:
+    """Forget which files are in the folders of the course; Python's own stay as they are."""
+    for folder in list(sys.path_importer_cache):
+        if not folder.startswith(sys.prefix):
+            del sys.path_importer_cache[folder]

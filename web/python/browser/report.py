@@ -1,0 +1,89 @@
+"""What the page shows of a check, as plain data in the words of make check."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from autograder.answers import questions_of
+from autograder.manifest import Chapter, Exercise
+from autograder.scores import result_of, total
+from autograder.student.failure import Failure, failure_of
+from autograder.student.finish import end_of
+from autograder.student.screen import (
+    Report,
+    changed_notes,
+    extra_notes,
+    first_open,
+    inherited_notes,
+    passed_words,
+    passing,
+    states_of,
+)
+
+
+def report_to_page(
+    report: Report, exercise: Exercise | None, engine: list[Path], given: list[Chapter]
+) -> dict[str, Any]:
+    """Return what make check would print of a chapter, or of an exercise and what it needs."""
+    chapter, reports = report.chapter, [report]
+    first = first_open(reports, exercise)
+    failure = failure_of(*first, engine) if first else None
+    changed = changed_notes(chapter, engine)
+    summary = ""
+    if first is None:
+        summary = passed_words(reports, exercise, engine, given, changed=bool(changed))
+    notes = [*extra_notes(chapter, engine), *inherited_notes(report, exercise, engine), *changed]
+    earned, points = total(report.results)
+    return {
+        "chapter": chapter.name,
+        "passed": first is None and not changed,
+        "summary": summary,
+        "earned": earned,
+        "points": points,
+        "results": _results(report, engine),
+        "failure": failure_to_page(failure) if failure else None,
+        "notes": notes,
+        "finish": [words for words, _ in end_of(reports, exercise, engine, given)],
+    }
+
+
+def report_of_written(chapter: Chapter, exercise: Exercise, engine: list[Path]) -> dict[str, Any]:
+    """Return what there is to tell of a written exercise, which has no checks."""
+    report = Report(chapter, [result_of(exercise, [])], [], [])
+    question = next(one for one in questions_of(chapter, engine) if one.exercise == exercise)
+    told = report_to_page(report, exercise, engine, [])
+    return told | {"summary": "", "notes": question.problems, "finish": []}
+
+
+def _results(report: Report, engine: list[Path]) -> list[dict[str, Any]]:
+    return [
+        {
+            "id": result.exercise.id,
+            "title": result.exercise.title,
+            "state": state,
+            "physics": passing(result.physics),
+            "robust": passing(result.robust),
+            "score": result.score,
+            "points": result.exercise.points,
+            "checks": [
+                {"name": check.name, "status": check.status, "robust": check.robust}
+                for check in result.checks
+            ],
+        }
+        for result, state in zip(report.results, states_of(report, engine), strict=True)
+    ]
+
+
+def failure_to_page(failure: Failure) -> dict[str, Any]:
+    """Return a failure; the place to open as file and line, 0 for a file without lines."""
+    file, _, line = failure.place.removeprefix("chapters/").partition(":")
+    return {
+        "heading": failure.heading,
+        "rows": [list(row) for row in failure.diagnosis],
+        "printed": failure.printed,
+        "steps": failure.steps,
+        "file": file,
+        "line": int(line or 0),
+        "nudge": failure.hints,
+    }

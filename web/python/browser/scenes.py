@@ -1,0 +1,94 @@
+"""Play scenes for the page: each link has a host and an engine of its own, in one interpreter.
+
+The modules of all engines have the same names. So each link keeps those that it has imported, and
+they are in sys.modules only while it answers a message.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from types import ModuleType
+
+from autograder.checks.given import with_given
+from autograder.checks.students_code import graded_files
+from autograder.manifest import load_chapters
+from lab.broken_off import TIME_LIMIT, why_it_broke_off
+from lab.host import Host, Message
+from studies.reason import reason
+from web.python.browser.folder import CHAPTERS, Folder
+from web.python.browser.process import SHALLOW, code, forget_folders
+from web.python.browser.watchdog import watchdog
+
+NOT_HERE = {"pymunk": "pymunk is not available in the browser."}
+OF_A_LINK = re.compile(r"(ch\d\d_|(lab|studies)\.)")  # modules of an engine, or that import some
+SHARED = set(sys.modules)  # what all links use
+
+
+class Link:
+    """One engine, and the scene that it plays."""
+
+    def __init__(self, folder: Folder) -> None:
+        self.folder = folder
+        self.host = Host(reason)
+        self.modules: dict[str, ModuleType] = {}
+        self.engine: list[Path] = []
+        self.known: tuple[list[Path], dict[str, list[str]], list[str]] = ([], {}, [])
+        self.loaded: tuple[dict[str, str], list[int]] | None = None
+        self.given = ExitStack()  # the reference's modules, as long as the link lives
+
+    def receive(self, message: Message) -> list[Message]:
+        """Return the answers to a message of the page. A load brings the student's files along."""
+        try:
+            if message.get("kind") == "load":
+                if why := NOT_HERE.get(message.get("peer", "")):
+                    return [{"kind": "stopped", "why": why}]
+                self._choose(message.pop("files"), message.pop("given"))
+            watchdog.explain = lambda stack: {"why": why_it_broke_off(stack, self.engine)}
+            watchdog.start(TIME_LIMIT)
+            with self._at_work():
+                return self.host.receive(message)
+        except (ValueError, OSError) as error:  # a chapter that cannot be given, say
+            return [{"kind": "stopped", "why": str(error)}]
+        finally:
+            watchdog.stop()
+
+    def close(self) -> None:
+        """Remove what the link has made."""
+        self.given.close()
+
+    def _choose(self, files: dict[str, str], numbers: list[int]) -> None:
+        """Make the engine of these files, and of the reference's given chapters."""
+        if self.loaded == (files, numbers):
+            return
+        self.loaded = None
+        self.close()
+        self.modules, self.host = {}, Host(reason)
+        self.folder.lay(files)
+        forget_folders()
+        chapters = load_chapters()
+        given = [chapter for chapter in chapters if chapter.number in numbers]
+        self.engine = self.given.enter_context(with_given(given, [CHAPTERS]))
+        ours = [f"{chapter.name}/{file}" for chapter in chapters for file in chapter.complete]
+        self.known = self.engine, graded_files(chapters), ours
+        self.loaded = files, numbers
+
+    @contextmanager
+    def _at_work(self) -> Iterator[None]:
+        """Have the engine of this link be the one that is imported and limited."""
+        code.change(*self.known)
+        sys.setrecursionlimit(SHALLOW)
+        path, sys.path = sys.path, [*sys.path, *map(str, self.engine)]
+        sys.dont_write_bytecode = True  # it would be taken for that of a file saved a moment later
+        sys.modules.update(self.modules)
+        try:
+            yield
+        finally:
+            sys.path = path
+            sys.dont_write_bytecode = False
+            for name in [name for name in sys.modules if OF_A_LINK.match(name)]:
+                if name not in SHARED:
+                    self.modules[name] = sys.modules.pop(name)

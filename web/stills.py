@@ -1,0 +1,70 @@
+"""Draw the pictures that stand for scenes until a reader starts them: python -m web.stills FOLDER.
+
+There is one for each scene, after the scripted player has played on the reference for a moment,
+and one for each `make lab SCENE=... SET=...` of a lesson, at its start: it must not give away what
+happens.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+from pathlib import Path
+
+from autograder.manifest import ROOT
+from lab.catalog import entries, load
+from lab.pen import Pen
+from lab.scene import FRAME
+from studies.engine import use_engine
+from web.svg import svg
+
+COMMAND = re.compile(r'make lab SCENE=([\w-]+)(?:\s+SET="([^"]*)")?')
+MOMENT = 0.4  # s
+
+
+def main() -> None:
+    """Draw all stills into a folder, with a list of the scenes."""
+    parser = argparse.ArgumentParser(prog="python -m web.stills", description=__doc__)
+    parser.add_argument("folder", type=Path)
+    folder: Path = parser.parse_args().folder
+    use_engine(parser, "solutions")
+    folder.mkdir(parents=True, exist_ok=True)
+    for scene, settings in wanted():
+        (folder / f"{still_name(scene, settings)}.svg").write_text(
+            still(scene, settings), encoding="utf-8", newline="\n"
+        )
+    scenes = [
+        {"name": e.name, "title": e.title, "chapter": e.chapter, "question": load(e.name).question}
+        for e in entries()
+    ]
+    (folder / "scenes.json").write_text(json.dumps(scenes), encoding="utf-8")
+
+
+def wanted() -> list[tuple[str, str]]:
+    """Return the scenes and settings that pages show: each scene, and those of the lessons."""
+    found = [(entry.name, "") for entry in entries()]
+    for lesson in sorted(ROOT.glob("chapters/*/README.md")):
+        found += COMMAND.findall(lesson.read_text(encoding="utf-8").replace("\n> ", " "))
+    return list(dict.fromkeys(found))
+
+
+def still_name(scene: str, settings: str) -> str:
+    """Return the name of a picture, such as one-spring_stiffness-36."""
+    return "_".join([scene, *settings.replace("=", "-").split()])
+
+
+def still(name: str, settings: str) -> str:
+    """Return a picture of a scene with settings such as "rate=30 mass=1"."""
+    values = dict(word.split("=", 1) for word in settings.split())
+    scene = load(name)(**values)
+    while not settings and scene.time < MOMENT:
+        scene.play(scene.time)
+        scene.advance(FRAME)
+    pen = Pen()
+    scene.draw(pen)
+    return svg(pen.items, scene.view)
+
+
+if __name__ == "__main__":
+    main()

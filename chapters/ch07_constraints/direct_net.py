@@ -11,6 +11,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from ch02_vectors.arguments import positive
+from ch05_forces.particle import Particle
 from ch07_constraints.net import CHANGES, Net
 
 Columns = tuple[list[float], list[float], list[float]]  # x, y and z of all ends
@@ -29,8 +30,8 @@ class DirectNet(Net):
     order is 2 as long as no cable becomes taut; a cable that does costs an error of order 1.
     """
 
-    def __init__(self, links: Iterable[Any]) -> None:
-        super().__init__(links)
+    def __init__(self, links: Iterable[Any], others: Iterable[Particle] = ()) -> None:
+        super().__init__(links, others)
         self._pulls = [0.0] * len(self.rows)  # N/m: per m of each link, in the last step
         self._has_stepped = False
 

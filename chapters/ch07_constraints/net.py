@@ -7,6 +7,7 @@ of the links in plain numbers, and the equations that connect their pulls.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
 
@@ -17,7 +18,6 @@ from ch07_constraints.elimination import Elimination
 from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod
 
 ROD, CABLE, STRUT = 0, 1, -1  # keeps its length; must not be longer; must not be shorter
-LINKS = (Rod, AnchoredRod, Cable, AnchoredCable, Limits)
 # Where cables are redundant, for example four in a row along one line, the equations for their
 # pulls have many solutions. This fraction more on the diagonal chooses one of them.
 REGULARIZED = 1.0 + 1e-10
@@ -30,8 +30,17 @@ Way = tuple[float, float, float]
 Row = tuple[int, int, float, int]  # the two ends, the length squared in m^2, and the kind
 
 
+@dataclass(frozen=True)
+class Strut:
+    """Keeps two particles at least ``min_length`` m apart, as a ball keeps what it touches."""
+
+    a: Particle
+    b: Particle
+    min_length: float
+
+
 def limits_of(link: Any) -> list[Limit]:
-    """Return which ends a link of chapter 7 joins, with its length in m and its kind.
+    """Return which ends a link joins, with its length in m and its kind.
 
     Limits are a cable and, unless min_length is 0, a strut: two links.
 
@@ -46,25 +55,31 @@ def limits_of(link: Any) -> list[Limit]:
         return [(link.a, link.b, link.max_length, CABLE)]
     if isinstance(link, AnchoredCable):
         return [(link.particle, link.anchor, link.max_length, CABLE)]
+    if isinstance(link, Strut):
+        return [(link.a, link.b, link.min_length, STRUT)]
     if isinstance(link, Limits):
         longest: list[Limit] = [(link.a, link.b, link.max_length, CABLE)]
         shortest: list[Limit] = [(link.a, link.b, link.min_length, STRUT)]
         return longest + (shortest if link.min_length else [])
-    raise TypeError(f"a link must be a rod, a cable or Limits of chapter 7, got {link!r}")
+    raise TypeError(f"a link must be a rod, a cable, Limits or a Strut, got {link!r}")
+
+
+LINKS = (Rod, AnchoredRod, Cable, AnchoredCable, Limits, Strut)
 
 
 class Net:
     """Rods and cables between particles and anchors, and the equations for their pulls.
 
-    ``links`` are links of chapter 7: rods, cables and Limits. ``particles`` are their particles,
-    each once, in the order in which the links name them. Lengths are read once, at the start.
+    ``links`` are rods, cables and Limits of chapter 7, and Struts. ``others`` are particles that no link
+    holds, but that move with the net. ``particles`` are all particles, each once: first those of
+    the links, in the order in which the links name them. Lengths are read once, at the start.
 
     Raises:
         ValueError: if there are no links.
-        TypeError: if one of the links is none of chapter 7.
+        TypeError: if one of the links is of another kind.
     """
 
-    def __init__(self, links: Iterable[Any]) -> None:
+    def __init__(self, links: Iterable[Any], others: Iterable[Particle] = ()) -> None:
         self.links = [*links]
         if not self.links:
             raise ValueError("links must have at least one link, got none")
@@ -74,7 +89,7 @@ class Net:
             ends.setdefault(a, len(ends))
             if isinstance(b, Particle):
                 ends.setdefault(b, len(ends))
-        self.particles: list[Particle] = [*ends]
+        self.particles: list[Particle] = list(dict.fromkeys([*ends, *others]))
         self.anchors: list[Vector3] = []
         self.rows: list[Row] = []
         for a, b, length, kind in limits:

@@ -17,12 +17,13 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from ch02_vectors.arguments import positive
+from ch05_forces.particle import Particle
 from ch07_constraints.net import Net, Way
 
 EXACT = 1e-11  # the fraction by which the square of a length may be wrong after a step
 NEAR = 1e-9  # the fraction by which a link may be from its limit and still be tried as active
 CORRECTIONS = 4  # of the positions after a step
-MOST = 200  # impacts in a step
+MOST = 5000  # impacts in a step
 LEAST = 1e-9  # the fraction of a step that is not worth a step
 
 Force = tuple[float, float, float]
@@ -41,8 +42,8 @@ class SmoothNet(Net):
         TypeError: if one of the links is none of chapter 7.
     """
 
-    def __init__(self, links: Iterable[Any]) -> None:
-        super().__init__(links)
+    def __init__(self, links: Iterable[Any], others: Iterable[Particle] = ()) -> None:
+        super().__init__(links, others)
         self.pulls = [0.0] * len(self.rows)  # N/m: per m of each link, at the start of the step
         for i, particle in enumerate(self.particles):
             positive(f"the damping of particle {i}", particle.damping)

@@ -199,7 +199,7 @@ class Statics:
                 values[row] = -1.0
                 continue
             values[row] = -SOFT
-            right[row] = -hold.excess
+            right[row] = -hold.excess - SOFT * hold.last_pull
             for first, sign in ends:
                 for axis, part in enumerate(hold.direction):
                     add(first + axis, row, sign * part)

@@ -59,7 +59,9 @@ class Model:
 class Scene:
     """A scene of so many frames. ``truth`` has the place at a time in s; ``scale`` is in m.
 
-    ``counted`` says what the models count as their work.
+    ``counted`` says what the models count as their work. Where the truth is neither a closed form
+    nor SciPy's solution of one equation, ``differs`` is by how much two independent ways to it
+    differ, in units of the scale.
     """
 
     name: str
@@ -68,6 +70,7 @@ class Scene:
     truth: Callable[[float], Place]
     models: Sequence[Model]
     counted: str = "evaluations of forces or formulas"
+    differs: Callable[[], float] | None = None
 
     def error(self, outcome: Outcome) -> float:
         """Return the largest error of a coordinate, in units of the scale; inf for a NaN."""

@@ -19,6 +19,7 @@ Columns = tuple[list[float], list[float], list[float]]  # x, y and z of all ends
 Rows = list[tuple[int, int, float, float, float, float, float, int]]
 
 EXACT = 2e-10  # the fraction by which the square of a length may be wrong after a step
+FINER = 1e-3  # of EXACT, after a correction
 MOST = 60  # corrections of the pulls in a step
 TOO_FAR = "the links turn too far in one step; use shorter steps"
 
@@ -115,9 +116,10 @@ class DirectNet(Net):
                     vs[a] += y * gain
                     ws[a] += z * gain
                     gain = gains[b] * change
-                    us[b] -= x * gain
-                    vs[b] -= y * gain
-                    ws[b] -= z * gain
+                    if gain:  # not an anchor
+                        us[b] -= x * gain
+                        vs[b] -= y * gain
+                        ws[b] -= z * gain
             to_xs = [x + u * duration for x, u in zip(xs, us, strict=True)]
             to_ys = [y + v * duration for y, v in zip(ys, vs, strict=True)]
             to_zs = [z + w * duration for z, w in zip(zs, ws, strict=True)]
@@ -126,6 +128,8 @@ class DirectNet(Net):
                 x, y, z = to_xs[b] - to_xs[a], to_ys[b] - to_ys[a], to_zs[b] - to_zs[a]
                 excess = x * x + y * y + z * z - square
                 excesses.append(excess)
+                if factors:  # once it solves, it solves well, so that the pulls last
+                    allowed *= FINER
                 if not -allowed <= excess <= allowed:  # NaN too
                     if active[i]:
                         is_right = False

@@ -31,7 +31,7 @@ from studies.accuracy.taut import TautMotion, Tie
 
 COUNTED = "links solved for"
 LONG = 12  # frames, in which a net of order 4 makes few steps
-FINE = 8  # steps a frame, where our own run is the truth, or confirms it
+FINE = 8  # steps a frame, of our own run that the truth is compared with
 FAR = 1e3  # m: no slide joint gets as long
 
 
@@ -142,7 +142,10 @@ def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) ->
 
 
 def by_long_steps(plane: Plane, steps: int) -> Outcome:
-    """Make so many steps of order 4 in LONG frames, and read cubics between their ends."""
+    """Make so many steps of order 4 in LONG frames, and read cubics between their ends.
+
+    That is good for smooth motion: there is no cubic through an impact.
+    """
     knots, step = made(plane, SmoothNet)
 
     def state() -> tuple[list[float], list[float]]:
@@ -195,29 +198,20 @@ def by_slide_joints(plane: Plane, iterations: int, steps: int) -> Outcome:
     return Outcome(places, plane.frames * steps * iterations * len(plane.ties))
 
 
-def scene_of(
-    name: str, frames: int, scale: float, make: Callable[[], Plane], is_rough: bool = False
-) -> Scene:
+def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) -> Scene:
     """Return the scene of a plane, which is made when it is first run.
 
-    Where it ``is_rough``, with hundreds of impacts, SciPy takes a quarter of a minute. So the truth
-    is our own run in short steps there. ``differs`` compares it with SciPy's.
+    The truth is SciPy's, and ``differs`` compares it with our own run in short steps.
     """
     plane = cache(make)
-
-    @cache
-    def own(steps: int) -> list[Place]:
-        return by_net(SmoothNet, plane(), steps).places
 
     @cache
     def exact() -> list[Place]:
         return [tuple(map(float, place)) for place in plane().exact()]
 
-    def truth(time: float) -> Place:
-        return (own(FINE) if is_rough else exact())[round(time * RATE) - 1]
-
     def differs() -> float:
-        return float(abs(numpy.array(own(FINE)) - numpy.array(exact())).max()) / scale
+        own = by_net(plane(), SmoothNet, FINE).places
+        return float(abs(numpy.array(own) - numpy.array(exact())).max()) / scale
 
     def run(by: Callable[..., Outcome], *chosen: Any) -> Callable[[int], Outcome]:
         return lambda steps: by(plane(), *chosen, steps)
@@ -229,9 +223,7 @@ def scene_of(
         Model("pymunk, slide joints", run(by_slide_joints, 10), STEPS, "pymunk"),
         Model("pymunk, slide joints, 3 iterations", run(by_slide_joints, 3), STEPS, "pymunk"),
     ]
-    if is_rough:  # between impacts there are no cubics
-        del models[2]
-    return Scene(name, frames, scale, truth, models, COUNTED, differs)
+    return Scene(name, frames, scale, lambda t: exact()[round(t * RATE) - 1], models, COUNTED, differs)
 
 
 def bridge_ties() -> list[Tie]:
@@ -308,7 +300,7 @@ def catching() -> Scene:
             ties=[*ties, *struts],
         )
 
-    return scene_of("net of 6 by 6 cables", 36, gap, make, is_rough=True)
+    return scene_of("net of 6 by 6 cables", 36, gap, make)
 
 
 NETS: list[Callable[[], Scene]] = [swinging, walked_over, catching]

@@ -135,7 +135,11 @@ class Net:
 
     def directions(self, values: Sequence[float]) -> list[Way]:
         """Return the difference between the ends of each link, of values in the order of state."""
-        xs, ys, zs = values[: self.count], values[self.count : 2 * self.count], values[-self.count :]
+        xs, ys, zs = (
+            values[: self.count],
+            values[self.count : 2 * self.count],
+            values[-self.count :],
+        )
         return [(xs[b] - xs[a], ys[b] - ys[a], zs[b] - zs[a]) for a, b, _, _ in self.rows]
 
     def pull(

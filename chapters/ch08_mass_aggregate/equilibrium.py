@@ -67,7 +67,7 @@ class Hold:
         return x * (bx - ax) + y * (by - ay) + z * (bz - az)
 
 
-class Statics:
+class Balance:
     """The equations of a world at rest, and one step of Newton's method."""
 
     def __init__(self, world: ParticleWorld) -> None:
@@ -80,7 +80,7 @@ class Statics:
         self.others = [g for g in world.contact_generators if not isinstance(g, LINKS)]
         self.holds = self.links
         self.has_forces = bool(world.registry.pairs())
-        self.analyzed: tuple[list[tuple[Any, Any]], Elimination] | None = None
+        self.shape: tuple[list[tuple[Any, Any]], list[tuple[int, int]]] | None = None
 
     def look(self) -> None:
         """Find the forces, and what holds the particles, at their present positions."""
@@ -93,7 +93,7 @@ class Statics:
             hold = Hold(contact.particle, contact.other, 1.0, CABLE, contact)
             before = found.get((hold.a, hold.b))
             hold.pull = before.pull if before else 0.0
-            hold.direction, hold.excess = (*contact.normal,), contact.penetration  # type: ignore[assignment]
+            hold.direction, hold.excess = (*contact.normal,), contact.penetration
             found[hold.a, hold.b] = hold
         self.holds = [*self.links, *found.values()]
 
@@ -194,7 +194,9 @@ class Statics:
         for (i, j), slope in slopes.items():  # the mean of A[i][j] and A[j][i]
             add(i, j, -slope if i == j else -0.5 * slope)
         for row, hold in enumerate(self.holds, count):
-            ends = [(self.number[e], s) for e, s in ((hold.a, -1.0), (hold.b, 1.0)) if e in self.number]
+            ends = [
+                (self.number[e], s) for e, s in ((hold.a, -1.0), (hold.b, 1.0)) if e in self.number
+            ]
             if not hold.is_active:
                 values[row] = -1.0
                 continue
@@ -216,16 +218,18 @@ class Statics:
 
     def equations(self, slopes: Mapping[tuple[int, int], float]) -> Elimination:
         """Return where the equations have numbers. It is found again only if the holds change."""
-        shape = ([(h.a, h.b) for h in self.holds], slopes.keys())
-        if self.analyzed is None or self.analyzed[0] != shape:
+        shape = [(h.a, h.b) for h in self.holds], [*slopes]
+        if self.shape != shape:
             count = len(self.forces)
             pairs = [*slopes]
             for row, hold in enumerate(self.holds, count):
                 ends = [self.number[end] for end in (hold.a, hold.b) if end in self.number]
                 pairs += [(first + axis, row) for first in ends for axis in range(3)]
-                pairs += [(a + axis, b + axis) for a, b in combinations(ends, 2) for axis in range(3)]
-            self.analyzed = shape, Elimination(count + len(self.holds), pairs, count)
-        return self.analyzed[1]
+                pairs += [
+                    (a + axis, b + axis) for a, b in combinations(ends, 2) for axis in range(3)
+                ]
+            self.shape, self.analyzed = shape, Elimination(count + len(self.holds), pairs, count)
+        return self.analyzed
 
 
 def equilibrium(world: ParticleWorld) -> list[float]:
@@ -243,33 +247,33 @@ def equilibrium(world: ParticleWorld) -> list[float]:
     Raises:
         ArithmeticError: if none is found, for example because nothing holds a particle.
     """
-    statics = Statics(world)
-    for particle in statics.free:
+    balance = Balance(world)
+    for particle in balance.free:
         particle.velocity.clear()
     time = FIRST_TIME
-    statics.look()
+    balance.look()
     for _ in range(STEPS):
-        if statics.move(time):
+        if balance.move(time):
             time = min(2.0 * time, LAST_TIME)
-        statics.look()
-        if statics.is_balanced():
+        balance.look()
+        if balance.is_balanced():
             break
     else:
         raise ArithmeticError("no equilibrium was found: does something hold every particle?")
     if isinstance(world, SleepingWorld):
-        fall_asleep(world, statics)
-    for particle, by_hand in zip(statics.free, statics.by_hand, strict=True):
+        fall_asleep(world, balance)
+    for particle, by_hand in zip(balance.free, balance.by_hand, strict=True):
         if any(by_hand):
             particle.add_force(Vector3(*by_hand))
-    return [hold.pull * hold.length for hold in statics.links]
+    return [hold.pull * hold.length for hold in balance.links]
 
 
-def fall_asleep(world: SleepingWorld, statics: Statics) -> None:
+def fall_asleep(world: SleepingWorld, balance: Balance) -> None:
     """Let a world at rest fall asleep, as it would after enough steps of rest."""
     world.registry.update_forces(FIRST_TIME)
-    for particle in statics.free:
+    for particle in balance.free:
         particle.kick(0.0)  # it now remembers the forces on it, which must not change
     up = Vector3(0.0, 1.0, 0.0)
-    contacts = [h.contact or Contact(h.a, h.b, up, 0.0, 0.0) for h in statics.holds if h.is_active]
+    contacts = [h.contact or Contact(h.a, h.b, up, 0.0, 0.0) for h in balance.holds if h.is_active]
     for _ in range(world.sleep_frames):
         world.fall_asleep(contacts)

@@ -75,7 +75,7 @@ def bridge() -> Scene:
         Model("two-sided rods, 400 iterations", ours(two_sided, 400), few),
         Model("direct net", partial(by_net, whole), few),
         Model("direct net, seen from the side", partial(by_net, from_the_side), few),
-        Model("found by equilibrium, then asleep", partial(by_statics, FRAMES), (1,)),
+        Model("found by equilibrium, then asleep", partial(by_equilibrium, FRAMES), (1,)),
         Model("pymunk, slide joints", partial(by_joints, 10), some, "pymunk"),
         Model("pymunk, slide joints, 50 iterations", partial(by_joints, 50), some, "pymunk"),
     ]
@@ -86,7 +86,7 @@ def sleeping() -> Scene:
     """The same bridge asleep for 10 s, in which nothing touches it, and pymunk's asleep too."""
     models = [
         Model("asleep", by_sleep, (1,)),
-        Model("found by equilibrium, then asleep", partial(by_statics, LONG), (1,)),
+        Model("found by equilibrium, then asleep", partial(by_equilibrium, LONG), (1,)),
         Model("pymunk, asleep", partial(by_joints, 10, frames=LONG, sleeps=True), (1,), "pymunk"),
     ]
     return Scene("rope bridge asleep", LONG, CABLE_LENGTH, truth, models, "contacts resolved")
@@ -209,7 +209,7 @@ def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> 
     return Outcome(places, FRAMES * steps * len(links))
 
 
-def by_statics(frames: int, steps: int) -> Outcome:
+def by_equilibrium(frames: int, steps: int) -> Outcome:
     """Find where the bridge rests, and let it sleep there."""
     ends, links = whole()
     world = SleepingWorld(ends, links)
@@ -230,9 +230,7 @@ def place_of(ends: list[Particle]) -> Place:
     return tuple([part for end in ends for part in (end.position.x, end.position.y)])
 
 
-def by_joints(
-    iterations: int, steps: int, frames: int = FRAMES, sleeps: bool = False
-) -> Outcome:
+def by_joints(iterations: int, steps: int, frames: int = FRAMES, sleeps: bool = False) -> Outcome:
     """Let pymunk hold both sides by slide joints, or sleep."""
     import pymunk
 

@@ -1,4 +1,4 @@
-"""The exact motion of rods and cables in a plane, by SciPy: from event to event, with dense matrices.
+"""The exact motion of cables in a plane, by SciPy: from event to event, with dense matrices.
 
 It shares nothing with the engine. While the same cables are taut, positions are a solution of
 ordinary differential equations: the pulls are those that keep the lengths. This ends when a pull
@@ -87,7 +87,9 @@ class TautMotion:
         still = near[matrix[near] @ speeds > -SLOW]
         free = self.inverse * self.load(time, places)
         pulls = self.least(matrix[still], matrix[still] @ free + bent[still])
-        return numpy.concatenate([places, speeds]), still[pulls > 1e-9 * max(1.0, pulls.max(initial=0.0))]
+        return numpy.concatenate([places, speeds]), still[
+            pulls > 1e-9 * max(1.0, pulls.max(initial=0.0))
+        ]
 
     def run(self, places: Any, speeds: Any, times: Sequence[float]) -> Any:
         """Return the positions at some times, a row for each, from those at time 0."""
@@ -102,7 +104,9 @@ class TautMotion:
             def rates(t: float, s: Any, taut: Any = taut) -> Any:
                 return numpy.append(s[len(self.inverse) :], self.accelerations(t, s, taut)[0])
 
-            def event(t: float, s: Any, taut: Any = taut, slack: Any = slack, spare: Any = spare) -> float:
+            def event(
+                t: float, s: Any, taut: Any = taut, slack: Any = slack, spare: Any = spare
+            ) -> float:
                 _, pulls = self.accelerations(t, s, taut)
                 gaps = self.gaps(s[: len(self.inverse)])[slack] + spare
                 return float(min(pulls.min(initial=1.0), gaps.min(initial=1.0)))
@@ -110,7 +114,14 @@ class TautMotion:
             event.terminal, event.direction = True, -1.0  # type: ignore[attr-defined]
             after = [t for t in times if t > time]
             got = solve_ivp(
-                rates, (time, times[-1]), state, "DOP853", after, events=event, rtol=1e-12, atol=1e-12
+                rates,
+                (time, times[-1]),
+                state,
+                "DOP853",
+                after,
+                events=event,
+                rtol=1e-12,
+                atol=1e-12,
             )
             found += [*got.y.T] if len(got.t) else []
             if got.status != 1:

@@ -1,4 +1,4 @@
-"""Nets against closed forms, DirectChain and SciPy: their lengths, orders, and which cables pull."""
+"""Nets against closed forms, DirectChain and SciPy: lengths, orders, and which cables pull."""
 
 from __future__ import annotations
 
@@ -60,7 +60,9 @@ def rope(count: int, end_mass: float = 1.0) -> tuple[list[Particle], list[Any]]:
     bodies[-1].mass = end_mass
     lengths = [(b.position - a.position).magnitude() for a, b in pairwise(bodies)]
     rods: list[Any] = [AnchoredRod(bodies[0], Vector3(), bodies[0].position.magnitude())]
-    return bodies, rods + [Rod(a, b, x) for (a, b), x in zip(pairwise(bodies), lengths, strict=True)]
+    return bodies, rods + [
+        Rod(a, b, x) for (a, b), x in zip(pairwise(bodies), lengths, strict=True)
+    ]
 
 
 @pytest.mark.parametrize("end_mass", [1.0, math.inf])
@@ -89,7 +91,9 @@ def test_a_hanging_weight_is_pulled_by_its_weight(kind: Callable[[list[Any]], An
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_a_slack_cable_lets_fall_and_then_stops_what_falls(kind: Callable[[list[Any]], Any]) -> None:
+def test_a_slack_cable_lets_fall_and_then_stops_what_falls(
+    kind: Callable[[list[Any]], Any],
+) -> None:
     """1 kg and 3 kg one above the other: the cable between them is slack until the upper stops."""
     upper = Particle(Vector3(), acceleration=DOWN)
     lower = Particle(Vector3(0.0, -0.5), acceleration=DOWN, mass=3.0)
@@ -149,7 +153,9 @@ def test_swinging_errors_fall_by_the_order(model: str, order: int) -> None:
     assert slope([1.0, 0.5], errors) == pytest.approx(order, abs=0.1)
 
 
-@pytest.mark.parametrize(("name", "apart"), [("swinging", 1e-10), ("walked", 1e-8), ("6 by 6", 1e-6)])
+@pytest.mark.parametrize(
+    ("name", "apart"), [("swinging", 1e-10), ("walked", 1e-8), ("6 by 6", 1e-6)]
+)
 def test_scipy_finds_the_same_motion_from_the_equations(name: str, apart: float) -> None:
     (scene,) = scenes_with(name)
     assert scene.differs is not None

@@ -42,7 +42,10 @@ def test_slack_cables_and_the_least_energy_are_those_of_scipy() -> None:
     anchors = [(-2.0, 0.0), (2.0, 0.5), (0.0, 0.3)]
     lengths = [[1.6, 3.5, 2.4], [3.9, 1.8, 1.9]]
     masses = [1.0, 4.0]
-    knots = [Particle(Vector3(x), acceleration=DOWN, mass=m) for x, m in zip((-1, 1), masses, strict=True)]
+    knots = [
+        Particle(Vector3(x), acceleration=DOWN, mass=m)
+        for x, m in zip((-1, 1), masses, strict=True)
+    ]
     links = [
         AnchoredCable(knot, Vector3(*anchor), length)
         for knot, row in zip(knots, lengths, strict=True)

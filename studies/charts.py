@@ -78,6 +78,9 @@ def main(arguments: list[str]) -> int:
         png = options.out / f"{re.sub('[^a-z0-9]+', '_', scene.name.lower()).strip('_')}.png"
         chart.draw(own, scene.counted, png)
         console.print(f"{scene.name}: {shown(png)}", soft_wrap=True)
+        if scene.differs:
+            apart = f"{scene.differs():.1g} of the scale"
+            console.print(f"  its exact solution and our own finest run differ by {apart}")
     rows = results.table(measured.points)
     chart.draw_overview(rows, options.out / "overview.png")
     words = [[*map(chart.told, (row.ours, row.pymunk)), chart.told_ratio(row)] for row in rows]

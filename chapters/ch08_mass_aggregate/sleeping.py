@@ -125,6 +125,7 @@ class SleepingWorld(ParticleWorld):
 
         - Wake the particles that were moved by hand, and in every LOOK_EVERY-th step also those
           that are pushed in a new way.
+        - If all particles sleep, nothing else is done.
         - Call the integrator with the particles that are awake, and no others.
         - Find the contacts. As long as they wake a sleeping particle, find them again.
         - Resolve the contacts, and then let tired groups fall asleep.

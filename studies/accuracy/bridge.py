@@ -18,9 +18,11 @@ from typing import Any
 import numpy
 from scipy.optimize import root  # type: ignore[import-untyped]
 
+from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch06_springs.integrators import Integrator, explicit_euler, semi_implicit_euler
 from ch07_constraints.contacts import ContactGenerator, ContactResolver
+from ch07_constraints.direct_net import DirectNet
 from ch07_constraints.heap_resolver import HeapResolver
 from ch07_constraints.links import AnchoredCable, Cable, Rod, TwoSidedRod
 from ch08_mass_aggregate.bridge import ITERATIONS, links_of
@@ -36,10 +38,14 @@ from ch08_mass_aggregate.bridge_plan import (
     make_rows,
     support_length,
 )
+from ch08_mass_aggregate.equilibrium import equilibrium
+from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
 from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene, in_frames
 
 FRAMES = 60  # errors do not grow after this second
+FRAMES = 60  # errors do not grow after this second
+LONG = 600  # frames of sleep
 MASSES = [PLANK_MASS + (2.5 if row == 2 else 0.0) for row in range(ROWS)]  # 5 kg on the third row
 HAIR = 1e-8  # m; it puts ends 3e-8 m too low, so smaller errors have no meaning
 
@@ -68,10 +74,23 @@ def bridge() -> Scene:
         Model(f"cables, {ITERATIONS} iterations", ours(links_of, ITERATIONS), few),
         Model("semi-implicit Euler, two-sided rods", ours(two_sided, None), few),
         Model("two-sided rods, 400 iterations", ours(two_sided, 400), few),
+        Model("direct net", partial(by_net, whole), few),
+        Model("direct net, seen from the side", partial(by_net, from_the_side), few),
+        Model("found by equilibrium, then asleep", partial(by_equilibrium, FRAMES), (1,)),
         Model("pymunk, slide joints", partial(by_joints, 10), some, "pymunk"),
         Model("pymunk, slide joints, 50 iterations", partial(by_joints, 50), some, "pymunk"),
     ]
     return Scene("rope bridge at rest", FRAMES, CABLE_LENGTH, truth, models, "contacts resolved")
+
+
+def sleeping() -> Scene:
+    """The same bridge asleep for 10 s, in which nothing touches it, and pymunk's asleep too."""
+    models = [
+        Model("asleep", by_sleep, (1,)),
+        Model("found by equilibrium, then asleep", partial(by_equilibrium, LONG), (1,)),
+        Model("pymunk, asleep", partial(by_joints, 10, frames=LONG, sleeps=True), (1,), "pymunk"),
+    ]
+    return Scene("rope bridge asleep", LONG, CABLE_LENGTH, truth, models, "contacts resolved")
 
 
 def truth(_: float) -> Place:
@@ -137,12 +156,7 @@ def by_world(
     integrator: Integrator, links: Links, resolver: ContactResolver, steps: int
 ) -> Outcome:
     """Step the world of the bridge, which has its own damping."""
-    rows = make_rows()
-    held = links(rows)  # the links get their lengths from the positions before the shift
-    for row, (x, y), mass in zip(rows, hanging(HAIR), MASSES, strict=True):
-        for end in row:
-            end.position.x, end.position.y, end.mass = x, y, mass
-    ends = [end for row in rows for end in row]
+    ends, _, held = hung(links)
     world, work = ParticleWorld(ends, held, integrator=integrator), 0
     world.resolver = resolver
 
@@ -158,8 +172,67 @@ def by_world(
     return Outcome(in_frames(step, place, FRAMES, steps), work)
 
 
-def by_joints(iterations: int, steps: int) -> Outcome:
-    """Hold both sides together with slide joints in pymunk."""
+def hung(links: Links) -> tuple[list[Particle], list[Row], list[ContactGenerator]]:
+    """Return the ends of the rows a hair too low, the rows, and their links."""
+    rows = make_rows()
+    held = links(rows)  # the links get their lengths from the positions before the shift
+    for row, (x, y), mass in zip(rows, hanging(HAIR), MASSES, strict=True):
+        for end in row:
+            end.position.x, end.position.y, end.mass = x, y, mass
+    return [end for row in rows for end in row], rows, held
+
+
+def whole() -> tuple[list[Particle], list[Any]]:
+    """Return the ends of the rows, and all rods and cables between them."""
+    ends, _, held = hung(links_of)
+    return ends, held
+
+
+def from_the_side() -> tuple[list[Particle], list[Any]]:
+    """Return the ends of the rows in one plane, with cables only, as in pymunk's bridge."""
+    ends, rows, _ = hung(links_of)
+    links: list[Any] = []
+    for side in zip(*rows, strict=True):
+        for end in side:
+            end.position.z = 0.0
+        for start, end, length in cables():
+            if isinstance(start, int):
+                links.append(Cable(side[start], side[end], length))
+            else:
+                links.append(AnchoredCable(side[end], Vector3(*start), length))
+    return ends, links
+
+
+def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> Outcome:
+    """Hold the bridge with a net that is solved directly. At rest the last tensions stay right."""
+    ends, links = make()
+    places = in_frames(DirectNet(links).step, partial(place_of, ends), FRAMES, steps)
+    return Outcome(places, FRAMES * steps * len(links))
+
+
+def by_equilibrium(frames: int, steps: int) -> Outcome:
+    """Find where the bridge rests, and let it sleep there."""
+    ends, links = whole()
+    world = SleepingWorld(ends, links)
+    equilibrium(world)
+    return Outcome(in_frames(world.step, partial(place_of, ends), frames, steps), len(links))
+
+
+def by_sleep(steps: int) -> Outcome:
+    """Let the bridge sleep from the start, as pymunk's bridge does."""
+    ends, links = whole()
+    world = SleepingWorld(ends, links, sleep_frames=1)
+    world.fall_asleep(world.contacts())
+    return Outcome(in_frames(world.step, partial(place_of, ends), LONG, steps), 0)
+
+
+def place_of(ends: list[Particle]) -> Place:
+    """Return the positions of the ends, seen from the side."""
+    return tuple([part for end in ends for part in (end.position.x, end.position.y)])
+
+
+def by_joints(iterations: int, steps: int, frames: int = FRAMES, sleeps: bool = False) -> Outcome:
+    """Hold both sides together with slide joints in pymunk, or let them sleep."""
     import pymunk
 
     space = pymunk.Space()
@@ -178,8 +251,13 @@ def by_joints(iterations: int, steps: int) -> Outcome:
     def place() -> Place:
         return tuple(part for end in ends for part in end.position)
 
-    places = in_frames(space.step, place, FRAMES, steps)
-    return Outcome(places, FRAMES * steps * iterations * len(space.constraints))
+    if sleeps:
+        space.sleep_time_threshold = 1e-3  # s: after the first step
+    work = 0 if sleeps else frames * steps * iterations * len(space.constraints)
+    places = in_frames(space.step, place, frames, steps)
+    for end in ends if sleeps else ():
+        end.activate()  # pymunk 7.3 crashes when it deletes bodies that sleep
+    return Outcome(places, work)
 
 
-BRIDGES: list[Callable[[], Scene]] = [bridge]
+BRIDGES: list[Callable[[], Scene]] = [bridge, sleeping]

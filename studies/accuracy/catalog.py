@@ -6,6 +6,7 @@ from studies.accuracy.bridge import BRIDGES
 from studies.accuracy.flights import FLIGHTS
 from studies.accuracy.impacts import IMPACTS
 from studies.accuracy.links import LINKED
+from studies.accuracy.nets import NETS
 from studies.accuracy.scene import Scene
 from studies.accuracy.springs import SPRINGS
 
@@ -16,7 +17,7 @@ def scenes_with(part: str) -> list[Scene]:
     Raises:
         ValueError: If no scene matches. The message lists all names.
     """
-    every = [make() for make in (*FLIGHTS, *SPRINGS, *IMPACTS, *LINKED, *BRIDGES)]
+    every = [make() for make in (*FLIGHTS, *SPRINGS, *IMPACTS, *LINKED, *BRIDGES, *NETS)]
     if found := [scene for scene in every if part in scene.name]:
         return found
     names = "; ".join(scene.name for scene in every)

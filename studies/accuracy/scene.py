@@ -59,7 +59,9 @@ class Model:
 class Scene:
     """A scene with a number of frames. ``truth`` returns the exact position at a time in s.
 
-    ``scale`` is in m. ``counted`` describes what the models count as their work.
+    ``scale`` is in m. ``counted`` describes what the models count as their work. If the truth is
+    neither a closed form nor SciPy's solution of one equation, ``differs`` returns the difference
+    between two independent ways to compute it, in units of the scale.
     """
 
     name: str
@@ -68,6 +70,7 @@ class Scene:
     truth: Callable[[float], Place]
     models: Sequence[Model]
     counted: str = "evaluations of forces or formulas"
+    differs: Callable[[], float] | None = None
 
     def error(self, outcome: Outcome) -> float:
         """Return the largest error of a coordinate in units of the scale, or inf for a NaN."""

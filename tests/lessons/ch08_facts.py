@@ -7,14 +7,15 @@ import math
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch08_mass_aggregate.blob import Bond, spread
-from ch08_mass_aggregate.bridge import Bridge, Deck
-from ch08_mass_aggregate.bridge_plan import make_rows
+from ch08_mass_aggregate.bridge import Bridge, Deck, links_of
+from ch08_mass_aggregate.bridge_plan import PLANK_MASS, make_rows
 from ch08_mass_aggregate.cube import cube_rods, fewest_rods
+from ch08_mass_aggregate.equilibrium import equilibrium
 from ch08_mass_aggregate.fixed_step import FixedStep
 from ch08_mass_aggregate.tilting_platform import balancing_mass
 from ch08_mass_aggregate.trebuchet import Trebuchet, my_design
 from ch08_mass_aggregate.wheel import Wheel, spin
-from ch08_mass_aggregate.world import mechanical_energy
+from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
 
 
 def energy() -> dict[str, float]:
@@ -111,6 +112,13 @@ def throws() -> dict[str, float]:
     }
 
 
+def at_rest() -> dict[str, float]:
+    rows = make_rows()
+    links = links_of(rows)
+    tensions = equilibrium(ParticleWorld([end for row in rows for end in row], links))
+    return {"2.008": rows[2][0].position.y, "11.6": max(tensions), "9.81": PLANK_MASS * 9.81}
+
+
 SECTIONS = {
     "Trust, but measure: energy": ("9.81", energy),
     "A fixed step": ("10 12 15 18 25 60", fixed_steps),
@@ -120,6 +128,6 @@ SECTIONS = {
     "How many rods make a body rigid?": ("8", rods),
     "A wheel": ("10 60 960", wheels),
     "Project: a trebuchet": ("45 9.81", throws),
-    "Going further: let sleeping balls lie": ("30", dict),
+    "Going further: let sleeping balls lie": ("30", at_rest),
     "Summary": ("6 18", dict),
 }

@@ -22,7 +22,7 @@ from studies.drawing import slope
 
 G = 9.81
 MASSES = numpy.repeat([1.0, 1.0, 3.5, 1.0, 1.0, 1.0], 2)  # 5 kg on the ends of the third row
-(SCENE,) = scenes_with("bridge")
+(SCENE,) = scenes_with("bridge at rest")
 MODELS = {model.name: model for model in SCENE.models}
 TWO_SIDED = ["semi-implicit Euler, two-sided rods", "two-sided rods, 400 iterations"]
 
@@ -167,5 +167,5 @@ def test_work_is_contacts_resolved() -> None:
 
 def test_nothing_is_solved_before_a_scene_is_run() -> None:
     bridge.hanging.cache_clear()
-    scenes_with("bridge")
+    scenes_with("bridge at rest")
     assert bridge.hanging.cache_info().misses == 0

@@ -1,0 +1,265 @@
+"""Going further, complete: a net of rods and cables that Runge-Kutta 4 steps, at order 4.
+
+DirectNet asks for lengths at the end of a step. SmoothNet asks for accelerations that keep the
+lengths of rods and taut cables, at each of the four stages, as RodTensions does for a chain. What
+the step still makes wrong is taken back at its end: positions and velocities are projected back to
+what the links allow. Projection keeps the order (Hairer, Lubich and Wanner, Geometric Numerical
+Integration, IV.4).
+
+A cable that becomes taut stops its ends at once. No step of order 4 can pass such an impact, so the
+step stops there, as time division does.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+from ch02_vectors.arguments import positive
+from ch05_forces.particle import Particle
+from ch07_constraints.net import Net, Way
+
+EXACT = 1e-11  # the fraction by which the square of a length may be wrong after a step
+NEAR = 1e-9  # the fraction by which a link may be from its limit and still be tried as active
+CORRECTIONS = 4  # of the positions after a step
+MOST = 5000  # impacts in a step
+LEAST = 1e-9  # the fraction of a step that is not worth a step
+
+Force = tuple[float, float, float]
+Forces = Callable[[float], object]
+Solved = tuple[list[Way], list[float]]  # the directions of the links, and the factors with them
+
+
+class SmoothNet(Net):
+    """A net of rods and cables that makes the steps of its particles by Runge-Kutta 4.
+
+    ``links`` are links of chapter 7, whose restitution is taken as 0. A particle's damping d acts
+    as the drag that it stands for: it adds the acceleration ln(d) v.
+
+    Raises:
+        ValueError: if there are no links, or a damping is 0.
+        TypeError: if one of the links is none of chapter 7.
+    """
+
+    def __init__(self, links: Iterable[Any], others: Iterable[Particle] = ()) -> None:
+        super().__init__(links, others)
+        self.pulls = [0.0] * len(self.rows)  # N/m: per m of each link, at the start of the step
+        for i, particle in enumerate(self.particles):
+            positive(f"the damping of particle {i}", particle.damping)
+
+    def step(self, duration: float, apply_forces: Forces | None = None) -> None:
+        """Move the particles by one step of a duration in s.
+
+        Forces in the accumulators act during the whole step. ``apply_forces`` adds the others at
+        each stage, as ForceRegistry.update_forces does.
+
+        Raises:
+            ValueError: if the duration is not positive and finite. Nothing is changed then.
+            ArithmeticError: if the links contradict each other, or there is no end of impacts.
+        """
+        left = positive("duration", duration)
+        constant = [particle.take_forces() for particle in self.particles]
+        self.gains = self.inverse_masses()
+        self.drags = [math.log(particle.damping) for particle in self.particles]
+        for _ in range(MOST):
+            left -= self._advance(left, constant, apply_forces)
+            if left <= LEAST * duration:
+                return
+        raise ArithmeticError("cables become taut again and again in one step")
+
+    def _advance(self, duration: float, constant: Sequence[Force], forces: Forces | None) -> float:
+        """Step until the first impact, at most for a duration, and return for how long."""
+        start, speed = self.state()
+        first, _ = self._rates(start, speed, constant, forces, duration, chooses=True)
+        taken, hit = duration, None
+        while True:
+            half = 0.5 * taken
+            v2 = _moved(speed, first, half)
+            second, _ = self._rates(_moved(start, speed, half), v2, constant, forces, duration)
+            v3 = _moved(speed, second, half)
+            third, _ = self._rates(_moved(start, v2, half), v3, constant, forces, duration)
+            v4 = _moved(speed, third, taken)
+            fourth, solved = self._rates(_moved(start, v3, taken), v4, constant, forces, duration)
+            places = _mean(start, taken / 6.0, speed, v2, v3, v4)
+            speeds = _mean(speed, taken / 6.0, first, second, third, fourth)
+            if hit is not None:
+                break
+            share, hit = self._first_impact(start, speed, places, speeds, duration)
+            if share > 1.0 - LEAST:
+                break
+            taken = max(share, LEAST) * duration
+        self._project(places, speeds, solved, hit)
+        self.write(places, speeds)
+        return taken
+
+    def _rates(
+        self,
+        places: Sequence[float],
+        speeds: Sequence[float],
+        constant: Sequence[Force],
+        forces: Forces | None,
+        duration: float,
+        chooses: bool = False,
+    ) -> tuple[list[float], Solved]:
+        """Return the accelerations, and the directions of the links with their factors.
+
+        The pulls give each active link the acceleration along it that keeps its length. The first
+        stage ``chooses`` which links are active: of those that are at their limit, those that pull.
+        """
+        count, rows = self.count, self.rows
+        rates = self._free_rates(places, speeds, constant, forces, duration)
+        directions, right, near = [], [], []
+        for i, (a, b, square, kind) in enumerate(rows):
+            ay, by, az, bz = a + count, b + count, a + 2 * count, b + 2 * count
+            x, y, z = places[b] - places[a], places[by] - places[ay], places[bz] - places[az]
+            u, v, w = speeds[b] - speeds[a], speeds[by] - speeds[ay], speeds[bz] - speeds[az]
+            directions.append((x, y, z))
+            right.append(
+                (rates[b] - rates[a]) * x
+                + (rates[by] - rates[ay]) * y
+                + (rates[bz] - rates[az]) * z
+                + u * u
+                + v * v
+                + w * w
+            )
+            if chooses and kind and not self.is_active[i]:
+                is_long = (x * x + y * y + z * z - square) * kind > -NEAR * square
+                if is_long and (x * u + y * v + z * w) * kind * duration > -NEAR * square:
+                    near.append(i)
+        if chooses:
+            self.pulls, factors = self.balance(directions, self.gains, right, near)
+            pulls = self.pulls
+        else:
+            factors = self.factor(directions, self.gains, self.is_active)
+            pulls = self.solve(factors, self.of_active(right))
+        self.pull(rates, directions, self.gains, pulls)
+        return rates, (directions, factors)
+
+    def _free_rates(
+        self,
+        places: Sequence[float],
+        speeds: Sequence[float],
+        constant: Sequence[Force],
+        forces: Forces | None,
+        duration: float,
+    ) -> list[float]:
+        """Return the accelerations that all forces but the pulls cause; 0 for what cannot move."""
+        if forces:
+            self.write(places, speeds)
+            forces(duration)
+        still = [0.0] * (self.count - len(self.particles))
+        count = self.count
+        us, vs, ws = [], [], []
+        for i, (particle, (fx, fy, fz)) in enumerate(zip(self.particles, constant, strict=True)):
+            mass, own, drag = self.gains[i], particle.acceleration, self.drags[i]
+            if not mass:
+                us.append(0.0)
+                vs.append(0.0)
+                ws.append(0.0)
+                continue
+            if forces:
+                x, y, z = particle.take_forces()
+                fx, fy, fz = fx + x, fy + y, fz + z
+            us.append(own.x + fx * mass + drag * speeds[i])
+            vs.append(own.y + fy * mass + drag * speeds[i + count])
+            ws.append(own.z + fz * mass + drag * speeds[i + 2 * count])
+        return [*us, *still, *vs, *still, *ws, *still]
+
+    def _first_impact(
+        self,
+        start: Sequence[float],
+        speed: Sequence[float],
+        places: Sequence[float],
+        speeds: Sequence[float],
+        duration: float,
+    ) -> tuple[float, list[int]]:
+        """Return at which fraction of the step links reach their limit, and which do so first.
+
+        In between positions are those of the cubic with these positions and velocities at the ends.
+        """
+        share, hit = 1.0, []
+        for i, (a, b, square, kind) in enumerate(self.rows):
+            if self.is_active[i]:
+                continue
+            old, new, fast, later = (
+                [of[b + n] - of[a + n] for n in (0, self.count, 2 * self.count)]
+                for of in (start, places, speed, speeds)
+            )
+            if (sum(x * x for x in new) - square) * kind <= EXACT * square:
+                continue
+
+            def is_beyond(s: float) -> bool:
+                between = hermite(old, fast, new, later, duration, s)  # noqa: B023
+                return (sum(x * x for x in between) - square) * kind > 0.0  # noqa: B023
+
+            low, high = 0.0, 1.0
+            for _ in range(45):
+                middle = 0.5 * (low + high)
+                low, high = (low, middle) if is_beyond(middle) else (middle, high)
+            if high < share - LEAST:
+                share, hit = high, [i]
+            elif high < share + LEAST:
+                share, hit = min(share, high), [*hit, i]
+        return share, hit
+
+    def _project(
+        self, places: list[float], speeds: list[float], solved: Solved, hit: Sequence[int] | None
+    ) -> None:
+        """Give active links their lengths, and stop what still lengthens or shortens them.
+
+        What was ``hit`` stops by an impact without bounce, which may release other cables.
+        """
+        _, factors = solved
+        for _ in range(CORRECTIONS):
+            ways = self.directions(places)
+            right = [
+                0.5 * (x * x + y * y + z * z - square)
+                for (x, y, z), (_, _, square, _) in zip(ways, self.rows, strict=True)
+            ]
+            off = zip(right, self.rows, self.is_active, strict=True)
+            if all(not on or abs(e) <= EXACT * row[2] for e, row, on in off):
+                break
+            self.pull(places, ways, self.gains, self.solve(factors, self.of_active(right)))
+        right = [
+            x * u + y * v + z * w
+            for (x, y, z), (u, v, w) in zip(ways, self.directions(speeds), strict=True)
+        ]
+        if hit:
+            pulls, _ = self.balance(ways, self.gains, right, hit)
+        else:
+            pulls = self.solve(factors, self.of_active(right))
+        self.pull(speeds, ways, self.gains, pulls)
+
+
+def hermite(
+    old: Sequence[float],
+    fast: Sequence[float],
+    new: Sequence[float],
+    later: Sequence[float],
+    duration: float,
+    share: float,
+) -> list[float]:
+    """Return positions within a step, at a fraction of it, from those at its ends.
+
+    ``old`` and ``new`` are the positions at the ends, ``fast`` and ``later`` the velocities. The
+    cubic through them has an error of order 4, as the step has.
+    """
+    s, left = share, 1.0 - share
+    p, q = left * left * (1.0 + 2.0 * s), s * s * (3.0 - 2.0 * s)
+    u, v = duration * s * left * left, -duration * s * s * left
+    return [
+        p * x0 + q * x1 + u * v0 + v * v1
+        for x0, v0, x1, v1 in zip(old, fast, new, later, strict=True)
+    ]
+
+
+def _moved(places: Sequence[float], speeds: Sequence[float], time: float) -> list[float]:
+    return [x + u * time for x, u in zip(places, speeds, strict=True)]
+
+
+def _mean(start: Sequence[float], sixth: float, *rates: Sequence[float]) -> list[float]:
+    """Return the start, moved by the weighted mean of four rates."""
+    return [
+        x + sixth * (a + 2.0 * (b + c) + d) for x, a, b, c, d in zip(start, *rates, strict=True)
+    ]

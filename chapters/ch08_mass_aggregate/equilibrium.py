@@ -1,0 +1,279 @@
+"""Going further, complete: where a world comes to rest, found without stepping it there.
+
+At rest the forces on each particle add up to zero: its weight, the forces of the registry, and the
+pulls of the rods and cables that hold it. Newton's method solves these equations together with the
+lengths of the links. Which cables are taut is found on the way: a cable that would have to push is
+slack, and one that would get too long is taut (an active set).
+
+Far from rest, Newton's method may jump anywhere. So the particles get some inertia, as in a step of
+backward Euler: each move costs a force of m / t^2 N per m. The time t doubles from step to step,
+until the inertia does not matter any more.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from itertools import combinations
+from typing import Any
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch07_constraints.contacts import Contact
+from ch07_constraints.elimination import Elimination
+from ch07_constraints.net import CABLE, CHANGES, LINKS, ROD, limits_of
+from ch08_mass_aggregate.sleeping import SleepingWorld
+from ch08_mass_aggregate.world import ParticleWorld
+
+FIRST_TIME, LAST_TIME = 0.05, 50.0  # s
+FARTHEST = 0.25  # m: the longest move of a particle in one step of the method
+SMALL = 1e-5  # m: the moves for the slope of a force
+EXACT = 1e-11  # the fraction of the largest force, and of a length squared, that may be left
+STEPS, SETS = 300, 500  # of Newton's method, and sets of taut cables in each
+SOFT = 1e-13  # so that pulls have one solution where cables are redundant
+
+Triple = tuple[float, float, float]
+STILL = (0.0, 0.0, 0.0)
+
+
+class Hold:
+    """A link that pulls its ends a and b together, or a contact that pushes them apart."""
+
+    def __init__(
+        self, a: Particle, b: Any, length: float, kind: int, contact: Contact | None = None
+    ) -> None:
+        self.a, self.length, self.kind, self.contact = a, length, kind, contact
+        self.b = b if isinstance(b, Particle) else None
+        self.anchor = b
+        self.pull = 0.0  # N per m of a link, or N of a contact
+        self.last_pull = 0.0  # of the last step of the method
+        self.is_active = kind == ROD or contact is not None
+        # From a to b in m, and half of what its square is too much; or the normal, and the depth.
+        self.direction: Triple = STILL
+        self.excess = 0.0
+
+    def look(self) -> None:
+        """Find the direction and the excess at the present positions."""
+        if self.contact is None:
+            end = self.b.position if self.b else self.anchor
+            start = self.a.position
+            self.direction = x, y, z = end.x - start.x, end.y - start.y, end.z - start.z
+            self.excess = 0.5 * (x * x + y * y + z * z - self.length * self.length)
+
+    def change(self, moves: Mapping[Any, Triple]) -> float:
+        """Return how moves of the ends change the excess, as far as that is linear."""
+        x, y, z = self.direction
+        ax, ay, az = moves.get(self.a, STILL)
+        bx, by, bz = moves.get(self.b, STILL)
+        return x * (bx - ax) + y * (by - ay) + z * (bz - az)
+
+
+class Balance:
+    """The equations of a world at rest, and one step of Newton's method."""
+
+    def __init__(self, world: ParticleWorld) -> None:
+        self.world = world
+        self.free = [p for p in world.particles if p.inverse_mass]
+        self.by_hand = [p.take_forces() for p in self.free]
+        self.number = {p: 3 * i for i, p in enumerate(self.free)}
+        links = [g for g in world.contact_generators if isinstance(g, LINKS)]
+        self.links = [Hold(*limit) for link in links for limit in limits_of(link)]
+        self.others = [g for g in world.contact_generators if not isinstance(g, LINKS)]
+        self.holds = self.links
+        self.has_forces = bool(world.registry.pairs())
+        self.shape: tuple[list[tuple[Any, Any]], list[tuple[int, int]]] | None = None
+
+    def look(self) -> None:
+        """Find the forces, and what holds the particles, at their present positions."""
+        self.forces = self.find_forces()
+        for hold in self.links:
+            hold.look()
+        # A contact that was resolved exactly may not be reported any more, but it still holds.
+        found = {(h.a, h.b): h for h in self.holds[len(self.links) :] if h.pull > 0.0}
+        for contact in (c for g in self.others for c in g.contacts()):
+            hold = Hold(contact.particle, contact.other, 1.0, CABLE, contact)
+            before = found.get((hold.a, hold.b))
+            hold.pull = before.pull if before else 0.0
+            hold.direction, hold.excess = (*contact.normal,), contact.penetration
+            found[hold.a, hold.b] = hold
+        self.holds = [*self.links, *found.values()]
+
+    def find_forces(self) -> list[float]:
+        """Return the forces on the particles, without those of links and contacts, in one list."""
+        if self.has_forces:
+            self.world.registry.update_forces(FIRST_TIME)
+        found: list[float] = []
+        for particle, by_hand in zip(self.free, self.by_hand, strict=True):
+            weight = particle.acceleration * particle.mass
+            parts = zip(weight, by_hand, particle.take_forces(), strict=True)
+            found += [sum(part) for part in parts]
+        return found
+
+    def is_balanced(self) -> bool:
+        """Return whether forces and pulls add up to zero, and all lengths are right."""
+        left = [*self.forces]
+        largest = max(map(abs, left), default=0.0)
+        for hold in self.holds:
+            if hold.excess * (hold.kind or 1) > EXACT * hold.length**2:
+                return False
+            if hold.is_active and hold.excess < -EXACT * hold.length**2:
+                return False
+            for end, sign in ((hold.a, hold.pull), (hold.b, -hold.pull)):
+                if end in self.number:
+                    for axis, part in enumerate(hold.direction, self.number[end]):
+                        left[axis] += sign * part
+                        largest = max(largest, abs(sign * part))
+        return max(map(abs, left), default=0.0) <= EXACT * largest
+
+    def move(self, time: float) -> bool:
+        """Make one step of Newton's method, with the inertia for this time in s.
+
+        Return whether it was made in full. Otherwise it was shortened to FARTHEST.
+        """
+        slopes = self.find_slopes()
+        for hold in self.holds:
+            hold.last_pull = hold.pull
+        for tried in range(SETS):
+            moves = self.solve(time, slopes)
+            wrong = [h for h in self.holds if h.kind and self.is_wrong(h, moves)]
+            if not wrong:
+                break
+            for hold in wrong if tried < CHANGES else wrong[:1]:
+                hold.is_active = not hold.is_active
+        longest = max((sum(x * x for x in move) ** 0.5 for move in moves.values()), default=0.0)
+        share = min(1.0, FARTHEST / longest) if longest else 1.0
+        for hold in self.holds[len(self.links) :]:
+            hold.excess += share * hold.change(moves)
+        for particle, (x, y, z) in moves.items():
+            position = particle.position
+            position.x += share * x
+            position.y += share * y
+            position.z += share * z
+        return share == 1.0
+
+    @staticmethod
+    def is_wrong(hold: Hold, moves: Mapping[Any, Triple]) -> bool:
+        """Return whether a taut cable would have to push, or a slack one would get too long."""
+        if hold.is_active:
+            return hold.pull * hold.kind < 0.0
+        return (hold.excess + hold.change(moves)) * hold.kind > EXACT * hold.length**2
+
+    def find_slopes(self) -> dict[tuple[int, int], float]:
+        """Return by how much the registry's forces change per m, for each pair of coordinates."""
+        slopes: dict[tuple[int, int], float] = {}
+        if not self.has_forces:
+            return slopes
+        for particle, first in self.number.items():
+            for axis, name in enumerate("xyz"):
+                place = getattr(particle.position, name)
+                setattr(particle.position, name, place + SMALL)
+                ahead = self.find_forces()
+                setattr(particle.position, name, place - SMALL)
+                behind = self.find_forces()
+                setattr(particle.position, name, place)
+                for i, (more, less) in enumerate(zip(ahead, behind, strict=True)):
+                    if more != less:
+                        slopes[i, first + axis] = (more - less) / (2.0 * SMALL)
+        return slopes
+
+    def solve(self, time: float, slopes: Mapping[tuple[int, int], float]) -> dict[Particle, Triple]:
+        """Find the pulls of the active links and contacts, and return the moves in m.
+
+        The unknowns are the moves, three for each particle, and after them the pulls.
+        """
+        count = len(self.forces)
+        equations = self.equations(slopes)
+        values = [0.0] * equations.size
+
+        def add(i: int, j: int, value: float) -> None:
+            values[equations.slot_of(i, j)] += value
+
+        right = [*self.forces, *(0.0 for _ in self.holds)]
+        for particle, first in self.number.items():
+            for i in range(first, first + 3):
+                add(i, i, particle.mass / time**2)
+        for (i, j), slope in slopes.items():  # the mean of A[i][j] and A[j][i]
+            add(i, j, -slope if i == j else -0.5 * slope)
+        for row, hold in enumerate(self.holds, count):
+            ends = [
+                (self.number[e], s) for e, s in ((hold.a, -1.0), (hold.b, 1.0)) if e in self.number
+            ]
+            if not hold.is_active:
+                values[row] = -1.0
+                continue
+            values[row] = -SOFT
+            right[row] = -hold.excess - SOFT * hold.last_pull
+            for first, sign in ends:
+                for axis, part in enumerate(hold.direction):
+                    add(first + axis, row, sign * part)
+                    if hold.contact is None:  # a pull turns with its link
+                        add(first + axis, first + axis, hold.last_pull)
+            if len(ends) == 2 and hold.contact is None:
+                for axis in range(3):
+                    add(ends[0][0] + axis, ends[1][0] + axis, -hold.last_pull)
+        equations.factor(values)
+        found = equations.solve(values, right)
+        for row, hold in enumerate(self.holds, count):
+            hold.pull = found[row] if hold.is_active else 0.0
+        return {p: (found[i], found[i + 1], found[i + 2]) for p, i in self.number.items()}
+
+    def equations(self, slopes: Mapping[tuple[int, int], float]) -> Elimination:
+        """Return where the equations have numbers. It is found again only if the holds change."""
+        shape = [(h.a, h.b) for h in self.holds], [*slopes]
+        if self.shape != shape:
+            count = len(self.forces)
+            pairs = [*slopes]
+            for row, hold in enumerate(self.holds, count):
+                ends = [self.number[end] for end in (hold.a, hold.b) if end in self.number]
+                pairs += [(first + axis, row) for first in ends for axis in range(3)]
+                pairs += [
+                    (a + axis, b + axis) for a, b in combinations(ends, 2) for axis in range(3)
+                ]
+            self.shape, self.analyzed = shape, Elimination(count + len(self.holds), pairs, count)
+        return self.analyzed
+
+
+def equilibrium(world: ParticleWorld) -> list[float]:
+    """Move the particles of a world to where they stay at rest, and return the tensions in N.
+
+    There is one tension for each rod and cable among the world's contact generators, in their
+    order. It is 0 for a slack cable, and negative for a rod that pushes. Velocities become 0.
+    Forces in the accumulators count, and stay there. Other contacts, such as those with the ground,
+    count if they are found on the way. They hold without friction.
+
+    In a SleepingWorld all particles fall asleep at once, and sleep until something touches them.
+
+    There may be several equilibria. The one that is found is usually near the start.
+
+    Raises:
+        ArithmeticError: if none is found, for example because nothing holds a particle.
+    """
+    balance = Balance(world)
+    for particle in balance.free:
+        particle.velocity.clear()
+    time = FIRST_TIME
+    balance.look()
+    for _ in range(STEPS):
+        if balance.move(time):
+            time = min(2.0 * time, LAST_TIME)
+        balance.look()
+        if balance.is_balanced():
+            break
+    else:
+        raise ArithmeticError("no equilibrium was found: does something hold every particle?")
+    if isinstance(world, SleepingWorld):
+        fall_asleep(world, balance)
+    for particle, by_hand in zip(balance.free, balance.by_hand, strict=True):
+        if any(by_hand):
+            particle.add_force(Vector3(*by_hand))
+    return [hold.pull * hold.length for hold in balance.links]
+
+
+def fall_asleep(world: SleepingWorld, balance: Balance) -> None:
+    """Let a world at rest fall asleep, as it would after enough steps of rest."""
+    world.registry.update_forces(FIRST_TIME)
+    for particle in balance.free:
+        particle.kick(0.0)  # it now remembers the forces on it, which must not change
+    up = Vector3(0.0, 1.0, 0.0)
+    contacts = [h.contact or Contact(h.a, h.b, up, 0.0, 0.0) for h in balance.holds if h.is_active]
+    for _ in range(world.sleep_frames):
+        world.fall_asleep(contacts)

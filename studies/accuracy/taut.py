@@ -1,0 +1,132 @@
+"""The exact motion of cables in a plane, by SciPy: from event to event, with dense matrices.
+
+It shares nothing with the engine. While the same cables are taut, positions are a solution of
+ordinary differential equations: the pulls are those that keep the lengths. This ends when a pull
+gets to zero, or when a slack cable gets as long as it is. Then another set of cables is taut. Which
+one, and by how much velocities jump, is a problem of least squares with pulls that must not be
+negative: an impact without bounce takes as little kinetic energy as it can (Moreau, in
+Nonsmooth Mechanics and Applications, 1988). SciPy has a solver for such problems.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy
+from scipy.integrate import solve_ivp  # type: ignore[import-untyped]
+from scipy.optimize import nnls  # type: ignore[import-untyped]
+
+# From which knot, or anchor, to which knot; the length in m; 1 for a cable, -1 for a strut.
+Tie = tuple[int | tuple[float, float], int, float, int]
+Load = Callable[[float, Any], Any]  # the forces in N on all knots, at a time and at their positions
+NEAR, SLOW = 1e-9, 1e-9  # m and m/s: what is at its limit
+EVENTS = 2000
+
+
+class TautMotion:
+    """Knots with masses in kg that ties hold, and a load in N that may move."""
+
+    def __init__(self, masses: Sequence[float], ties: Sequence[Tie], load: Load) -> None:
+        self.inverse = 1.0 / numpy.repeat(numpy.asarray(masses, float), 2)
+        self.load = load
+        self.lengths = numpy.array([length for _, _, length, _ in ties])
+        self.kinds = numpy.array([float(kind) for *_, kind in ties])
+        self.ends = numpy.zeros((len(ties), len(masses)))
+        self.anchors = numpy.zeros((len(ties), 2))
+        for row, (start, end, _, _) in enumerate(ties):
+            self.ends[row, end] = 1.0
+            if isinstance(start, int):
+                self.ends[row, start] = -1.0
+            else:
+                self.anchors[row] = start
+        self.events = 0
+
+    def gaps(self, places: Any) -> Any:
+        """Return how far in m each tie is from its limit; negative beyond it."""
+        ways = self.ends @ places.reshape(-1, 2) - self.anchors
+        return self.kinds * (self.lengths - numpy.linalg.norm(ways, axis=1))
+
+    def rows(self, places: Any, speeds: Any) -> tuple[Any, Any]:
+        """Return how each tie's length changes with the coordinates, and what bends its way."""
+        ways = self.ends @ places.reshape(-1, 2) - self.anchors
+        rates = self.ends @ speeds.reshape(-1, 2)
+        now = numpy.linalg.norm(ways, axis=1)
+        unit = ways / now[:, None]
+        matrix = (self.ends[:, :, None] * unit[:, None, :]).reshape(len(now), -1)
+        along = (unit * rates).sum(axis=1)
+        bent = ((rates**2).sum(axis=1) - along**2) / now
+        return self.kinds[:, None] * matrix, self.kinds * bent
+
+    def least(self, matrix: Any, wanted: Any) -> Any:
+        """Return pulls p >= 0 with p (A p - wanted) = 0 and A p >= wanted, A = J M^-1 J^T."""
+        weighted = (matrix * numpy.sqrt(self.inverse)).T
+        target, *_ = numpy.linalg.lstsq(weighted.T, wanted, rcond=None)
+        pulls, _ = nnls(weighted, target, maxiter=100 * len(wanted) + 100)
+        return pulls
+
+    def accelerations(self, time: float, state: Any, taut: Any) -> tuple[Any, Any]:
+        """Return accelerations, and pulls of the taut ties."""
+        places, speeds = numpy.split(state, 2)
+        matrix, bent = self.rows(places, speeds)
+        free = self.inverse * self.load(time, places)
+        held = matrix[taut]
+        wanted = held @ free + bent[taut]
+        pulls = numpy.linalg.lstsq((held * self.inverse) @ held.T, wanted, rcond=None)[0]
+        return free - self.inverse * (held.T @ pulls), pulls
+
+    def choose(self, time: float, state: Any) -> tuple[Any, Any]:
+        """Return the state after what impacts there are now, and which ties are then taut."""
+        places, speeds = numpy.split(state, 2)
+        matrix, bent = self.rows(places, speeds)
+        near = numpy.flatnonzero(self.gaps(places) < NEAR)
+        closing = matrix[near] @ speeds
+        if (closing > SLOW).any():
+            speeds = speeds - self.inverse * (matrix[near].T @ self.least(matrix[near], closing))
+            matrix, bent = self.rows(places, speeds)
+        still = near[matrix[near] @ speeds > -SLOW]
+        free = self.inverse * self.load(time, places)
+        pulls = self.least(matrix[still], matrix[still] @ free + bent[still])
+        return numpy.concatenate([places, speeds]), still[
+            pulls > 1e-9 * max(1.0, pulls.max(initial=0.0))
+        ]
+
+    def run(self, places: Any, speeds: Any, times: Sequence[float]) -> Any:
+        """Return the positions at some times, a row for each, from those at time 0."""
+        state = numpy.concatenate([numpy.ravel(places), numpy.ravel(speeds)]).astype(float)
+        time, found = 0.0, []
+        for _ in range(EVENTS):
+            state, taut = self.choose(time, state)
+            slack = numpy.setdiff1d(numpy.arange(len(self.lengths)), taut)
+            gaps = self.gaps(state[: len(self.inverse)])[slack]
+            spare = numpy.where(gaps < 2.0 * NEAR, 4.0 * NEAR - gaps, 0.0)
+
+            def rates(t: float, s: Any, taut: Any = taut) -> Any:
+                return numpy.append(s[len(self.inverse) :], self.accelerations(t, s, taut)[0])
+
+            def event(
+                t: float, s: Any, taut: Any = taut, slack: Any = slack, spare: Any = spare
+            ) -> float:
+                _, pulls = self.accelerations(t, s, taut)
+                gaps = self.gaps(s[: len(self.inverse)])[slack] + spare
+                return float(min(pulls.min(initial=1.0), gaps.min(initial=1.0)))
+
+            event.terminal, event.direction = True, -1.0  # type: ignore[attr-defined]
+            after = [t for t in times if t > time]
+            got = solve_ivp(
+                rates,
+                (time, times[-1]),
+                state,
+                "DOP853",
+                after,
+                events=event,
+                rtol=1e-12,
+                atol=1e-12,
+            )
+            found += [*got.y.T] if len(got.t) else []
+            if got.status != 1:
+                return numpy.array(found)[:, : len(self.inverse)]
+            time, state = float(got.t_events[0][0]), got.y_events[0][0]
+            self.events += 1
+            pass
+        raise ArithmeticError("there is no end of impacts")

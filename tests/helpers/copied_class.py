@@ -48,7 +48,8 @@ def _solved(chapters: Sequence[Chapter], rng: Random) -> Bodies:
             for edit in exercise.edit:
                 place = _place(chapter, edit)
                 is_right = rng.random() < skill or place not in wrong
-                bodies[place] = student.write(rng.choice((right if is_right else wrong)[place]))
+                body = rng.choice((right if is_right else wrong)[place])
+                bodies[place] = student.write(body, _parameters(*place))
     return bodies
 
 
@@ -60,7 +61,7 @@ def _copied(chapters: Sequence[Chapter], source: Bodies, own: Bodies, rng: Rando
             copies = rng.random() < COPIED
             for place in (_place(chapter, edit) for edit in exercise.edit):
                 if copies and place in source:
-                    bodies[place] = disguised(source[place], rng)
+                    bodies[place] = disguised(source[place], rng, _parameters(*place))
                 elif not copies and place in own:
                     bodies[place] = own[place]
     return bodies
@@ -114,6 +115,16 @@ def _bodies_in(source: str) -> Iterator[tuple[str, str]]:
         body = "\n".join(map(ast.unparse, statements))
         if body and not body.startswith("raise NotImplementedError"):
             yield name, body
+
+
+@cache
+def _parameters(file: str, function: str) -> list[str]:
+    source = (ROOT / "chapters" / file).read_text(encoding="utf-8")
+    return [
+        node.arg
+        for node in ast.walk(functions(ast.parse(source))[function].args)
+        if isinstance(node, ast.arg)
+    ]
 
 
 def _place(chapter: Chapter, edit: str) -> tuple[str, str]:

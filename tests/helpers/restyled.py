@@ -49,15 +49,15 @@ class Student(ast.NodeTransformer):
     def does(self, habit: str) -> bool:
         return self.rng.random() < self.habits[habit]
 
-    def write(self, source: str) -> str:
-        """Return a body in this student's style."""
+    def write(self, source: str, parameters: Iterable[str] = ()) -> str:
+        """Return the body of a function with these parameters, in this student's style."""
         body = parsed(source)
         if self.does("inline"):
             body = inlined(body)
         if self.does("hoist attributes"):
             body = hoisted(body)
         body = [self.visit(statement) for statement in self.parted(body)]
-        return written(renamed(body, self.rng), self.rng)
+        return written(renamed(body, self.rng, parameters), self.rng)
 
     def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
         self.generic_visit(node)
@@ -145,19 +145,20 @@ class Student(ast.NodeTransformer):
         return before
 
 
-def disguised(source: str, rng: Random) -> str:
+def disguised(source: str, rng: Random, parameters: Iterable[str] = ()) -> str:
     """Return a body with its variables renamed, statements reordered and comments changed."""
-    return written(renamed(reordered(parsed(source), rng), rng), rng)
+    return written(renamed(reordered(parsed(source), rng), rng, parameters), rng)
 
 
-def renamed(body: Body, rng: Random) -> Body:
-    """Give the local variables other names."""
+def renamed(body: Body, rng: Random, parameters: Iterable[str]) -> Body:
+    """Give the local variables other names, but not the parameters."""
     nodes = [node for statement in body for node in ast.walk(statement)]
     names = [node for node in nodes if isinstance(node, ast.Name)]
     used = {name.id for name in names} | {*dir(builtins)}
     free = [name for name in NAMES.split() if name not in used]
     rng.shuffle(free)
-    local = sorted({name.id for name in names if isinstance(name.ctx, ast.Store)})
+    stored = {name.id for name in names if isinstance(name.ctx, ast.Store)}
+    local = sorted(stored - {*parameters})
     new = dict(zip(local, free, strict=False))
     for name in names:
         name.id = new.get(name.id, name.id)

@@ -5,6 +5,7 @@ HOSTILE := tests/autograder/test_hostile.py
 
 TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED
 TAKES_similarity := SUBMISSIONS CHAPTERS OUT
+TAKES_mark := SUBMISSIONS CHAPTERS OPEN
 TAKES_handout := CHAPTERS GIVEN OUT
 TAKES_classroom := CHAPTERS GIVEN OUT
 TAKES_gradescope := CHAPTERS GIVEN OUT
@@ -22,7 +23,7 @@ TAKES_limits :=
 TAKES_economy :=
 TAKES_soak :=
 
-.PHONY: grade similarity handout classroom gradescope update stubs test say-what-test-is lint bench charts limits
+.PHONY: grade similarity mark handout classroom gradescope update stubs test say-what-test-is lint bench charts limits
 .PHONY: economy soak figures mutants seeds table
 
 # == For instructors ==
@@ -31,6 +32,9 @@ grade: $(READY) ## grade a class (SUBMISSIONS=sample_class CHAPTERS=3)
 
 similarity: $(READY) ## which submissions of a class are alike (CHAPTERS=2-3)
 	@$(RUN) -m autograder similarity "$(SUBMISSIONS)" --out "$(or $(OUT),build/similarity)" $(if $(CHAPTERS),--chapters "$(CHAPTERS)")
+
+mark: $(READY) ## mark written answers on a page (SUBMISSIONS=dir CHAPTERS=2)
+	@$(RUN) -m autograder mark "$(if $(filter file,$(origin SUBMISSIONS)),$(error name the class: make mark SUBMISSIONS=dir),$(SUBMISSIONS))" $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(filter 0,$(OPEN)),--no-browser)
 
 handout: $(READY) ## what students get (CHAPTERS=4-5 GIVEN=2-3 OUT=dir)
 	@$(RUN) -m autograder handout $(or $(CHAPTERS),$(error name the chapters: make handout CHAPTERS=2 OUT=dir)) --out "$(or $(OUT),build/handout)" $(if $(GIVEN),--given "$(GIVEN)")

@@ -47,6 +47,12 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command.add_argument("--chapters", default="", help="such as 2,3 (default: all)")
     command.set_defaults(run=run_similarity)
 
+    command = commands.add_parser("mark", help="mark the written answers of a class on a page")
+    command.add_argument("folder", type=Path, help="with a folder, or a .zip, for each student")
+    command.add_argument("--chapters", default="", help="such as 2,3 (default: all)")
+    command.add_argument("--no-browser", action="store_true", help="print the address only")
+    command.set_defaults(run=run_mark)
+
     command = commands.add_parser("stubs", help="make stubs and tables in chapters/")
     command.add_argument("--check", action="store_true", help="only say what is not in step")
     command.set_defaults(run=run_stubs)
@@ -106,6 +112,16 @@ def run_similarity(arguments: argparse.Namespace) -> int:
     from autograder.similarity.run import similarity
 
     return similarity(arguments.folder, arguments.out, select_chapters(arguments.chapters))
+
+
+def run_mark(arguments: argparse.Namespace) -> int:
+    """Serve the page for marking until Ctrl-C."""
+    if sys.platform == "win32":
+        raise ValueError("mark takes Linux or macOS; on Windows run it under WSL")
+    from autograder.marking.server import mark
+
+    chapters = select_chapters(arguments.chapters)
+    return mark(arguments.folder, chapters, browser=not arguments.no_browser)
 
 
 def run_stubs(arguments: argparse.Namespace) -> int:

@@ -6,6 +6,8 @@ HOSTILE := tests/autograder/test_hostile.py
 WORKERS = $$($(RUN) -c "import os; print((os.cpu_count() or 1) + 1)")
 
 TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED
+TAKES_similarity := SUBMISSIONS CHAPTERS OUT
+TAKES_mark := SUBMISSIONS CHAPTERS OPEN
 TAKES_handout := CHAPTERS GIVEN OUT
 TAKES_classroom := CHAPTERS GIVEN OUT
 TAKES_gradescope := CHAPTERS GIVEN OUT
@@ -24,12 +26,19 @@ TAKES_limits :=
 TAKES_economy :=
 TAKES_soak :=
 
-.PHONY: grade handout classroom gradescope site update stubs test say-what-test-is lint bench charts limits
+.PHONY: grade similarity mark handout classroom gradescope site update stubs test say-what-test-is lint
+.PHONY: bench charts limits
 .PHONY: economy soak figures mutants seeds table
 
 # == For instructors ==
 grade: $(READY) ## grade a class (SUBMISSIONS=sample_class CHAPTERS=3)
 	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),build/grades)" $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)")
+
+similarity: $(READY) ## which submissions of a class are alike (CHAPTERS=2-3)
+	@$(RUN) -m autograder similarity "$(SUBMISSIONS)" --out "$(or $(OUT),build/similarity)" $(if $(CHAPTERS),--chapters "$(CHAPTERS)")
+
+mark: $(READY) ## mark written answers on a page (SUBMISSIONS=dir CHAPTERS=2)
+	@$(RUN) -m autograder mark "$(if $(filter file,$(origin SUBMISSIONS)),$(error name the class: make mark SUBMISSIONS=dir),$(SUBMISSIONS))" $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(filter 0,$(OPEN)),--no-browser)
 
 handout: $(READY) ## what students get (CHAPTERS=4-5 GIVEN=2-3 OUT=dir)
 	@$(RUN) -m autograder handout $(or $(CHAPTERS),$(error name the chapters: make handout CHAPTERS=2 OUT=dir)) --out "$(or $(OUT),build/handout)" $(if $(GIVEN),--given "$(GIVEN)")

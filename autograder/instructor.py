@@ -41,6 +41,18 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command.add_argument("--unsafe-no-sandbox", action="store_true", help=unsafe)
     command.set_defaults(run=run_gradescope)
 
+    command = commands.add_parser("similarity", help="compare the submissions of a class")
+    command.add_argument("folder", type=Path, help="with a folder, or a .zip, for each student")
+    command.add_argument("--out", type=Path, required=True, help="where the pages go")
+    command.add_argument("--chapters", default="", help="such as 2,3 (default: all)")
+    command.set_defaults(run=run_similarity)
+
+    command = commands.add_parser("mark", help="mark the written answers of a class on a page")
+    command.add_argument("folder", type=Path, help="with a folder, or a .zip, for each student")
+    command.add_argument("--chapters", default="", help="such as 2,3 (default: all)")
+    command.add_argument("--no-browser", action="store_true", help="print the address only")
+    command.set_defaults(run=run_mark)
+
     command = commands.add_parser("stubs", help="generate stubs and tables in chapters/")
     command.add_argument("--check", action="store_true", help="only list what is out of date")
     command.set_defaults(run=run_stubs)
@@ -93,6 +105,23 @@ def run_gradescope(arguments: argparse.Namespace) -> int:
     given, chapters = split_given(select_chapters(arguments.chapters), arguments.given)
     make_gradescope(chapters, given, arguments.out, unsafe=arguments.unsafe_no_sandbox)
     return 0
+
+
+def run_similarity(arguments: argparse.Namespace) -> int:
+    """Compare the submissions of a class, and say how many pairs stand out."""
+    from autograder.similarity.run import similarity
+
+    return similarity(arguments.folder, arguments.out, select_chapters(arguments.chapters))
+
+
+def run_mark(arguments: argparse.Namespace) -> int:
+    """Serve the page for marking until Ctrl-C."""
+    if sys.platform == "win32":
+        raise ValueError("mark takes Linux or macOS; on Windows run it under WSL")
+    from autograder.marking.server import mark
+
+    chapters = select_chapters(arguments.chapters)
+    return mark(arguments.folder, chapters, browser=not arguments.no_browser)
 
 
 def run_stubs(arguments: argparse.Namespace) -> int:

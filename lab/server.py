@@ -1,80 +1,49 @@
-"""The lab's web server. It serves the page and connects each open page to an engine.
-
-It listens on 127.0.0.1 only. Every address begins with a random token, so that other pages and
-other users of the machine cannot guess it. The server rejects requests for another host and
-sockets opened by a page from another origin.
-"""
+"""The lab's web server. It serves the page and connects each open page to an engine."""
 
 from __future__ import annotations
 
 import asyncio
 import json
-import secrets
 from pathlib import Path
 from typing import Any
-from urllib.parse import urlsplit
 
-from tornado.httpserver import HTTPServer
-from tornado.httputil import HTTPServerRequest
-from tornado.netutil import bind_sockets
-from tornado.web import Application, HTTPError, RequestHandler, StaticFileHandler
+from tornado.web import Application
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 from watchfiles import awatch
 
 from autograder.commands import find_engine
+from autograder.local_server import Files, Handler, Site, is_own_page
 from autograder.manifest import ROOT
 from lab.catalog import entries, find
 from lab.engine_process import EngineProcess, recording
 
 PAGE = Path(__file__).parent / "page"
 REFERENCE = "solutions"
-# The page may load files from this server only, and no other page may embed it.
-POLICY = "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:"
-HEADERS = {
-    "Content-Security-Policy": f"{POLICY}; frame-ancestors 'none'; base-uri 'none'",
-    "X-Content-Type-Options": "nosniff",
-    "Referrer-Policy": "no-referrer",
-    "Cache-Control": "no-store",
-}
 
 
-class Lab:
+class Lab(Site):
     """The state that all handlers share: the available engines and the open sockets."""
 
     def __init__(self, engine: str, given: str = "") -> None:
-        self.token = secrets.token_urlsafe(16)
+        super().__init__()
         self.given = given
         self.engines = {"yours": engine}
         if (ROOT / REFERENCE).is_dir() and Path(engine).resolve() != ROOT / REFERENCE:
             self.engines["reference"] = REFERENCE
         self.sockets: set[EngineSocket] = set()
-        self.port = 0
-
-    @property
-    def address(self) -> str:
-        return f"http://127.0.0.1:{self.port}/{self.token}/"
 
     def application(self) -> Application:
         """Return the tornado application."""
-        below, shared = f"/{self.token}", {"lab": self}
+        below, shared = f"/{self.token}", {"site": self}
         return Application(
             [
-                (f"{below}/engine", EngineSocket, shared),
+                (f"{below}/engine", EngineSocket, {"lab": self}),
                 (f"{below}/scenes.json", Scenes, shared),
                 (f"{below}/record.gif", Recording, shared),
-                (
-                    f"{below}/(.*)",
-                    Files,
-                    {**shared, "path": str(PAGE), "default_filename": "index.html"},
-                ),
+                (f"{below}/(.*)", Files, {**shared, "path": str(PAGE)}),
             ],
             websocket_max_message_size=100_000,
         )
-
-    def check_host(self, request: HTTPServerRequest) -> None:
-        """Reject a request for another host name, which a hostile site may have pointed at us."""
-        if request.host not in (f"127.0.0.1:{self.port}", f"localhost:{self.port}"):
-            raise HTTPError(403)
 
     async def watch(self) -> None:
         """Notify every page when a file of the student's engine is saved."""
@@ -84,52 +53,27 @@ class Lab:
                 await socket.saved(files)
 
 
-class Files(StaticFileHandler):
-    """The page and its files."""
-
-    def initialize(self, lab: Lab, path: str, default_filename: str) -> None:  # type: ignore[override]
-        self.lab = lab
-        super().initialize(path, default_filename)
-
-    def prepare(self) -> None:
-        self.lab.check_host(self.request)
-
-    def set_extra_headers(self, path: str) -> None:  # noqa: ARG002 - tornado's signature
-        for name, value in HEADERS.items():
-            self.set_header(name, value)
-
-
-class Scenes(RequestHandler):
+class Scenes(Handler):
     """The list of scenes and engines. It is available without importing an engine."""
 
-    def initialize(self, lab: Lab) -> None:
-        self.lab = lab
-
-    def prepare(self) -> None:
-        self.lab.check_host(self.request)
+    site: Lab
 
     def get(self) -> None:
-        for name, value in HEADERS.items():
-            self.set_header(name, value)
         scenes = [{"name": e.name, "title": e.title, "chapter": e.chapter} for e in entries()]
-        self.write({"scenes": scenes, "engines": list(self.lab.engines)})
+        self.write({"scenes": scenes, "engines": list(self.site.engines)})
 
 
-class Recording(RequestHandler):
+class Recording(Handler):
     """An animation of a scene with the parameters in the query."""
 
-    def initialize(self, lab: Lab) -> None:
-        self.lab = lab
-
-    def prepare(self) -> None:
-        self.lab.check_host(self.request)
+    site: Lab
 
     async def get(self) -> None:
         query = {name: self.get_query_argument(name) for name in self.request.query_arguments}
-        engine = self.lab.engines["yours"]
+        engine = self.site.engines["yours"]
         try:
             find(scene := query.pop("scene", ""))
-            gif = await recording(engine, self.lab.given, scene, query)
+            gif = await recording(engine, self.site.given, scene, query)
         except ValueError as error:
             self.set_status(400)
             self.set_header("Content-Type", "text/plain; charset=utf-8")
@@ -152,7 +96,7 @@ class EngineSocket(WebSocketHandler):
 
     def check_origin(self, origin: str) -> bool:
         """Accept only sockets that our own page opens."""
-        return urlsplit(origin).netloc == self.request.host
+        return is_own_page(self.request, origin)
 
     def open(self) -> None:
         engine = self.get_query_argument("engine", "yours")
@@ -188,9 +132,6 @@ class EngineSocket(WebSocketHandler):
 
 async def serve(lab: Lab, port: int, ready: Any) -> None:
     """Serve until Ctrl-C. Calls ``ready`` with the address once the server is listening."""
-    sockets = bind_sockets(port, "127.0.0.1")
-    lab.port = sockets[0].getsockname()[1]
-    server = HTTPServer(lab.application())
-    server.add_sockets(sockets)
+    lab.listen(lab.application(), port)
     ready(lab.address)
     await lab.watch()

@@ -10,11 +10,16 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from autograder.clean import clean
 from autograder.manifest import Chapter, Exercise
 from autograder.reports.gradebook import as_cell
 from autograder.reports.report import ExerciseReport, StudentReport
+from autograder.scores import shown
 
 HEADER = ["student", "exercise", "points", "comment"]
+# A spreadsheet takes such a comment for a formula. An apostrophe is put before it, and taken away.
+FORMULA_START = re.compile(r"^(?='*[=+\-@＝＋－＠])")  # noqa: RUF001
+GUARDED = re.compile(r"^'(?='*[=+\-@＝＋－＠])")  # noqa: RUF001
 
 
 @dataclass(frozen=True)
@@ -28,6 +33,17 @@ class Mark:
 Marks = dict[tuple[str, str], Mark]  # keyed by student and exercise
 
 
+@dataclass(frozen=True)
+class Row:
+    """A mark in marks.csv, and the first and the last of its lines, counted from 1."""
+
+    student: str
+    exercise: str
+    mark: Mark
+    first: int
+    last: int
+
+
 def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> Marks:
     """Read marks.csv: student,exercise,points,comment. Without the file, there are no marks.
 
@@ -37,13 +53,21 @@ def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> 
     Raises:
         ValueError: A line is not valid. The message names the line and the expected form.
     """
+    _, rows = read_rows(path, chapters, students)
+    return {(row.student, row.exercise): row.mark for row in rows}
+
+
+def read_rows(
+    path: Path, chapters: list[Chapter], students: Iterable[str]
+) -> tuple[str, list[Row]]:
+    """Return the separator of marks.csv and its rows. Raises ValueError as read_marks does."""
     if not path.exists():
-        return {}
+        return ",", []
     exercises = {exercise.id: exercise for chapter in chapters for exercise in chapter.exercises}
     names = _names(students)
-    marks: Marks = {}
+    found: dict[tuple[str, str], Row] = {}
     separator, rows = _rows(path)
-    for line, row in rows:
+    for line, last, row in rows:
         where = f"{path}, line {line}"
         student_given, exercise_given, points_given, comment = row
         student = names.get(student_given) or names.get(_key(student_given))
@@ -53,7 +77,7 @@ def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> 
                 "gradebook"
             )
         exercise = _written(where, exercise_given, exercises)
-        if (student, exercise.id) in marks:
+        if (student, exercise.id) in found:
             raise ValueError(
                 f"{where}: a second mark for {student!r} in {exercise.id}. Give only one"
             )
@@ -64,8 +88,17 @@ def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> 
                 f"{where}: the points for {exercise.id} must be a number from 0 to "
                 f"{exercise.points}, got {points_given!r}"
             )
-        marks[student, exercise.id] = Mark(points, comment)
-    return marks
+        mark = Mark(points, re.sub(GUARDED, "", comment))
+        found[student, exercise.id] = Row(student, exercise.id, mark, line, last)
+    return separator, [*found.values()]
+
+
+def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> list[str]:
+    """Return the cells of a mark, of which a spreadsheet takes none for a formula."""
+    harmless = as_cell(student)
+    name = harmless if _names(students).get(harmless) == student else student
+    comment = clean(mark.comment).strip()
+    return [name, exercise, shown(mark.points), re.sub(FORMULA_START, "'", comment)]
 
 
 def apply_marks(report: StudentReport, marks: Marks) -> StudentReport:
@@ -98,8 +131,8 @@ def _marked(exercise: ExerciseReport, mark: Mark | None) -> ExerciseReport:
     )
 
 
-def _rows(path: Path) -> tuple[str, Iterator[tuple[int, list[str]]]]:
-    """Return the separator, and the rows below the header with the lines where they begin."""
+def _rows(path: Path) -> tuple[str, Iterator[tuple[int, int, list[str]]]]:
+    """Return the separator, and the rows below the header with their first and last lines."""
     try:
         text = path.read_bytes().decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -114,7 +147,7 @@ def _rows(path: Path) -> tuple[str, Iterator[tuple[int, list[str]]]]:
     return separator, _cells(path, text, separator)
 
 
-def _cells(path: Path, text: str, separator: str) -> Iterator[tuple[int, list[str]]]:
+def _cells(path: Path, text: str, separator: str) -> Iterator[tuple[int, int, list[str]]]:
     # Without strict, a quote that is never closed would hide the marks below it.
     reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
     line = 1
@@ -129,7 +162,7 @@ def _cells(path: Path, text: str, separator: str) -> Iterator[tuple[int, list[st
                     f"Put a comment that contains {separator!r} in quotes"
                 )
             if line > 1 and cells:
-                yield line, cells + [""] * (len(HEADER) - len(cells))
+                yield line, reader.line_num, cells + [""] * (len(HEADER) - len(cells))
             line = reader.line_num + 1
     except csv.Error as error:
         raise ValueError(f"{path}, line {line}: {error}. Close the quote") from error

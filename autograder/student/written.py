@@ -25,7 +25,7 @@ def print_written(
     points = "1 point" if exercise.points == 1 else f"{exercise.points} points"
     _say(console, f"\n{exercise.id} {exercise.title} ({points})\n", "bold")
     if question.section:
-        _say(console, f"{_flowing(question.section.question)}\n")
+        _say(console, f"{flowing(question.section.question)}\n")
     if not question.answered or question.section is None:
         for problem in question.problems:
             _say(console, problem, "red", soft_wrap=True)
@@ -35,15 +35,15 @@ def print_written(
         _say(console, waits, soft_wrap=True)
         return
     _say(console, "Your answer", "bold")
-    _say(console, f"{_flowing(question.section.answer)}\n")
+    _say(console, f"{flowing(question.section.answer)}\n")
     model = model_answer(chapter, exercise, root)
     if model is None:
         _say(console, "Your instructor has the model answer and will mark yours.")
         return
     _say(console, "The model answer", "bold")
-    _say(console, f"{_flowing(model.answer)}\n")
+    _say(console, f"{flowing(model.answer)}\n")
     _say(console, "Rubric", "bold")
-    _say(console, f"{_flowing(model.rubric)}\n")
+    _say(console, f"{flowing(model.rubric)}\n")
     _say(console, "Compare the two, and improve your answer if you like. A person marks it.")
 
 
@@ -76,7 +76,7 @@ def _ids(questions: list[Question]) -> list[str]:
     return [question.exercise.id for question in questions]
 
 
-def _flowing(text: str) -> str:
+def flowing(text: str) -> str:
     """Return text with each paragraph and each list item on one line, for any screen width.
 
     Quotation marks of Markdown are removed. Indented lines, such as formulas, stay as they are, and

@@ -1,4 +1,4 @@
-"""Run the server of the lab in a separate process, for tests."""
+"""Serve a local page from a separate process, for tests."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import re
 import subprocess
 import sys
 from collections.abc import Iterator
+from pathlib import Path
 
 from autograder.manifest import ROOT
 
@@ -14,8 +15,24 @@ from autograder.manifest import ROOT
 @contextlib.contextmanager
 def served(*options: str, engine: str = "solutions") -> Iterator[str]:
     """Serve the lab and yield its address, which ends with a slash."""
-    command = [sys.executable, "-m", "lab", "serve", "--no-browser", "--engine", engine, *options]
-    process = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, encoding="utf-8")
+    with started("lab", "serve", "--no-browser", "--engine", engine, *options) as address:
+        yield address
+
+
+@contextlib.contextmanager
+def marking(submissions: Path, chapters: str) -> Iterator[str]:
+    """Serve the page for marking a class and yield its address, which ends with a slash."""
+    options = ("--chapters", chapters, "--no-browser")
+    with started("autograder", "mark", str(submissions), *options) as address:
+        yield address
+
+
+@contextlib.contextmanager
+def started(*command: str) -> Iterator[str]:
+    """Run a module of ours that serves a page, and yield the first address that it prints."""
+    process = subprocess.Popen(
+        [sys.executable, "-m", *command], cwd=ROOT, stdout=subprocess.PIPE, encoding="utf-8"
+    )
     try:
         assert process.stdout is not None
         found = re.search(r"http://\S*", process.stdout.readline())
@@ -24,3 +41,4 @@ def served(*options: str, engine: str = "solutions") -> Iterator[str]:
     finally:
         process.terminate()
         process.wait()
+        process.stdout.close()

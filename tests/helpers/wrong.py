@@ -42,7 +42,7 @@ def write_wrong(chapter: Chapter, wrongs: Iterable[Wrong], engine: Path) -> None
     bodies: dict[str, dict[str, str]] = {}
     for wrong in wrongs:
         module, _, name = wrong.edit.partition(".")
-        bodies.setdefault(f"{module}.py", {})[name] = wrong.body or _replaced(chapter, wrong)
+        bodies.setdefault(f"{module}.py", {})[name] = body_of(chapter, wrong)
     for file, changed in bodies.items():
         _write_changed(chapter, file, changed, engine)
 
@@ -78,8 +78,10 @@ def _write_changed(chapter: Chapter, file: str, bodies: dict[str, str], engine: 
     (engine / chapter.name / file).write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
-def _replaced(chapter: Chapter, wrong: Wrong) -> str:
-    """Return the reference's body with the replacements made."""
+def body_of(chapter: Chapter, wrong: Wrong) -> str:
+    """Return a body that is written out, or the reference's with the replacements made."""
+    if wrong.body:
+        return wrong.body
     module, _, name = wrong.edit.partition(".")
     lines, found = _lines_and_bodies(ROOT / "solutions" / chapter.name / f"{module}.py")
     body = textwrap.dedent("\n".join(lines[found[name].start : found[name].stop]))

@@ -1,0 +1,119 @@
+"""Take the written answers out of a class's submissions, staged as grading does."""
+
+from __future__ import annotations
+
+import hashlib
+import tempfile
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from autograder.answers import FILE, Question, model_answer, questions_of
+from autograder.clean import clean
+from autograder.manifest import ROOT, Chapter, Exercise
+from autograder.student.written import flowing
+from autograder.submissions.find import Submission
+from autograder.submissions.stage import stage
+
+LONGEST = 20_000  # characters of one answer on the page
+
+
+@dataclass(frozen=True)
+class Answer:
+    """A student's answer to one question.
+
+    ``code`` stands for the student on the page, and says nothing about who it is. ``note`` says
+    what is wrong with the file. Then ``text`` is all of it.
+    """
+
+    student: str
+    code: str
+    text: str
+    note: str
+
+
+@dataclass(frozen=True)
+class Task:
+    """A written exercise with its question, model answer, rubric, and all answers to it."""
+
+    exercise: Exercise
+    question: str
+    model: str
+    rubric: str
+    answers: list[Answer]
+
+
+def collect_tasks(
+    submissions: list[Submission], chapters: list[Chapter], root: Path = ROOT
+) -> list[Task]:
+    """Return the written exercises of the chapters with everybody's answers.
+
+    The answers are in an order that has nothing to do with names, and is always the same. Those
+    who have not answered come last.
+    """
+    answers: dict[str, list[Answer]] = {}
+    for submission in submissions:
+        for exercise_id, answer in _answers_of(submission, chapters, root):
+            answers.setdefault(exercise_id, []).append(answer)
+    tasks = []
+    for chapter in chapters:
+        for exercise in _written(chapter):
+            model = model_answer(chapter, exercise, root)
+            if model is None:
+                raise ValueError(f"there is no model answer for {exercise.id} in solutions/")
+            own = sorted(answers.get(exercise.id, []), key=lambda a: (not a.text, a.code))
+            question, text, rubric = map(flowing, (model.question, model.answer, model.rubric))
+            tasks.append(Task(exercise, question, text, rubric, own))
+    return tasks
+
+
+def _answers_of(
+    submission: Submission, chapters: list[Chapter], root: Path
+) -> Iterator[tuple[str, Answer]]:
+    """Yield what one student has answered to each question, or has not."""
+    wanted = [_answers_alone(chapter) for chapter in chapters if _written(chapter)]
+    with tempfile.TemporaryDirectory(prefix="marking-") as folder:
+        staged = stage(submission.path, wanted, Path(folder), root)
+        for chapter in wanted:
+            refused = staged.missing.get(f"{chapter.name}.{FILE}", "")
+            for question in questions_of(chapter, [Path(folder)]):
+                name = question.exercise.id
+                text, note = _text_of(question, Path(folder) / chapter.name / FILE)
+                code = _code(submission.student, name)
+                yield name, Answer(submission.student, code, _shown(text), refused or note)
+
+
+def _text_of(question: Question, file: Path) -> tuple[str, str]:
+    """Return an answer, and a note where it is not in its place: then the whole file."""
+    if not file.exists():
+        return "", ""
+    if question.problems:
+        note = question.problems[0].replace(str(question.file), FILE)
+        return file.read_text(encoding="utf-8"), f"This is the whole file. {note}"
+    section = question.section
+    if section is None:
+        return "", ""
+    lines = section.answer.splitlines()
+    return "\n".join(line for line in lines if line.strip() not in section.places), ""
+
+
+def _written(chapter: Chapter) -> list[Exercise]:
+    return [exercise for exercise in chapter.exercises if exercise.kind == "written"]
+
+
+def _answers_alone(chapter: Chapter) -> Chapter:
+    """Return a chapter in which students hand in nothing but their answers."""
+    exercises = [replace(exercise, files=[]) for exercise in _written(chapter)]
+    exercises[0] = replace(exercises[0], files=[FILE])
+    return replace(chapter, complete=[], exercises=exercises)
+
+
+def _code(student: str, exercise_id: str) -> str:
+    key = f"{exercise_id}\0{student}".encode("utf-8", "surrogatepass")
+    return hashlib.sha256(key).hexdigest()[:16]
+
+
+def _shown(text: str) -> str:
+    if len(text) > LONGEST:
+        text = f"{text[:LONGEST]}\n\n... and {len(text) - LONGEST} characters more"
+    return flowing(clean(text)).strip()

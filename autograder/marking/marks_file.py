@@ -1,0 +1,78 @@
+"""Change single marks in marks.csv. Everything else in the file stays as somebody wrote it."""
+
+from __future__ import annotations
+
+import csv
+import fcntl
+import io
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from autograder.manifest import Chapter
+from autograder.reports.marks import HEADER, Mark, Marks, read_marks, read_rows, row_of
+from autograder.reports.texts import replace_file
+
+
+class ChangedError(Exception):
+    """A mark is no longer what somebody saw who changes it."""
+
+
+class MarksFile:
+    """The marks.csv of a class. Several pages, and several people, may change it at a time."""
+
+    def __init__(self, path: Path, chapters: list[Chapter], students: list[str]) -> None:
+        self.path = path.resolve()  # where a link points
+        self.chapters = chapters
+        self.students = students
+
+    def read(self) -> Marks:
+        """Return all marks. Raises ValueError that names the line if one is wrong."""
+        return read_marks(self.path, self.chapters, self.students)
+
+    def change(self, student: str, exercise: str, mark: Mark | None, seen: Mark | None) -> None:
+        """Write a mark, or remove it for None.
+
+        Raises:
+            ChangedError: if the mark in the file is not the one that was seen.
+            ValueError: if something in the file is wrong. Then the file stays as it is.
+        """
+        with self._alone():
+            separator, rows = read_rows(self.path, self.chapters, self.students)
+            old = next((r for r in rows if (r.student, r.exercise) == (student, exercise)), None)
+            if (old.mark if old else None) != seen:
+                raise ChangedError
+            if mark == seen:
+                return
+            lines = self._lines()
+            newline = "\r\n" if lines[0].endswith("\r\n") else "\n"
+            if not lines[-1].endswith(("\n", "\r")):
+                lines[-1] += newline
+            new = [] if mark is None else [self._line(student, exercise, mark, separator, newline)]
+            if old:
+                lines[old.first - 1 : old.last] = new
+            else:
+                lines += new
+            replace_file(self.path, "".join(lines))
+
+    def _lines(self) -> list[str]:
+        """Return the lines of the file with their ends, as the reader of rows counts them."""
+        if not self.path.exists():
+            return [",".join(HEADER) + "\n"]
+        with self.path.open(encoding="utf-8", newline="") as file:
+            return [*file]
+
+    def _line(self, student: str, exercise: str, mark: Mark, separator: str, newline: str) -> str:
+        cells = row_of(student, exercise, mark, self.students)
+        if separator == ";":  # where 2.5 would be a day in May
+            cells[2] = cells[2].replace(".", ",")
+        text = io.StringIO(newline="")
+        csv.writer(text, delimiter=separator, lineterminator=newline).writerow(cells)
+        return text.getvalue()
+
+    @contextmanager
+    def _alone(self) -> Iterator[None]:
+        """Keep every other one who changes marks waiting."""
+        with (self.path.parent / ".marks.lock").open("w", encoding="utf-8") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            yield

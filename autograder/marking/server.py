@@ -1,0 +1,177 @@
+"""The server of the page for marking: the questions, the answers, and the marks."""
+
+from __future__ import annotations
+
+import asyncio
+import webbrowser
+from pathlib import Path
+from typing import Any
+
+from tornado.escape import json_decode
+from tornado.web import Application
+
+from autograder.local_server import Files, Handler, Site, is_own_page
+from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.marking.answers import Task, collect_tasks
+from autograder.marking.marks_file import ChangedError, MarksFile
+from autograder.reports.marks import Mark
+from autograder.reports.texts import LONGEST
+from autograder.submissions.find import find_submissions
+
+PAGE = Path(__file__).parent / "page"
+LOOK = Path(__file__).parent.parent / "reports" / "templates"
+
+
+class Marking(Site):
+    """What all handlers share: the answers of the class, and its marks."""
+
+    def __init__(self, tasks: list[Task], marks: MarksFile) -> None:
+        super().__init__()
+        self.tasks = {task.exercise.id: task for task in tasks}
+        self.marks = marks
+        self.students = {
+            (task.exercise.id, answer.code): answer.student
+            for task in tasks
+            for answer in task.answers
+        }
+
+    def application(self) -> Application:
+        """Return what tornado serves."""
+        below, shared = f"/{self.token}", {"site": self}
+        return Application(
+            [
+                (f"{below}/questions.json", Questions, shared),
+                (f"{below}/marks.json", Marks, shared),
+                (rf"{below}/look/(style\.css)", Files, {**shared, "path": str(LOOK)}),
+                (f"{below}/(.*)", Files, {**shared, "path": str(PAGE)}),
+            ]
+        )
+
+    def known(self) -> dict[str, dict[str, Any]]:
+        """Return the marks in the file, by exercise and code."""
+        marks = self.marks.read()
+        found: dict[str, dict[str, Any]] = {name: {} for name in self.tasks}
+        for (exercise, code), student in self.students.items():
+            if mark := marks.get((student, exercise)):
+                found[exercise][code] = vars(mark)
+        return found
+
+
+class Questions(Handler):
+    """The questions with their answers, which do not change while the server runs."""
+
+    site: Marking
+
+    def get(self) -> None:
+        questions = [
+            {
+                "id": task.exercise.id,
+                "title": task.exercise.title,
+                "points": task.exercise.points,
+                "question": task.question,
+                "model": task.model,
+                "rubric": task.rubric,
+                "answers": [
+                    {"code": answer.code, "text": answer.text, "note": answer.note}
+                    for answer in task.answers
+                ],
+            }
+            for task in self.site.tasks.values()
+        ]
+        self.write({"questions": questions})
+
+
+class Marks(Handler):
+    """The marks. A change says which mark it has seen, so that no other one is overwritten."""
+
+    site: Marking
+
+    def prepare(self) -> None:
+        super().prepare()
+        if self.request.method != "POST":
+            return
+        if not is_own_page(self.request, self.request.headers.get("Origin", "")):
+            self.send_error(403)
+        elif not self.request.headers.get("Content-Type", "").startswith("application/json"):
+            self.send_error(415)
+
+    def get(self) -> None:
+        self.answer()
+
+    def post(self) -> None:
+        try:
+            asked = json_decode(self.request.body)
+            exercise, code = str(asked["exercise"]), str(asked["code"])
+            student = self.site.students[exercise, code]
+            points = self.site.tasks[exercise].exercise.points
+            mark, seen = mark_of(asked["mark"], points), mark_of(asked["seen"], points)
+        except (ValueError, KeyError, TypeError) as error:
+            self.refuse(400, f"this is no mark: {error}")
+            return
+        try:
+            self.site.marks.change(student, exercise, mark, seen)
+        except ChangedError:
+            self.answer(409, why="Another page has changed this mark.")
+            return
+        except (ValueError, OSError) as error:
+            self.refuse(503, str(error))
+            return
+        self.answer()
+
+    def answer(self, status: int = 200, **more: str) -> None:
+        """Send all marks, so that each page knows what the others have done."""
+        try:
+            known = self.site.known()
+        except (ValueError, OSError) as error:
+            self.refuse(503, str(error))
+            return
+        self.set_status(status)
+        self.write({"marks": known, **more})
+
+    def refuse(self, status: int, why: str) -> None:
+        """Say why something was not done."""
+        self.set_status(status)
+        self.write({"why": why})
+
+
+def mark_of(value: Any, most: float) -> Mark | None:
+    """Return the mark that a page has sent; None for no mark. Raises ValueError for no such."""
+    if value is None:
+        return None
+    points, comment = value["points"], value["comment"]
+    if isinstance(points, bool) or not isinstance(points, (int, float)) or not 0 <= points <= most:
+        raise ValueError(f"points must be a number from 0 to {most}")
+    if not isinstance(comment, str) or len(comment) > LONGEST:
+        raise ValueError(f"a comment must be a text of at most {LONGEST} characters")
+    return Mark(float(points), comment)
+
+
+def mark(folder: Path, chapters: list[Chapter], *, browser: bool = True, root: Path = ROOT) -> int:
+    """Serve the page for a class until Ctrl-C.
+
+    Raises ValueError where there is nothing to mark, or marks.csv has a mistake.
+    """
+    submissions, notes = find_submissions(folder)
+    tasks = collect_tasks(submissions, chapters, root)
+    if not tasks:
+        raise ValueError("these chapters have no written exercises")
+    students = [submission.student for submission in submissions]
+    marks = MarksFile(folder / "marks.csv", load_chapters(root), students)
+    marks.read()
+    site = Marking(tasks, marks)
+    for note in notes:
+        print(note)
+
+    async def serve() -> None:
+        site.listen(site.application())
+        print(f"The answers are at {site.address}")
+        print(f"Marks go to {marks.path}. Ctrl-C ends it.", flush=True)
+        if browser:
+            webbrowser.open(site.address)
+        await asyncio.Event().wait()
+
+    try:
+        asyncio.run(serve())
+    except KeyboardInterrupt:
+        print("\nRun make grade again to put the marks into the reports.")
+    return 0

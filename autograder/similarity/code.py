@@ -1,0 +1,161 @@
+"""Read the functions of a student's file as tokens. Nothing is compiled, imported or run."""
+
+from __future__ import annotations
+
+import builtins
+import io
+import keyword
+import math
+import tokenize
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+LONGEST = 100_000  # characters; a chapter's longest module has about ten thousand
+WIDEST = 2_000  # characters; Python 3.12 takes a time that grows with the square of a line's length
+LOCAL = "~"  # begins the word of a name that a student has chosen
+ALWAYS_KNOWN = frozenset({"self", *keyword.kwlist})
+_IN_NO_LINE = (tokenize.COMMENT, tokenize.NL, tokenize.INDENT, tokenize.DEDENT)
+_Line = list[tokenize.TokenInfo]
+
+
+@dataclass(frozen=True)
+class Token:
+    """A word of the code as it is compared, and where it is in the file, as (line, column)."""
+
+    word: str
+    start: tuple[int, int]
+    end: tuple[int, int]
+
+
+@dataclass(frozen=True)
+class Function:
+    """A function or method with the tokens of its body; "" has what is outside of functions."""
+
+    name: str
+    tokens: list[Token]
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        return tuple(token.word for token in self.tokens)
+
+
+def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list[Function], int]:
+    """Return the functions of a file, and the line after which it cannot be read, or 0.
+
+    Methods are called Particle.mass, and setters Particle.mass.setter. Signatures, comments and
+    docstrings are left out, since they are given or say nothing. Texts are alike, and so are 2 and
+    2.0. ``known`` are the names that all students share: those of the engine.
+    """
+    text, stopped = _without_the_excessive(text)
+    found: dict[str, list[Token]] = {}
+    scopes: list[tuple[int, str, bool]] = []  # depth, name, whether it is a function
+    setter = ""
+    lines = _lines(text)
+    while True:
+        try:
+            depth, line = next(lines)
+        except StopIteration:
+            break
+        except (tokenize.TokenError, SyntaxError, ValueError) as error:
+            stopped = _line_of(error)
+            break
+        while scopes and depth <= scopes[-1][0]:
+            scopes.pop()
+        inside = bool(scopes) and scopes[-1][2]
+        words = [token.string for token in line[:-1] if token.string != "async"]
+        if not inside and words[:1] in (["def"], ["class"]):
+            scopes.append((depth, "".join(words[1:2]) + setter, words[0] == "def"))
+            setter = ""
+            line = _after_colon(line)
+        elif not inside and words[:1] == ["@"]:
+            setter = ".setter" if words[-2:] == [".", "setter"] else ""
+            continue
+        owner = ".".join(name for _, name, _ in scopes) if scopes and scopes[-1][2] else ""
+        found.setdefault(owner, []).extend(_tokens(line, known))
+    return [Function(name, tokens) for name, tokens in found.items() if tokens], stopped
+
+
+def names_in(text: str) -> Iterator[str]:
+    """Yield the public names in one of our own files, with those that Python has."""
+    yield from (*dir(builtins), *dir(math))
+    for token in tokenize.generate_tokens(io.StringIO(text).readline):
+        if token.type == tokenize.NAME and not (
+            token.string.startswith("_") and not token.string.endswith("__")
+        ):
+            yield token.string
+
+
+def _without_the_excessive(text: str) -> tuple[str, int]:
+    """Return a text up to the first line that is too long, and the number of that line, or 0."""
+    size = 0
+    for number, line in enumerate(io.StringIO(text), start=1):
+        if len(line) > WIDEST or size + len(line) > LONGEST:
+            return text[:size], number
+        size += len(line)
+    return text, 0
+
+
+def _lines(text: str) -> Iterator[tuple[int, _Line]]:
+    """Yield each logical line with how deeply it is indented."""
+    depth, nested = 0, 0
+    line: _Line = []
+    for token in tokenize.generate_tokens(io.StringIO(text).readline):
+        depth += (token.type == tokenize.INDENT) - (token.type == tokenize.DEDENT)
+        kind = tokenize.tok_name[token.type]
+        nested += kind.endswith("STRING_START")  # since Python 3.12 an f-string has many tokens
+        if token.type in (tokenize.NEWLINE, tokenize.ENDMARKER):
+            if line:
+                yield depth, [*line, token]
+            line = []
+        elif token.type not in _IN_NO_LINE and not nested:
+            line.append(token)
+        if nested and kind.endswith("STRING_END"):
+            nested -= 1
+            if not nested:
+                line.append(token._replace(type=tokenize.STRING))
+
+
+def _tokens(line: _Line, known: frozenset[str]) -> Iterator[Token]:
+    """Yield what is compared of a logical line; nothing of a docstring."""
+    if all(token.type in (tokenize.STRING, tokenize.NEWLINE) for token in line):
+        return
+    for before, token, after in zip([None, *line], line, [*line[1:], None], strict=False):
+        word = token.string
+        if token.type in (tokenize.NEWLINE, tokenize.ENDMARKER):
+            word = ";"
+        elif token.type == tokenize.STRING:
+            word = "'"
+        elif token.type == tokenize.NUMBER:
+            word = _number(word)
+        elif token.type == tokenize.NAME and word not in ALWAYS_KNOWN:
+            of_an_object = before is not None and before.string == "."
+            called = after is not None and after.string == "("
+            if not (word in known and (of_an_object or called)):
+                word = LOCAL + word
+        yield Token(word, token.start, token.end)
+
+
+def _number(text: str) -> str:
+    try:
+        return repr(float(text))
+    except ValueError:
+        return text  # 0x10, 1j
+
+
+def _after_colon(line: _Line) -> _Line:
+    """Return what follows a signature in its line: nothing, or a body of one line."""
+    open_brackets = 0
+    for i, token in enumerate(line):
+        if token.type == tokenize.OP:
+            open_brackets += (token.string in "([{") - (token.string in ")]}")
+        if token.string == ":" and not open_brackets:
+            rest = line[i + 1 :]
+            return rest if len(rest) > 1 else []
+    return []
+
+
+def _line_of(error: Exception) -> int:
+    """Return the line that an error of the tokenizer names, or the first."""
+    place = error.args[1] if len(error.args) > 1 else ()
+    numbers: Iterable[object] = place if isinstance(place, tuple) else ()
+    return next((number for number in numbers if isinstance(number, int)), 1)

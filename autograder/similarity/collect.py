@@ -1,0 +1,116 @@
+"""Take the code that is compared out of a class's submissions, staged as grading does."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.similarity.code import names_in, read_functions
+from autograder.similarity.compare import Part, Passage, Work
+from autograder.similarity.winnow import fingerprints, hashes
+from autograder.submissions.find import Submission
+from autograder.submissions.stage import stage
+
+SMALLEST = 30  # words of the reference, in an exercise that can be written in more than one way
+
+
+@dataclass(frozen=True)
+class Ground:
+    """What a class's code is compared on.
+
+    ``parts`` names the exercise of each edited function, such as ch02_vectors/vector.py
+    Vector3.dot. ``known`` are the names of the engine, and ``given`` the hashes of stubs, given
+    modules and the reference. ``small`` are the exercises that are left out.
+    """
+
+    chapters: list[Chapter]
+    parts: dict[tuple[str, str], str]
+    known: frozenset[str]
+    given: set[int]
+    small: list[str]
+
+
+def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
+    """Return what the submissions to these chapters are compared on."""
+    names = [chapter.name for chapter in load_chapters(root)]
+    known = frozenset(name for text in _our_files(root, names) for name in names_in(text))
+    given: set[int] = set()
+    for text in _our_files(root, [chapter.name for chapter in chapters]):
+        for function in read_functions(text, known)[0]:
+            given.update(hashes(function.words))
+    parts: dict[tuple[str, str], str] = {}
+    small = []
+    for chapter in chapters:
+        sizes = _reference_sizes(chapter, known, root)
+        for exercise in chapter.exercises:
+            edits = [tuple(edit.split(".", 1)) for edit in exercise.edit]
+            places = [(f"{chapter.name}/{module}.py", name) for module, name in edits]
+            if places and sum(sizes.get(place, 0) for place in places) < SMALLEST:
+                small.append(exercise.id)
+            title = f"{exercise.id} {exercise.title}"
+            parts |= dict.fromkeys(places, "" if exercise.id in small else title)
+    return Ground(chapters, parts, known, given, small)
+
+
+def collect(
+    submissions: Iterable[Submission], ground: Ground, root: Path = ROOT
+) -> Iterator[tuple[Work, list[str]]]:
+    """Yield the work of each student, and notes on what could not be read."""
+    for submission in submissions:
+        with tempfile.TemporaryDirectory(prefix="similarity-") as folder:
+            staged = stage(submission.path, ground.chapters, Path(folder), root)
+            files = {
+                f"{chapter.name}/{name}": path.read_text(encoding="utf-8")
+                for chapter in ground.chapters
+                for name in chapter.edited_files
+                if (path := Path(folder) / chapter.name / name).exists()
+            }
+        work, notes = work_of(submission.student, files, ground)
+        yield work, [*staged.missing.values(), *notes]
+
+
+def work_of(student: str, files: dict[str, str], ground: Ground) -> tuple[Work, list[str]]:
+    """Return a student's work in these files, and notes; what is given and small is not in it."""
+    parts: dict[str, Part] = {}
+    notes = []
+    for file, text in files.items():
+        functions, stopped = read_functions(text, ground.known)
+        if stopped:
+            notes.append(f"{file} was not compared from line {stopped} on: it cannot be read")
+        for function in functions:
+            own = fingerprints(function.words) - ground.given
+            name = ground.parts.get((file, function.name), f"Other code in {file}")
+            if name and own:
+                part = parts.setdefault(name, Part())
+                part.passages.append(Passage(file, function.name, function.tokens, text))
+                part.fingerprints |= own
+    return Work(student, parts), notes
+
+
+def _our_files(root: Path, chapters: list[str]) -> Iterator[str]:
+    """Yield the text of the reference, the stubs and the given modules of chapters."""
+    for folder in ("solutions", "chapters"):
+        for name in chapters:
+            for path in sorted((root / folder / name).glob("*.py")):
+                yield path.read_text(encoding="utf-8")
+
+
+@cache
+def _words(text: str, known: frozenset[str]) -> dict[str, int]:
+    return {function.name: len(function.tokens) for function in read_functions(text, known)[0]}
+
+
+def _reference_sizes(
+    chapter: Chapter, known: frozenset[str], root: Path
+) -> dict[tuple[str, str], int]:
+    """Return how many words each function of the reference has."""
+    sizes = {}
+    for name in chapter.edited_files:
+        text = (root / "solutions" / chapter.name / name).read_text(encoding="utf-8")
+        for function, words in _words(text, known).items():
+            sizes[f"{chapter.name}/{name}", function] = words
+    return sizes

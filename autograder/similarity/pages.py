@@ -1,0 +1,161 @@
+"""Write the pages of a comparison: an index of pairs, and two students' code side by side.
+
+Names and code are shown as text alone, and nothing is loaded from elsewhere.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import groupby
+from pathlib import Path
+from typing import Any
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+from autograder.clean import clean
+from autograder.manifest import Chapter
+from autograder.reports.texts import replace_file
+from autograder.similarity.compare import FEWEST, Comparison, Pair, Passage, Shared
+from autograder.similarity.winnow import covered
+
+HERE = Path(__file__).parent
+FEWEST_ROWS = 30  # pairs on the index; all that stand out are on it
+MOST_LINES = 200  # of one function
+WIDEST = 500  # characters of a line
+RARE = 0.1  # of the class
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A piece of code: shared by few ("rare"), shared by many ("common"), or not shared ("")."""
+
+    text: str
+    kind: str
+
+
+@dataclass(frozen=True)
+class Side:
+    """A function of one student, in pieces, and where it begins."""
+
+    name: str
+    file: str
+    line: int
+    pieces: list[Piece]
+
+
+def write_pages(
+    out: Path, comparison: Comparison, chapters: list[Chapter], small: list[str], notes: list[str]
+) -> Path:
+    """Write index.html and a page for each of its pairs, and return the path of the index."""
+    shown = comparison.pairs[: max(FEWEST_ROWS, comparison.outstanding)]
+    rows = [
+        (f"pairs/pair-{number:03}.html", pair, comparison.shared(pair))
+        for number, pair in enumerate(shown, start=1)
+    ]
+    for old in (out / "pairs").glob("pair-*.html"):
+        old.unlink()
+    for name, pair, shared in rows:
+        _write_pair(out / name, comparison, pair, shared)
+    page = _render(
+        "similarity.html",
+        rows=rows,
+        students=comparison.measure.students,
+        pairs=len(comparison.pairs),
+        fewest=FEWEST,
+        outstanding=comparison.outstanding,
+        line=comparison.line,
+        chapters=chapters,
+        small=small,
+        notes=[clean(note) for note in notes],
+        bins=_histogram(comparison.pairs),
+    )
+    replace_file(out / "index.html", page)
+    return out / "index.html"
+
+
+def pieces_of(passage: Passage, kinds: dict[int, str]) -> list[Piece]:
+    """Return the lines of a function in pieces; ``kinds`` has those of its tokens, by number."""
+    first, last = passage.tokens[0].start[0], passage.tokens[-1].end[0]
+    lines = passage.text.split("\n")[first - 1 : min(last, first - 1 + MOST_LINES)]
+    marks = [[""] * len(line) for line in lines]
+    previous: tuple[int, int, str] = (0, 0, "")
+    for number, token in enumerate(passage.tokens):
+        kind = kinds.get(number, "")
+        for row in range(token.start[0], token.end[0] + 1):
+            if not kind or row - first >= len(lines):
+                continue
+            begin = token.start[1] if row == token.start[0] else 0
+            end = token.end[1] if row == token.end[0] else len(lines[row - first])
+            if previous[0] == row and previous[2] == kind:
+                begin = previous[1]  # what is between two marked tokens is marked too
+            line = marks[row - first]
+            line[begin:end] = [kind] * len(line[begin:end])
+            previous = (row, end, kind)
+    pieces = []
+    indent = min((len(line) - len(line.lstrip()) for line in lines if line.strip()), default=0)
+    for text, line in zip(lines, marks, strict=True):
+        kept = [*enumerate(line)][indent:WIDEST]
+        for kind, group in groupby(kept, key=lambda item: item[1]):
+            columns = [column for column, _ in group]
+            pieces.append(Piece(clean(text[columns[0] : columns[-1] + 1]), kind))
+        pieces.append(Piece(" ...\n" if len(text) > WIDEST else "\n", ""))
+    if last - first >= MOST_LINES:
+        pieces.append(Piece(f"... and {last - first + 1 - MOST_LINES} lines more\n", ""))
+    return pieces
+
+
+def _write_pair(path: Path, comparison: Comparison, pair: Pair, shared: list[Shared]) -> None:
+    few = max(2, RARE * comparison.measure.students)
+    parts = []
+    for part in shared:
+        rare = {f for f in part.fingerprints if comparison.measure.holders[part.name, f] <= few}
+        sides = [_sides(work.parts[part.name].passages, part, rare) for work in _works(pair)]
+        parts.append((part, sides))
+    page = _render(
+        "pair.html",
+        pair=pair,
+        stands_out=comparison.stands_out(pair),
+        line=comparison.line,
+        parts=parts,
+        students=comparison.measure.students,
+        few=math.floor(few),
+    )
+    replace_file(path, page)
+
+
+def _works(pair: Pair) -> tuple[Any, Any]:
+    return pair.one, pair.other
+
+
+def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
+    """Return the functions of one student in which something is shared."""
+    sides = []
+    for passage in passages:
+        kinds = dict.fromkeys(covered(passage.tokens, part.fingerprints), "common")
+        kinds |= dict.fromkeys(covered(passage.tokens, rare), "rare")
+        if kinds:
+            line = passage.tokens[0].start[0]
+            name = clean(passage.name) or "outside of functions"
+            sides.append(Side(name, passage.file, line, pieces_of(passage, kinds)))
+    return sides
+
+
+def _histogram(pairs: Sequence[Pair]) -> list[tuple[int, int]]:
+    """Return how many pairs have a surprise from a whole number on and below the next one."""
+    counts = Counter(math.floor(p.surprise) for p in pairs if p.surprise is not None)
+    return [(n, counts[n]) for n in range(min(counts), max(counts) + 1)] if counts else []
+
+
+def _render(template: str, **values: Any) -> str:
+    environment = Environment(
+        loader=FileSystemLoader([HERE / "templates", HERE.parent / "reports" / "templates"]),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters["clean"] = clean
+    return environment.get_template(template).render(**values)

@@ -1,0 +1,46 @@
+"""The command similarity: compare the submissions of a class, and write the pages."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from rich.console import Console
+from rich.progress import track
+
+from autograder.manifest import ROOT, Chapter
+from autograder.similarity.collect import collect, ground_of
+from autograder.similarity.compare import FEWEST, Work, compare
+from autograder.similarity.pages import write_pages
+from autograder.submissions.find import find_submissions
+
+
+def similarity(folder: Path, out: Path, chapters: list[Chapter], root: Path = ROOT) -> int:
+    """Compare every two submissions in a folder, and write the pages into out.
+
+    Raises ValueError where there is nothing to compare, and OSError where a file of ours cannot be
+    read or written.
+    """
+    if out.resolve().is_relative_to(folder.resolve()):
+        raise ValueError(f"--out must not be in the folder of the class, got {str(out)!r}")
+    submissions, notes = find_submissions(folder)
+    console = Console(highlight=False)
+    ground = ground_of(chapters, root)
+    works: list[Work] = []
+    arriving = collect(submissions, ground, root)
+    for work, more in track(arriving, "reading", len(submissions), console=console, transient=True):
+        notes += [f"{work.student}: {note}" for note in more]
+        if work.parts:
+            works.append(work)
+        else:
+            notes.append(f"{work.student} is not compared: there is no code that could be shared")
+    comparison = compare(works)
+    index = write_pages(out, comparison, chapters, ground.small, notes)
+    for note in notes:
+        console.print(note, markup=False, soft_wrap=True)
+    if comparison.line is None:
+        console.print(f"There is no surprise: it needs {FEWEST} students, and code that differs.")
+    else:
+        of_all = f"{comparison.outstanding} of {len(comparison.pairs)}"
+        console.print(f"{of_all} pairs stand out. This proves nothing.")
+    console.print(f"Read both texts of a pair in {index}", markup=False, soft_wrap=True)
+    return 0

@@ -1,0 +1,48 @@
+"""Fingerprints of code by winnowing (Schleimer, Wilkerson and Aiken, 2003).
+
+Every run of GRAM words is hashed, and of every WINDOW neighbors the smallest hash is kept. So two
+texts that share GRAM + WINDOW - 1 words in a row share a fingerprint. Within a run a student's own
+names are numbered in the order in which they appear, and thus renamed variables match. A run is no
+longer than a short statement, so that reordered statements still share most of theirs.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Collection, Iterable
+from functools import cache
+
+from autograder.similarity.code import LOCAL, Token
+
+GRAM = 8
+WINDOW = 4
+
+
+@cache
+def hashes(words: tuple[str, ...]) -> tuple[int, ...]:
+    """Return the hash of each run of words, by where it begins."""
+    return tuple(_hash(words[i : i + GRAM]) for i in range(len(words) - GRAM + 1))
+
+
+def fingerprints(words: tuple[str, ...]) -> set[int]:
+    """Return the hashes that winnowing keeps."""
+    found = hashes(words)
+    windows = range(max(1, len(found) - WINDOW + 1)) if found else ()
+    return {min(found[i : i + WINDOW]) for i in windows}
+
+
+def covered(tokens: list[Token], shared: Collection[int]) -> set[int]:
+    """Return the numbers of the tokens that belong to a run with one of these hashes."""
+    found = hashes(tuple(token.word for token in tokens))
+    starts: Iterable[int] = (i for i, value in enumerate(found) if value in shared)
+    return {i for start in starts for i in range(start, start + GRAM)}
+
+
+def _hash(run: tuple[str, ...]) -> int:
+    names: dict[str, int] = {}
+    words = [
+        f"{LOCAL}{names.setdefault(word, len(names))}" if word.startswith(LOCAL) else word
+        for word in run
+    ]
+    digest = hashlib.blake2b("\n".join(words).encode("utf-8", "surrogatepass"), digest_size=8)
+    return int.from_bytes(digest.digest(), "big")  # the same in every run, unlike hash()

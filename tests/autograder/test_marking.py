@@ -1,0 +1,169 @@
+"""Written answers are collected without names, and the server answers its own page alone."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tornado.httpclient import AsyncHTTPClient, HTTPRequest, HTTPResponse
+
+from autograder.manifest import ROOT, select_chapters
+from autograder.marking.answers import LONGEST, collect_tasks
+from autograder.submissions.find import find_submissions
+from graded import SHOUT
+from served import marking
+
+STUB = (ROOT / "chapters/ch02_vectors/answers.md").read_text(encoding="utf-8")
+PLACE = "_Write your answer here._"
+GOOD = "The lengths are never negative,\nso the cosine decides."
+HANDED_IN = {
+    "ann": STUB.replace(PLACE, GOOD, 1),
+    "bob": STUB,
+    "cem": STUB.replace(PLACE, "|a|^2", 1),
+    "dan": STUB.replace("## 2.2b", "Question 2.2b").replace(PLACE, "Dan's answer", 1),
+    "eve": None,
+    "fay": STUB.replace(PLACE, f"{SHOUT}\x1b[31m {'long ' * LONGEST}", 1),
+}
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    for student, text in HANDED_IN.items():
+        chapter = tmp_path / student / "ch02_vectors"
+        chapter.mkdir(parents=True)
+        (chapter / "vector.py").write_text("raise SystemExit('run')\n", encoding="utf-8")
+        if text is not None:
+            (chapter / "answers.md").write_text(text, encoding="utf-8")
+    (tmp_path / "gus/ch02_vectors").mkdir(parents=True)
+    (tmp_path / "gus/ch02_vectors/answers.md").write_bytes("## 2.2b\n\nschön\n".encode("cp1252"))
+    return tmp_path
+
+
+def test_answers_are_collected_as_they_were_handed_in(folder: Path) -> None:
+    first, second = collect_tasks(find_submissions(folder)[0], select_chapters("2-3"))
+    assert (first.exercise.id, second.exercise.id) == ("2.2b", "2.3")
+    assert first.question.startswith("a . b = |a| |b| cos t. Why does the sign")
+    assert first.rubric.startswith("- 0.5 points: The two lengths are never negative")
+    assert "**Rubric**" not in first.model
+    by = {answer.student: answer for answer in first.answers}
+    assert sorted(by) == ["ann", "bob", "cem", "dan", "eve", "fay", "gus"]
+    assert by["ann"].text == "The lengths are never negative, so the cosine decides."
+    assert (by["bob"].text, by["bob"].note) == ("", "")
+    assert by["cem"].text == "|a|^2", "a formula is an answer"
+    assert "Dan's answer" in by["dan"].text
+    assert by["dan"].note.startswith("This is the whole file. In answers.md no heading begins")
+    assert (by["eve"].text, by["eve"].note) == ("", "")
+    assert by["fay"].text.startswith(SHOUT + "\\x1b[31m")
+    assert len(by["fay"].text) < LONGEST + 200
+    assert "answers.md was not taken: it is not UTF-8" in by["gus"].note
+    assert [answer.text == "" for answer in first.answers] == [False] * 4 + [True] * 3
+
+
+def test_the_order_is_no_order_of_names_and_stays_as_it_is(tmp_path: Path) -> None:
+    for i in range(20):
+        (tmp_path / f"s{i:02}/ch02_vectors").mkdir(parents=True)
+        (tmp_path / f"s{i:02}/ch02_vectors/answers.md").write_text(HANDED_IN["ann"] or "")
+    orders = []
+    for _ in range(2):
+        tasks = collect_tasks(find_submissions(tmp_path)[0], select_chapters("2"))
+        orders.append([[answer.student for answer in task.answers] for task in tasks])
+    (first, second), again = orders
+    assert [first, second] == again
+    assert sorted(first) != first != second
+
+
+@pytest.fixture
+def address(folder: Path) -> Iterator[str]:
+    with marking(folder, "2") as address:
+        yield address
+
+
+def ask(address: str, path: str = "", body: Any = None, **headers: str) -> HTTPResponse:
+    """Ask the server, as its own page would unless headers say otherwise."""
+
+    async def fetch() -> HTTPResponse:
+        if body is not None:
+            own = {"Origin": address.rsplit("/", 2)[0], "Content-Type": "application/json"}
+            headers.update({name: own[name] for name in own if name not in headers})
+        text = None if body is None else json.dumps(body)
+        request = HTTPRequest(
+            address + path, "GET" if body is None else "POST", headers=headers, body=text
+        )
+        return await AsyncHTTPClient().fetch(request, raise_error=False)
+
+    return asyncio.run(fetch())
+
+
+def test_the_server_knows_its_own_page_alone_and_no_names(address: str, folder: Path) -> None:
+    for path in ("", "main.js", "marks.js", "style.css", "look/style.css"):
+        page = ask(address, path)
+        assert page.code == 200, path
+        assert "frame-ancestors 'none'" in page.headers["Content-Security-Policy"]
+    top = address.rsplit("/", 2)[0]
+    assert ask(f"{top}/").code == 404
+    assert ask(f"{top}/guess/questions.json").code == 404
+    for path in ("../server.py", "%2e%2e/server.py", "look/index.html", "look/../server.py"):
+        assert ask(address, path).code in (403, 404), path
+    assert ask(address, "questions.json", Host="evil.example").code == 403
+    answer = ask(address, "questions.json")
+    assert answer.headers["Content-Type"].startswith("application/json")
+    assert not re.search(r"\b(ann|bob|cem|eve|fay|gus)\b", answer.body.decode())
+
+    questions = json.loads(answer.body)["questions"]
+    one = {"exercise": "2.2b", "code": questions[0]["answers"][0]["code"], "seen": None}
+    good = {**one, "mark": {"points": 0.5, "comment": "Why?"}}
+    for headers, code in (
+        ({"Origin": "http://evil.example"}, 403),
+        ({"Origin": "null"}, 403),
+        ({"Origin": ""}, 403),
+        ({"Host": "evil.example", "Origin": "http://evil.example"}, 403),
+        ({"Content-Type": "text/plain"}, 415),
+    ):
+        assert ask(address, "marks.json", good, **headers).code == code, headers
+    for bad in (
+        [],
+        {**good, "code": "ann"},
+        {**good, "exercise": "2.9"},
+        {**good, "mark": {"points": 1.5, "comment": ""}},
+        {**good, "mark": {"points": -1, "comment": ""}},
+        {**good, "mark": {"points": True, "comment": ""}},
+        {**good, "mark": {"points": float("nan"), "comment": ""}},
+        {**good, "mark": {"points": "1", "comment": ""}},
+        {**good, "mark": {"points": 1, "comment": "x" * 5000}},
+        {**good, "mark": {"points": 1}},
+    ):
+        answer = ask(address, "marks.json", bad)
+        assert answer.code == 400, bad
+        assert "this is no mark" in json.loads(answer.body)["why"]
+    assert not (folder / "marks.csv").exists()
+
+    saved = ask(address, "marks.json", good)
+    assert saved.code == 200
+    assert json.loads(saved.body)["marks"]["2.2b"] == {one["code"]: good["mark"]}
+    assert re.search(r"\n(ann|cem|dan|fay),2\.2b,0\.5,Why\?\n$", (folder / "marks.csv").read_text())
+    stale = ask(address, "marks.json", {**one, "mark": {"points": 1, "comment": ""}})
+    assert stale.code == 409
+    assert json.loads(stale.body)["marks"]["2.2b"] == {one["code"]: good["mark"]}
+
+    with (folder / "marks.csv").open("a", encoding="utf-8") as file:
+        file.write("ann,2.3,nine,\n")
+    broken = ask(address, "marks.json", {**good, "seen": good["mark"], "mark": None})
+    assert broken.code == 503
+    assert "line 3: points 'nine'" in json.loads(broken.body)["why"]
+
+
+@pytest.mark.parametrize(
+    ("chapters", "words"),
+    [("3", "these chapters have no written exercises"), ("2", "line 2: student 'zoe'")],
+)
+def test_it_says_why_there_is_nothing_to_mark(folder: Path, chapters: str, words: str) -> None:
+    from autograder.marking.server import mark
+
+    (folder / "marks.csv").write_text("student,exercise,points,comment\nzoe,2.3,1,\n")
+    with pytest.raises(ValueError, match=re.escape(words)):
+        mark(folder, select_chapters(chapters), browser=False)

@@ -1,0 +1,218 @@
+"""How code is compared: what makes no difference, what does not count, and what is never done."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import pytest
+
+from autograder.manifest import ROOT, load_chapters
+from autograder.similarity.code import LONGEST, read_functions
+from autograder.similarity.collect import Ground, collect, ground_of, work_of
+from autograder.similarity.compare import FEWEST, Part, Work, compare
+from autograder.similarity.winnow import fingerprints
+from autograder.submissions.find import find_submissions
+
+CHAPTERS = load_chapters()[:2]
+KNOWN = frozenset({"x", "y", "z", "sqrt", "Vector3", "magnitude"})
+LENGTH = """
+def length(v, scale):
+    total = v.x * v.x + v.y * v.y
+    total = total + v.z * v.z
+    root = math.sqrt(total)
+    return root * scale / 2.0
+"""
+
+
+@pytest.fixture(scope="module")
+def ground() -> Ground:
+    return ground_of(CHAPTERS)
+
+
+def prints_of(source: str) -> set[int]:
+    functions, stopped = read_functions(source, KNOWN)
+    assert stopped == 0
+    return set().union(*(fingerprints(function.words) for function in functions))
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        LENGTH.replace("total", "summe").replace("root", "wurzel"),
+        LENGTH.replace("v.", "other.").replace("(v,", "(other,"),
+        LENGTH.replace("    root", "    # now the root\n    root"),
+        LENGTH.replace("    total = v", '    """Say what it does."""\n\n    total = v'),
+        LENGTH.replace("(v, scale)", "(v: Vector3, scale: float = 1.0) -> float"),
+        LENGTH.replace(" / 2.0", " / 2"),
+        LENGTH.replace("    ", "\t"),
+    ],
+    ids=["variables", "parameter", "comment", "docstring", "signature", "number", "indentation"],
+)
+def test_what_a_copy_is_hidden_by_makes_no_difference(other: str) -> None:
+    assert other != LENGTH
+    assert prints_of(other) == prints_of(LENGTH) != set()
+
+
+def test_reordered_statements_share_most() -> None:
+    one = [f"self.{c} = self.{c} + v.{c} * (scale - 1)" for c in "xyz"]
+    sources = ["def f(self, v):\n    " + "\n    ".join(lines) for lines in (one, one[::-1])]
+    first, second = map(prints_of, sources)
+    assert len(first & second) > 0.6 * len(first)
+
+
+def test_another_formula_shares_little() -> None:
+    other = "def length(v, scale):\n    return 0.5 * scale * math.sqrt(sum(c * c for c in v))\n"
+    assert prints_of(other).isdisjoint(prints_of(LENGTH))
+
+
+def test_functions_have_the_names_of_the_manifest() -> None:
+    source = (
+        "import math\n\nclass A(object):\n    n = 1\n\n    @property\n    def mass(self):\n"
+        "        return self.m\n\n    @mass.setter\n    def mass(self, m):\n        self.m = m\n\n"
+        "    def one(self): return 1\n\n\nasync def two():\n    def inner():\n        pass\n\n\n"
+        "def three(a, b={1: 2}): return a[b:]\n"
+    )
+    functions, _ = read_functions(source)
+    names = {function.name: " ".join(function.words) for function in functions}
+    assert list(names) == ["", "A.mass", "A.mass.setter", "A.one", "two", "three"]
+    assert names["A.mass.setter"] == "self . ~m = ~m ;"
+    assert names["A.one"] == "return 1.0 ;"
+    assert names["two"] == "def ~inner ( ) : ; pass ;"
+    assert names["three"] == "return ~a [ ~b : ] ;"
+
+
+def test_a_text_with_values_in_it_is_one_word_on_every_python() -> None:
+    (function,), _ = read_functions("def f(a):\n    raise ValueError(f'a {a!r:>{9}} b' 'c', a)\n")
+    assert " ".join(function.words) == "raise ~ValueError ( ' ' , ~a ) ;"
+
+
+@pytest.mark.parametrize(
+    ("source", "line"),
+    [
+        ("def f():\n    return 1\n\ndef g(:\n    return (2\n", 4),
+        ("def f():\n    return 1\n  return 2\n", 3),
+        ("def f():\n    return 1\n\nx = '''\n", 4),
+    ],
+    ids=["bracket", "indentation", "text"],
+)
+def test_a_file_that_is_broken_is_read_up_to_there(source: str, line: int) -> None:
+    functions, stopped = read_functions(source)
+    assert functions[0].name == "f"
+    assert line <= stopped <= len(source.splitlines()) + 1
+
+
+HOSTILE = {
+    "brackets": "(" * LONGEST,
+    "quotes": "'" * LONGEST,
+    "texts": "'''\n" * (LONGEST // 4),
+    "one line": "a b " * (LONGEST // 4),
+    "one bracket": "(\n" + "a\n" * (LONGEST // 2 - 9),
+    "backslashes": "\\\n" * (LONGEST // 2),
+    "wide lines": ("a b " * 499 + "\n") * 50,
+    "deep": "".join(" " * i + "if x:\n" for i in range(400)),
+    "a huge number": "1" * LONGEST,
+    "no characters": "x = '\ud800'; y = \x01\n",
+    "too long": "x = 1\n" * LONGEST,
+}
+
+
+@pytest.mark.parametrize("source", HOSTILE.values(), ids=HOSTILE.keys())
+def test_no_file_keeps_it_busy(source: str) -> None:
+    started = time.process_time()
+    for function in read_functions(source)[0]:
+        fingerprints(function.words)
+    assert time.process_time() - started < 5.0
+
+
+@pytest.mark.parametrize("folder", ["chapters", "solutions"])
+def test_stubs_given_code_and_the_reference_do_not_count(folder: str, ground: Ground) -> None:
+    files = {
+        f"{chapter.name}/{name}": (ROOT / folder / chapter.name / name).read_text(encoding="utf-8")
+        for chapter in CHAPTERS
+        for name in chapter.edited_files
+    }
+    assert work_of("ann", files, ground) == (Work("ann", {}), [])
+
+
+def test_exercises_that_are_too_small_are_left_out(ground: Ground) -> None:
+    body = "    return sum(p * q for p, q in zip(v, v, strict=True)) + sum(v) - sum(v)\n"
+    for small in (True, False):
+        exercise = next(
+            exercise
+            for exercise in CHAPTERS[0].exercises
+            if (exercise.id in ground.small) is small
+            and any(edit.startswith("exercises.") for edit in exercise.edit)
+        )
+        source = f"def {exercise.edit[0].removeprefix('exercises.')}(v):\n{body}"
+        work, _ = work_of("ann", {"ch02_vectors/exercises.py": source}, ground)
+        assert [*work.parts] == ([] if small else [f"{exercise.id} {exercise.title}"])
+
+
+def test_helpers_that_a_student_has_added_are_compared_too(ground: Ground) -> None:
+    source = "def _mine(v):\n    return [p * q for p, q in zip(v, v, strict=True)] + [*v] * 3\n"
+    work, _ = work_of("ann", {"ch02_vectors/vector.py": source}, ground)
+    assert [*work.parts] == ["Other code in ch02_vectors/vector.py"]
+
+
+def test_submissions_are_staged_and_never_run(tmp_path: Path, ground: Ground) -> None:
+    code = f"open({str(tmp_path / 'ran')!r}, 'w')\n"
+    for student in ("ann", "bob"):
+        (tmp_path / "class" / student / "ch02_vectors").mkdir(parents=True)
+    (tmp_path / "class/ann/ch02_vectors/vector.py").write_text(code, encoding="utf-8")
+    (tmp_path / "class/bob/ch02_vectors/vector.py").symlink_to("/etc/passwd")
+    submissions, _ = find_submissions(tmp_path / "class")
+    (_, notes_of_ann), (bob, notes_of_bob) = collect(submissions, ground)
+    assert not (tmp_path / "ran").exists()
+    assert notes_of_ann == []
+    assert bob.parts == {}
+    assert notes_of_bob == ["ch02_vectors/vector.py was not taken: it is a symbolic link"]
+
+
+def made(student: str, **parts: set[int]) -> Work:
+    return Work(student, {name: Part([], prints) for name, prints in parts.items()})
+
+
+def lonely_class(size: int) -> list[Work]:
+    """Students who share a little by chance, in twenty exercises."""
+    return [
+        made(f"s{i}", **{f"e{e}": {100 * e + (i * (e + 3) + k) % 31 for k in range(4)}
+                         for e in range(20)})
+        for i in range(size)
+    ]  # fmt: skip
+
+
+def test_what_many_have_written_counts_less() -> None:
+    same = [made(f"s{i}", a={1, 2, 3}, b={100 + i, 200 + i}) for i in range(20)]
+    pair = [made("x", a={1, 2, 3}, b={7, 8, 9}), made("y", a={1, 2, 3}, b={7, 8, 9})]
+    comparison = compare([*same, *pair])
+    first, *others = comparison.pairs
+    assert (first.one.student, first.other.student) == ("x", "y")
+    assert max(other.similarity for other in others) < 0.1 < first.similarity
+    assert [(part.name, part.rarest) for part in comparison.shared(first)] == [("b", 2)]
+
+
+def test_a_pair_that_shares_everything_stands_out_and_one_exercise_alone_does_not() -> None:
+    students = lonely_class(30)
+    students[3] = Work("s3", students[5].parts)
+    students[8] = Work("s8", {**students[8].parts, "e4": students[9].parts["e4"]})
+    comparison = compare(students)
+    assert comparison.outstanding == 1
+    assert {comparison.pairs[0].one.student, comparison.pairs[0].other.student} == {"s3", "s5"}
+
+
+def test_a_small_class_has_no_surprise() -> None:
+    for size in (0, 1, 2, FEWEST - 1):
+        comparison = compare(lonely_class(size))
+        assert comparison.line is None
+        assert comparison.outstanding == 0
+        assert all(pair.surprise is None for pair in comparison.pairs)
+        similarities = [pair.similarity for pair in comparison.pairs]
+        assert similarities == sorted(similarities, reverse=True)
+    assert compare(lonely_class(FEWEST)).line is not None
+
+
+def test_a_class_that_shares_nothing_at_all_has_no_surprise() -> None:
+    comparison = compare([made(f"s{i}", a={i}) for i in range(FEWEST)])
+    assert comparison.line is None
+    assert {pair.similarity for pair in comparison.pairs} == {0.0}

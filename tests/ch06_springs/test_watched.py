@@ -66,12 +66,7 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
                 limit,
             ),
             "Here the first particle has the number 1. Number the particles from 0, as in the "
-            "list.": (
-                fast + 1,
-                number,
-                size,
-                limit,
-            ),
+            "list.": (fast + 1, number, size, limit),
             "This is the last particle that is too fast. Report the first one.": (
                 3,
                 number,

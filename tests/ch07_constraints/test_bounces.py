@@ -127,9 +127,7 @@ def test_a_table_refuses_what_a_drop_refuses() -> None:
     good = ("oak", 2.0, 1.0)
     for bad, error in ((("oak", 0.0, 0.0), ValueError), (("ash", 1.0, "2"), TypeError)):
         about.call = f"table_of_drops([{good}, {bad}])"
-        about.cause = (
-            "Call restitution_of_drop for every drop, and let its ValueError pass through."
-        )
+        about.cause = "Call restitution_of_drop for every drop, and do not catch its error."
         expect_error(
             lambda bad=bad: table_of_drops([good, bad]),
             error,

@@ -31,7 +31,7 @@ def test_when_a_gap_closes(rng: Random) -> None:
         (0.5 * pull * t * t, 0.0, -pull, t, rest),
         (1e-6, -1e-6, 0.0, 1.0, "Even a slow approach closes the gap."),
         (5e-7, 0.0, -1e-6, 1.0, "Even a weak acceleration closes the gap."),
-        (0.0, 10.0, -10.0, 2.0, "The body is leaving the ground now. The impact is when it comes "
+        (0.0, 10.0, -10.0, 2.0, "The body leaves the ground now. The impact is when it comes "
                                 "back."),
         (-0.01, 10.0, -10.0, 1.0 + math.sqrt(0.998), "The body starts a little inside the ground "
                                                      "and leaves it. The impact is when it comes "
@@ -57,7 +57,7 @@ def test_when_a_gap_closes(rng: Random) -> None:
 def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
     about.read = CLOSE
     x = positive_number(rng)
-    lies = "The body lies on the ground and is accelerated into it, so the time is 0."
+    lies = "The body lies on the ground and is accelerated inward, so the time is 0."
     slow = "A speed below VELOCITY_TOLERANCE is rounding. It does not close the gap."
     for gap, v, a, wanted, cause in (
         (0.0, -x, 0.0, 0.0, "The body touches the ground and is closing, so the time is 0."),

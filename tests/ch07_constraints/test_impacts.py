@@ -136,8 +136,7 @@ def test_the_ground_sees_accelerations_and_walls(rng: Random) -> None:
     about.call = "two particles at height 2 with velocity (0, -2, 0); "
     about.call += "GroundPlane(particles).next_impact(1)"
     about.cause = (
-        "If two impacts are at the same time, return the one whose particle comes first in the "
-        "list."
+        "If two impacts are at the same time, the particle that is first in the list counts."
     )
     particles = [Particle(Vector3(i, 2.0, 0.0), down) for i in range(2)]
     impact = expect_impact(GroundPlane(particles).next_impact(1.0))
@@ -147,7 +146,7 @@ def test_the_ground_sees_accelerations_and_walls(rng: Random) -> None:
     about.call = "p at height -1 with velocity (0, -2, 0); GroundPlane([p]).next_impact(0): time, "
     about.call += "penetration"
     about.cause = (
-        "The particle is in the ground and closing, so the impact is at time 0, with penetration 0."
+        "The particle is in the ground and closing. The impact is at time 0, with penetration 0."
     )
     impact = expect_impact(GroundPlane([Particle(Vector3(0.0, -1.0, 0.0), down)]).next_impact(0.0))
     seen = (impact[0], impact[1].penetration)
@@ -250,38 +249,14 @@ def test_spheres_that_touch_or_never_meet() -> None:
         (1.5, 0.0, 3.0, None, "The spheres overlap, but they move apart. Return None."),
         (5.0, 0.0, 3.0, None, "The spheres move apart. Return None."),
         (5.0, 0.0, 0.0, None, "The spheres do not move relative to each other. Return None."),
-        (
-            5.0,
-            2.5,
-            -3.0,
-            None,
-            "The spheres miss each other: the number under the root is negative.",
-        ),
+        (5.0, 2.5, -3.0, None, "The spheres miss: the number under the root is negative."),
         (5.0, 2.000001, -3.0, None, "The spheres only just miss each other. Return None."),
         (5.0, 0.0, -3.0, 1.0, meet),
         (-5.0, 0.0, 3.0, 1.0, meet),
-        (
-            5.0,
-            0.0,
-            -0.125,
-            None,
-            "The spheres meet after 24 s, which is later than the duration. Return None.",
-        ),
-        (
-            2.0,
-            0.0,
-            -1e-9,
-            0.0,
-            "The spheres touch and approach each other slowly, so the time is 0.",
-        ),
-        (
-            32.0,
-            0.0,
-            -3.0,
-            10.0,
-            "The spheres meet exactly at the end of the duration, which counts.",
-        ),
-        (2.0, 0.0, -1e-13, None, "A closing speed below VELOCITY_TOLERANCE is a rounding error."),
+        (5.0, 0.0, -0.125, None, "They meet after 24 s, later than the duration. Return None."),
+        (2.0, 0.0, -1e-9, 0.0, "The spheres touch and slowly approach, so the time is 0."),
+        (32.0, 0.0, -3.0, 10.0, "The spheres meet exactly at the end of the duration."),
+        (2.0, 0.0, -1e-13, None, "A closing speed below VELOCITY_TOLERANCE is rounding error."),
         (0.0, 0.0, 3.0, None, "The positions are equal, so the spheres are not closing."),
     ):
         about(f"a at ({x}, {y}, 0), velocity ({speed}, 0, 0); b at (0, 0, 0); ", cause=cause)
@@ -338,7 +313,7 @@ def test_the_first_pair_of_many(rng: Random) -> None:
     about.call = f"spheres of radius 1 at x = 0, 3 and 6 with {speed}, 0 and -{speed} m/s along x; "
     about.call += "next_impact(9.0)"
     about.cause = (
-        "If two impacts are at the same time, return the one whose pair comes first in list order."
+        "If two impacts are at the same time, the pair that is first in list order counts."
     )
     particles = [Particle(Vector3(3.0 * i), Vector3(speed * (1 - i))) for i in range(3)]
     impact = expect_impact(ParticlePairs(particles, 1.0).next_impact(9.0))

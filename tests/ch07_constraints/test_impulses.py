@@ -74,8 +74,7 @@ def test_two_balls_bounce_by_the_inverse_of_their_masses(rng: Random) -> None:
             (change / ma, "The change of velocity was used as the impulse. First divide it by "
              "1 / ma + 1 / mb."),
             (impulse / mb, "The masses are swapped. The impulse changes a's velocity by n g / ma."),
-            (-impulse / ma, "The impulse has the wrong sign, so it makes the contact close "
-                            "faster."),
+            (-impulse / ma, "The impulse has the wrong sign and makes the contact close faster."),
             (unlike / ma, "v_s is missing from the change. The separating velocity changes from "
              "v_s to -c v_s."),
             (impulse, f"{momentum}: n g / ma."),
@@ -152,7 +151,7 @@ def test_what_parts_or_cannot_be_moved_gets_no_impulse(rng: Random) -> None:
     if dot(v, n) < dot(w, n):
         v, w = w, v
     for mass, first, second, cause in (
-        (2.0, v, w, "The two particles are already separating, so they need no impulse."),
+        (2.0, v, w, "The two particles are separating already, so they need no impulse."),
         (math.inf, w, v, "Both particles are immovable, so the sum of the inverse masses is 0. "
          "Return before you divide by it."),
     ):  # fmt: skip
@@ -246,10 +245,7 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
         contact = Contact(a, b, Vector3(*n), 0.5, depth)
         moves = contact.resolve_penetration()
         got = xyz(contact.normal)
-        whole = (
-            "The contact's normal changed, because *= and normalize work in place. Use a new "
-            "vector."
-        )
+        whole = "The contact's normal changed: *= and normalize work in place. Use a new vector."
         expect_unchanged("the normal", got, n, cause=whole)
         move = tuple(share * depth * part for part in n)
         back = tuple((share - 1.0) * depth * part for part in n)

@@ -62,7 +62,7 @@ def expect_contacts(
     for seen, right in zip(got, wanted, strict=True):
         a, b, normal, restitution, depth = seen
         name = f"{about.call}: index of particle and other, -1 is None"
-        why = "The contact's particle must be a. Its other must be b, or None for an anchor."
+        why = "The particle of the contact is a. Its other is b, or None for an anchor."
         expect_close((a, b), right[:2], call=name, cause=why)
         back = tuple(-part for part in right[2])
         why = f"The normal has the wrong sign. {about.cause}"

@@ -160,13 +160,13 @@ def test_only_what_closes_is_resolved(rng: Random) -> None:
     about.read = FASTEST
     n = direction(rng)
     for closing, depth, wanted, cause in (
-        (1e-13, 0.0, 0, "A closing speed below VELOCITY_TOLERANCE is a rounding error. Leave it."),
+        (1e-13, 0.0, 0, "A closing speed below VELOCITY_TOLERANCE is rounding error. Leave it."),
         (1e-11, 0.0, 1, "This contact closes faster than VELOCITY_TOLERANCE. Resolve it."),
         (0.5, -1.0, 1, "This contact is closing. Its penetration does not matter here."),
         (-0.5, 1.0, 0, "This contact is separating. Leave it, however deep it is."),
         (0.0, 1.0, 0, "Deep contacts are left to resolve_penetrations, unlike in the book's "
          "listing."),
-        (1e-13, 1.0, 0, "A closing speed below VELOCITY_TOLERANCE is a rounding error. Leave it."),
+        (1e-13, 1.0, 0, "A closing speed below VELOCITY_TOLERANCE is rounding error. Leave it."),
         (1e-11, 1.0, 1, "This contact closes faster than VELOCITY_TOLERANCE. Resolve it."),
     ):  # fmt: skip
         about.cause = cause
@@ -273,8 +273,8 @@ def test_what_is_deepest_is_first() -> None:
              "Check the sign."),
             ((0.875, -0.75), "The resolved contact was updated twice. resolve_penetration already "
              "sets it to 0, so skip it in your loop."),
-            ((0.0, 0.0), "The right contact is still 0. The middle ball is the other of that "
-                         "contact (contact.other), so update contacts in that case too."),
+            ((0.0, 0.0), "The right contact is still 0. There the middle ball is contact.other: "
+                         "update contacts for that case too."),
             ((0.0, -0.4375), "The sign is wrong for a contact's other. When contact.other moves "
                              "along the normal, the contact gets deeper."),
         ]  # fmt: skip

@@ -42,8 +42,8 @@ def test_without_an_impact_the_flight_is_exact(rng: Random) -> None:
     wanted = (v[0] * h, 9.0 + v[1] * h - 5.0 * h * h, v[2] * h)
     without = (wanted[0], 9.0 + v[1] * h, wanted[2])
     mistakes = [
-        ((0.0, 9.0, 0.0), "The particle did not move. After the last impact, fly on to the end "
-                          "of the step."),
+        ((0.0, 9.0, 0.0), "It did not move. After the last impact, fly "
+                          "on to the end of the step."),
         (without, "The term a t^2 / 2 is missing, as in explicit Euler. Use p + v t + a t^2 / 2."),
         ((wanted[0], 9.0 + v[1] * h - 10.0 * h * h, wanted[2]), "This adds a t^2 to the "
                                                                 "position. Add only half of it: "

@@ -89,10 +89,7 @@ def wrong_steps(
         halved = (v + 0.5 * h * force(middle, v)) * d ** (0.5 * h)
         return {
             "The forces are those at the start of the step. Evaluate them after the half drift "
-            "instead.": (
-                x + 0.5 * h * (v + early),
-                early,
-            ),
+            "instead.": (x + 0.5 * h * (v + early), early),
             "The code drifts for h after the kick. It should drift for h / 2.": (
                 middle + h * new,
                 new,

@@ -29,7 +29,10 @@ ONLY_COMPUTES = (
 # replaces the cause that the check suggests, which is about physics.
 SLIPS = (
     ("NotImplementedType", NOT_IMPLEMENTED),
-    ("SystemExit", "The code ends Python. Remove the call to sys.exit, exit or quit."),
+    (
+        "SystemExit",
+        "The code stops the Python interpreter. Remove the call to sys.exit, exit or quit.",
+    ),
     (
         "EOF when reading",
         "The code waits for keyboard input. Remove the call to input or breakpoint.",
@@ -49,8 +52,9 @@ SLIPS = (
     ),
     (
         "No such file or directory",
-        "Your code runs in another folder. Find a file beside it with "
-        "Path(__file__).with_name(...), and use only files that an exercise names.",
+        "Your code runs in another folder, so a relative path does not find the file. Use "
+        "Path(__file__).with_name(...) for a file beside your code, and use only files that an "
+        "exercise names.",
     ),
     ("Permission denied", ONLY_COMPUTES),
     ("Operation not permitted", ONLY_COMPUTES),
@@ -60,32 +64,55 @@ SLIPS = (
         "A method that works in place returns None. Do not assign its result.",
     ),
     ("has no setter", "This property has no setter, so it can be read but not assigned."),
-    ("for ^", "Write a power with **. In Python ^ is another operator."),
+    ("for ^", "Write a power with **. In Python ^ is another operator, bitwise exclusive or."),
     ("is not defined", "The name is misspelled, or its import is missing at the top of the file."),
     ("local variable", "The code reads a variable before it assigns a value to it."),
-    ("unexpected keyword", "An argument in the def is not named as the docstring says."),
-    ("and 'method'", "A method is named but not called. Add parentheses after its name."),
+    (
+        "unexpected keyword",
+        "A parameter in the def line does not have the name that the docstring says.",
+    ),
+    ("and 'method'", "A method is used without being called. Add parentheses after its name."),
     ("can't decode", "Save the file as UTF-8 in your editor."),
     ("null bytes", "Save the file as UTF-8 in your editor."),
 )
 # These may be Python mistakes or follow from a mistake in the physics. So the cause that the check
 # suggests is shown as well.
 PERHAPS = (
-    ("'tuple'", "A function with several results returns a tuple. Unpack it first."),
+    (
+        "'tuple'",
+        "A function with several results returns a tuple. Unpack the tuple before you "
+        "use a result.",
+    ),
     ("NoneType", "A value is None here. Is a return statement missing?"),
     (
         "maximum recursion",
-        "A function calls itself forever. Is it an operator or method that uses itself, or a "
-        "setter that assigns to its own name?",
+        "A function calls itself forever. Does an operator or method use itself, or does a setter "
+        "assign to its own name?",
     ),
     (
         "positional argument",
-        "Count the arguments. Is self missing in a def, or is one argument too many?",
+        "The number of arguments does not match the def. Is self missing in a def, or is there "
+        "one argument too many?",
     ),
-    ("is not callable", "This is not a function. Is it a property, or a name that is used twice?"),
-    ("values to unpack", "The number of results is wrong. The docstring says what to return."),
-    ("cannot unpack", "The number of results is wrong. The docstring says what to return."),
-    ("has no attribute", "The name is misspelled, or the object has an unexpected type."),
+    (
+        "is not callable",
+        "The code calls a value that is not a function. Is it a property, or is "
+        "its name used twice?",
+    ),
+    (
+        "values to unpack",
+        "The number of returned values does not match the number of names. The "
+        "docstring says what to return.",
+    ),
+    (
+        "cannot unpack",
+        "The number of returned values does not match the number of names. The "
+        "docstring says what to return.",
+    ),
+    (
+        "has no attribute",
+        "Either the name is misspelled, or the object is not of the type that you expect.",
+    ),
     ("unterminated", "A quotation mark is missing here or further up. A docstring needs three."),
     ("TabError", "The line mixes tabs and spaces. Use four spaces for each level."),
     ("unindent does not match", "Indent the line as far as the block that it belongs to."),
@@ -96,7 +123,7 @@ PERHAPS = (
     (
         "TypeError",
         "A value in this line has a different type than the code expects. Which type does each "
-        "name have there? A method that is named without parentheses is not called.",
+        "name have there? A method name without parentheses does not call the method.",
     ),
 )
 ESCAPED = re.compile(

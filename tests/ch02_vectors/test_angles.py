@@ -61,9 +61,14 @@ def test_the_sign_of_a_scalar_product_names_the_angle(rng: Random, word: str) ->
         divided = "This is the cosine of the angle. Return a . b without dividing by the lengths."
         blame(product, [(cosine, divided)])
         expect_close(product, dot(a, b), call=name, tolerance=1e-12)
-        about.cause = "A positive product means an acute angle. A negative one means an obtuse one."
+        about.cause = (
+            "A positive scalar product means an acute angle, and a negative one means an obtuse "
+            "angle."
+        )
         if got == "right":
-            about.cause = "A small product is not zero. Its sign still decides the angle."
+            about.cause = (
+                "A small product is not zero. Its sign still decides between acute and obtuse."
+            )
         expect_exactly(got, word, then=", the second")
 
 
@@ -108,7 +113,10 @@ def test_the_angles_of_the_book() -> None:
         (135.0, "This is in degrees. Return radians, as math.acos does."),
         (math.pi, "a . b is not the cosine yet. Divide it by both lengths."),
         (-math.sqrt(0.5), "This is the cosine. Return its angle, math.acos(cosine)."),
-        (0.25 * math.pi, "The sign of a . b was lost. A negative product means an obtuse angle."),
+        (
+            0.25 * math.pi,
+            "The sign of a . b was lost. A negative scalar product means an obtuse angle.",
+        ),
         (-0.25 * math.pi, "This is math.asin of the cosine. Use math.acos."),
     ]
     blame(got, mistakes)
@@ -127,7 +135,11 @@ def test_the_angles_of_the_book() -> None:
         ((0.5 * math.pi, 0.5 * math.pi), "|a x b| is not the sine yet. Divide by both lengths."),
         ((45.0, 135.0), "These angles are in degrees. Return radians, as math.asin does."),
         (wanted[::-1], "The angles are in the wrong order. Return the smaller one first."),
-        (wanted[0], "This is only one angle. pi minus this angle has the same sine: return both."),
+        (
+            wanted[0],
+            "This is only one of the two angles. The angle pi - t has the same sine as "
+            "t, so return both.",
+        ),
     ]
     blame(angles, mistakes)
     expect_close(angles, wanted)
@@ -225,6 +237,11 @@ def test_nan_has_no_angle() -> None:
     about.call = "angles_by_vector_product(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
     about.read = "the docstring of angles_by_vector_product"
     angles = exercises.angles_by_vector_product(lost, good)
-    expect_exactly(len(angles), 2, call=f"len({about.call})", cause="Return a pair of two NaNs.")
+    expect_exactly(
+        len(angles),
+        2,
+        call=f"len({about.call})",
+        cause="The angle with a NaN vector is unknown. Return a pair of two NaNs.",
+    )
     for angle in angles:
         expect_nan(angle)

@@ -48,7 +48,11 @@ def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
                 about.cause = f"Vector {i + 1} must have length 1, but this is its squared length."
             along = dot(a, b) / math.sqrt(dot(a, a) * dot(b, b))
             mistakes = [
-                (along, "Vector 2 is b, only normalized. Make a vector perpendicular to a: c x a."),
+                (
+                    along,
+                    "Vector 2 is b, only normalized. Compute a vector perpendicular to a "
+                    "instead: c x a.",
+                ),
                 (1.0 - along**2, "The length of a x b is the sine of the angle. Normalize it."),
             ]
             got = dot(basis[i], basis[j])
@@ -63,7 +67,10 @@ def test_the_first_keeps_the_direction_of_a_and_the_second_leans_to_b(rng: Rando
     for _ in range(4):  # by chance, a wrong second vector may lean toward one b
         a, b = components(rng), components(rng)
         about.call = f"make_orthonormal_basis(Vector3{a}, Vector3{b})"
-        about.cause = "Vector 1 must be a, normalized. Only b may change its direction."
+        about.cause = (
+            "Vector 1 must be the normalized a. Only vector 2 may have another direction than its "
+            "argument, b."
+        )
         first, second, _ = basis_of(a, b)
         length = math.sqrt(dot(a, a))
         wanted = (a[0] / length, a[1] / length, a[2] / length)

@@ -84,7 +84,11 @@ def test_the_perpendicular_vector_of_the_book() -> None:
     about(cause="Solve 1 * 7 + 2 * (-2) + 3 z = 0 for z.", read="book 2.1.7")
     got = exercises.make_perpendicular(Vector3(1.0, 2.0, 3.0), 7.0, -2.0)
     mistakes = [
-        (1.0, "The sign is wrong. Move both terms to the other side: 3 z = -(1 * 7 + 2 * (-2))."),
+        (
+            1.0,
+            "The sign is wrong. Move the x and y terms to the other side: 3 z = -(1 * 7 + 2 * "
+            "(-2)).",
+        ),
         (-3.0, "This is 3 z. Divide by a.z to get z."),
     ]
     blame(got, mistakes)
@@ -129,8 +133,8 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     a, b = (tuple(n * (1.0 + 1e-15) for n in direction(rng)) for _ in range(2))
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; remove_projection(v, w)"
-    about.cause = "These are unit vectors within rounding. Compare their lengths to 1 with the "
-    about.cause += "tolerance 1e-6, not with ==."
+    about.cause = "Up to rounding errors, these are unit vectors. Compare their lengths to 1 with "
+    about.cause += "the tolerance 1e-6, not with ==."
     about.read = "book 2.1.7"
     c, d, angle = exercises.remove_projection(v, w)
     about.cause = "Return c = a . b, the vector d = b - c a, and the angle between a and d in "
@@ -195,7 +199,10 @@ def test_what_is_not_a_unit_vector_is_refused() -> None:
 @pytest.mark.robust
 def test_nan_is_not_a_unit_vector() -> None:
     about.call = "remove_projection(Vector3(0, nan, 0), Vector3(0.6, 0.8, 0))"
-    about(cause="Its length is NaN, not 1.", read="the docstring of remove_projection")
+    about(
+        cause="The length of a vector with NaN is NaN, not 1.",
+        read="the docstring of remove_projection",
+    )
     expect_error(
         lambda: remove_projection_of_length(math.nan),
         ValueError,
@@ -207,7 +214,9 @@ def test_nan_is_not_a_unit_vector() -> None:
 @pytest.mark.robust
 def test_nothing_is_left_of_a_parallel_vector(rng: Random) -> None:
     a = direction(rng)
-    about.cause = "Only rounding is left in d, so it has no direction. Raise ValueError."
+    about.cause = (
+        "Here d consists of rounding errors only, so it has no direction. Raise ValueError."
+    )
     about.read = "the docstring of remove_projection"
     for b in (a, (-a[0], -a[1], -a[2])):
         about.call = f"remove_projection(Vector3{a}, Vector3{b})"

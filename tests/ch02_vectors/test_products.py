@@ -80,7 +80,10 @@ def test_add_scaled_with_itself(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.add_scaled(v, 2)"
-    about.cause = "v is both vectors here. Read all of the argument before you change self."
+    about.cause = (
+        "Here self and the argument are the same vector, v. Read every component of the argument "
+        "before you change self."
+    )
     about.read = "the docstring of Vector3.add_scaled"
     v.add_scaled(v, 2.0)
     expect_close(xyz(v), (3.0 * a[0], 3.0 * a[1], 3.0 * a[2]))
@@ -146,7 +149,10 @@ def test_the_component_product_with_itself(rng: Random) -> None:
     v = Vector3(*a)
     wanted = (a[0] * a[0], a[1] * a[1], a[2] * a[2])
     about.call = f"v = Vector3{a}; v.component_product_update(v)"
-    about.cause = "v is both vectors here. Read each component before you change it."
+    about.cause = (
+        "Here self and the argument are the same vector, v. Read each component before you change "
+        "it."
+    )
     about.read = "book 2.1.6"
     v.component_product_update(v)
     expect_close(xyz(v), wanted)
@@ -218,7 +224,10 @@ def test_the_scalar_product_is_the_lengths_times_the_cosine(rng: Random) -> None
 @pytest.mark.robust
 def test_nan_and_infinity_stay_visible_in_the_scalar_product() -> None:
     w = Vector3(1.0, 1.0, 1.0)
-    about("Vector3(nan, 1, 1).dot(Vector3(1, 1, 1))", cause="A NaN component must give NaN.")
+    about(
+        "Vector3(nan, 1, 1).dot(Vector3(1, 1, 1))",
+        cause="If any component is NaN, the scalar product must be NaN too.",
+    )
     about.read = "the docstring of Vector3"
     expect_nan(Vector3(math.nan, 1.0, 1.0).dot(w))
     about("Vector3(inf, 1, 1).dot(Vector3(1, 1, 1))", cause="1 * inf + 1 + 1 is infinity.")
@@ -317,7 +326,7 @@ def test_a_vector_crossed_with_itself_in_place(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.cross_update(v)"
-    about.cause = "The vector product of a vector with itself is zero. v is both vectors here, so "
+    about.cause = "The vector product of a vector with itself is zero. Here v is both factors, so "
     about.cause += "read all components before you change one."
     about.read = "book 2.1.8"
     v.cross_update(v)

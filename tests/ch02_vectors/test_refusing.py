@@ -63,7 +63,8 @@ def test_infinite_durations_and_nan_are_refused() -> None:
 @pytest.mark.parametrize("value", ["0.5", None, [0.5]], ids=["text", "none", "list"])
 def test_what_is_not_a_number_is_refused(value: Any) -> None:
     about.cause = "This value is not a number at all, so raise TypeError. Check "
-    about.cause += "isinstance(duration, (int, float)) first, because float() also accepts a text."
+    about.cause += "isinstance(duration, (int, float)) first, because float() also accepts a "
+    about.cause += "string."
     expect_refusal(value, TypeError, about.cause)
 
 
@@ -80,8 +81,8 @@ def test_the_message_names_the_argument_and_shows_the_value(value: Any) -> None:
         message = str(error)
     about.call = f"the error message of checked_duration({value!r})"
     about.cause = (
-        "The message must name the argument and show the value that came: "
-        'f"duration must be positive and finite, got {duration!r}".'
+        'The message must name the argument and show the value that came in: f"duration must be '
+        'positive and finite, got {duration!r}".'
     )
     wanted = ("duration", str(value))
     got = tuple(word for word in wanted if word in message)

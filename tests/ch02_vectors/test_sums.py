@@ -89,7 +89,10 @@ def test_plus_and_minus_equals_change_the_vector_itself(
 def test_a_vector_minus_itself_in_place(rng: Random) -> None:
     a = components(rng)
     v, w = Vector3(*a), Vector3(*a)
-    about.cause = "v is both vectors here. Read each component before you change it."
+    about.cause = (
+        "Here self and the argument are the same vector, v. Read each component before you change "
+        "it."
+    )
     about(f"v = Vector3{a}; v -= v", read="book 2.1.4")
     v -= v
     expect_close(xyz(v), ZERO)

@@ -201,7 +201,10 @@ def test_division_by_a_number(rng: Random) -> None:
         (scaled(a, divisor), "This is v times the number. Divide by it."),
     ]
     made, step = f"v = Vector3{a}", f"v /= {divisor}"
-    about(f"{made}; v / {divisor}", cause="Return a new vector with each component divided once.")
+    about(
+        f"{made}; v / {divisor}",
+        cause="Return a new vector with each component divided by the number.",
+    )
     about.read = "the docstring of Vector3.__truediv__"
     got = xyz(v / divisor)
     expect_close(got, wanted, cause=cause_of(got, mistakes, about.cause))
@@ -228,7 +231,10 @@ def divide_in_place(a: Components, divisor: object) -> object:
 def test_division_by_zero_is_an_error(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
-    about.cause = "Dividing by zero has no result. Do not catch Python's ZeroDivisionError."
+    about.cause = (
+        "Division by zero has no result. Let Python's ZeroDivisionError pass through instead of "
+        "catching it."
+    )
     about.read = "the docstring of Vector3.__truediv__"
     for call, attempt, allowed in (
         (f"v = Vector3{a}; v / 0.0", lambda: v / 0.0, lambda: v / 2.0),
@@ -324,7 +330,10 @@ def test_normalized_is_a_new_unit_vector(rng: Random) -> None:
 def test_the_zero_vector_stays_zero() -> None:
     v = Vector3(0.0, 0.0, 0.0)
     about.call = "v = Vector3(0, 0, 0); v.normalized()"
-    about.cause = "Zero has no direction and stays zero. Test for length 0.0 before you divide."
+    about.cause = (
+        "Zero has no direction, so the zero vector stays as it is. Test for a length of 0.0 before "
+        "you divide."
+    )
     about.read = "book 2.1.3"
     expect_close(xyz(v.normalized()), ZERO)
     about.call = "v = Vector3(0, 0, 0); v.normalize()"

@@ -43,7 +43,9 @@ def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) ->
     about.read = "book 3.3, Eq. 3.5"
     for d, h in ((draw_damping(rng), 0.1), (draw_damping(rng), 0.7), (0.0, 0.5), (1.5, 0.5)):
         about.call = f"damp_per_frame(Vector3{v}, Vector3{a}, {d}, {h})"
-        about.cause = "v' = v d + a h: multiply the velocity by d in every step, then add a h."
+        about.cause = (
+            "By Eq. 3.5, v' = v d + a h. Multiply the velocity by d in every step, then add a h."
+        )
         got = forms.damp_per_frame(Vector3(*v), Vector3(*a), d, h)
         undamped = "The velocity was not damped. Multiply it by d."
         if d == 0.0:
@@ -52,7 +54,7 @@ def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) ->
             (combined(v, a, d**h, h), "This is Eq. 3.6 with d^h. Eq. 3.5 uses d in every step."),
             (
                 combined(v, a, d, 1.0),
-                "The acceleration is per second. Multiply it by the duration.",
+                "The acceleration is per second, so multiply it by the duration of the step.",
             ),
             (combined(v, a, d, d * h), "The acceleration was damped too. Damp only the velocity."),
             (combined(v, a, 1.0, h), undamped),
@@ -68,7 +70,7 @@ def test_damping_per_second_takes_less_from_a_shorter_frame(rng: Random) -> None
     about.read = "book 3.3, Eq. 3.6"
     for d, h in ((drawn, 0.25), (drawn, 1.0), (drawn, 2.0), (0.0, 0.5), (1.5, 0.5)):
         about.call = f"damp_per_second(Vector3{v}, Vector3(0, 0, 0), {d}, {h})"
-        about.cause = "Without acceleration v' = v d^h, where h is the duration of the step."
+        about.cause = "Without acceleration, v' = v d^h, where h is the duration of the step."
         got = forms.damp_per_second(Vector3(*v), Vector3(), d, h)
         mistakes = [
             (combined(v, v, d, 0.0), "This is Eq. 3.5, which uses d in every step. Use d^h."),
@@ -173,7 +175,10 @@ def test_one_second_of_equal_frames_ends_as_the_sums_say(rng: Random) -> None:
     # The rounding errors of numbers up to 10 in 80 steps.
     by_frame = 10.0 * h * (1.0 - damping**frames) / (1.0 - damping)
     by_second = 10.0 * h * (1.0 - damping) / (1.0 - damping**h)
-    blame(got, [(0.0, "The velocities ended equal. Are both the same vector? Make two copies.")])
+    blame(
+        got,
+        [(0.0, "The two velocities ended up equal. Are both the same vector? Make two copies.")],
+    )
     expect_close(got, abs(by_second - by_frame), tolerance=1e-12)
 
 

@@ -18,7 +18,10 @@ from expect import about, blame, cause_of, expect_close, expect_error, expect_un
 
 @pytest.mark.exercise("3.1")
 def test_twice_the_mass_gets_half_the_speed() -> None:
-    about("speed_ratio(2, 1)", cause="a = f / m, so the heavier body is the slower one.")
+    about(
+        "speed_ratio(2, 1)",
+        cause="By a = f / m, the same force gives the heavier body the smaller speed.",
+    )
     about.read = "book 3.2, Eq. 3.2; errata.md"
     got = exercises.speed_ratio(2, 1)
     faster = (
@@ -191,7 +194,10 @@ def test_one_step_and_five_steps_of_a_second() -> None:
         position, velocity = exercises.state_by_steps(
             *vectors(START, VELOCITY, ACCELERATION), 1, steps
         )
-        few = "One step is missing. range(steps) runs steps times, range(1, steps) once less."
+        few = (
+            "One step is missing. A loop over range(steps) runs steps times, but one over range(1, "
+            "steps) runs one time fewer."
+        )
         mistakes = [
             (v, "The pair is in the wrong order. Return the position first, then the velocity."),
             ((7.0, 0.0, 9.0), "This is one step of 5 s. Take five steps of 1 s."),

@@ -89,11 +89,13 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
             ),
             (
                 tuple(v[i] * keep + a[i] * keep for i in range(3)),
-                "The acceleration is per second, but it was added whole. Add a h.",
+                "The acceleration is per second, but it was added as if the step lasted a whole "
+                "second. Add a h.",
             ),
             (
                 tuple((v[i] + a[i] * h) * damping for i in range(3)),
-                "The damping is per second, but d was used in every kick. Use d^h.",
+                "The velocity was multiplied by d in every kick, but d is the damping per second. "
+                "Use d^h.",
             ),
             (tuple(v[i] + a[i] * h for i in range(3)), "The velocity was not damped. Use d^h."),
             (

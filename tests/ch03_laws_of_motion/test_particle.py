@@ -83,11 +83,16 @@ def test_the_mass_comes_back(rng: Random) -> None:
 def test_an_inverse_mass_can_be_assigned(rng: Random) -> None:
     inverse = 1.0 / draw_mass(rng)
     about.call = f"p = Particle(mass=8.0); p.inverse_mass = {inverse}"
-    about.cause = "Store the inverse mass as it is assigned. The mass is then 1 / inverse mass."
+    about.cause = (
+        "Store the inverse mass exactly as it was assigned. The mass is then 1 / inverse mass."
+    )
     about.read = "book 3.2"
     p = Particle(mass=8.0)
     p.inverse_mass = inverse
-    once_more = "This is 1 / inverse mass. The assigned number is an inverse already: store it."
+    once_more = (
+        "This is 1 / inverse mass. The assigned number is already an inverse mass, so store it "
+        "unchanged."
+    )
     blame(p.inverse_mass, [(1.0 / inverse, once_more)])
     expect_close(p.inverse_mass, inverse, then="; p.inverse_mass")
     expect_close(p.mass, 1.0 / inverse, then="; p.mass")
@@ -115,8 +120,8 @@ def test_an_infinite_mass_has_the_inverse_0() -> None:
 @pytest.mark.exercise("B3.1")
 def test_an_inverse_mass_of_0_is_an_infinite_mass() -> None:
     about.call = "p = Particle(); p.inverse_mass = 0"
-    about.cause = "An inverse mass of 0 is valid and means that nothing moves the particle. Check "
-    about.cause += "it with not_negative from arguments.py."
+    about.cause = "An inverse mass of 0 is valid. It means that nothing can move the particle. "
+    about.cause += "Check it with not_negative from arguments.py."
     about.read = "book 3.2"
     p = Particle()
     p.inverse_mass = 0

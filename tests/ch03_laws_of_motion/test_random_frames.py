@@ -48,8 +48,8 @@ def test_every_frame_but_the_last_is_within_the_jitter(rng: Random) -> None:
         least, most = mean * (1.0 - jitter), mean * (1.0 + jitter)
         name = ": of all frames but the last, the one that is farthest from the mean"
         expect_between(farthest, least, most, then=name, tolerance=1e-9 * mean)
-        about.cause = "The last frame is the rest of the total, so it is above 0 and no longer "
-        about.cause += "than others may be."
+        about.cause = "The last frame is what remains of the total. So it is longer than 0 and no "
+        about.cause += "longer than the other frames may be."
         expect_exactly(last > 0.0, True, then=": is the last frame longer than 0")
         expect_between(last, 0.0, most, then=": the last frame", tolerance=1e-9)
 
@@ -77,20 +77,26 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
     six_sigma = 6.0 * math.sqrt(0.25 / 900.0)
     name = f"the fraction of {about.call} within half the jitter of the mean"
     if inner > 0.5:
-        about.cause = "Too many frames are near the mean. Use one even draw, not a mean of several."
+        about.cause = (
+            "Too many frames are near the mean. Draw each frame with a single call of uniform(), "
+            "not as the mean of several draws."
+        )
     expect_close(inner, 0.5, call=name, tolerance=six_sigma)
 
 
 @pytest.mark.exercise("3.5a")
 def test_without_jitter_all_frames_are_equal() -> None:
-    about.cause = "Without jitter every frame lasts the mean. A rest of about 1e-16 s is a "
+    about.cause = "Without jitter every frame has the mean duration. A rest of about 1e-16 s is a "
     about.cause += "rounding error, not a frame."
     about.read = "the docstring of random_frames"
     for mean, count in ((0.125, 8), (0.1, 10)):
         about.call = f"random_frames({mean}, 0.0, 1.0, 3)"
         got = frames_of(mean, 0.0, 1.0, 3)
         expect_close(got, [mean] * count, tolerance=1e-11)
-    about.cause = "The rest of 1e-7 s is far larger than any rounding error, so it is a frame."
+    about.cause = (
+        "The remaining 1e-7 s are far more than a rounding error, so they need a frame of their "
+        "own."
+    )
     about.call = "random_frames(0.25, 0.0, 0.5000001, 3)"
     got = frames_of(0.25, 0.0, 0.5000001, 3)
     expect_close(got, [0.25, 0.25, 1e-7], tolerance=1e-12)

@@ -59,7 +59,8 @@ def test_the_position_moves_with_the_velocity_from_before_the_step(rng: Random) 
             ),
             (
                 tuple(x[i] + v[i] for i in range(3)),
-                "The velocity is per second, but it was added whole. Add v h.",
+                "The velocity is per second, but it was added as if the step lasted a whole "
+                "second. Add v h.",
             ),
             (x, "The position did not change. Call self.drift(duration)."),
         ]
@@ -80,7 +81,8 @@ def test_the_velocity_gains_what_the_acceleration_gives(rng: Random) -> None:
     mistakes = [
         (
             tuple(v[i] + a[i] for i in range(3)),
-            "The acceleration is per second, but it was added whole. Add a h.",
+            "The acceleration is per second, but it was added as if the step lasted a whole "
+            "second. Add a h.",
         ),
         (v, "The velocity did not change. Call self.kick(duration)."),
     ]
@@ -197,7 +199,7 @@ def test_a_damping_of_0_stops_the_particle(rng: Random) -> None:
     p.integrate(h)
     expect_close(xyz(p.velocity), (0.0, 0.0, 0.0), then="; p.velocity")
     wanted = tuple(x[i] + v[i] * h for i in range(3))
-    about.cause = "The position moves first, with the velocity from before the damping."
+    about.cause = "Move the position first, with the velocity from before the damping."
     expect_close(xyz(p.position), wanted, then="; p.position", tolerance=1e-13)
 
 

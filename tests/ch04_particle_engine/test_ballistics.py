@@ -50,10 +50,17 @@ def test_the_axes_of_aiming(rng: Random) -> None:
         mistakes = {
             (0.0, 0.0): [
                 ((speed, 0.0, 0.0), "The azimuth was measured from X. Measure it from Z."),
-                ((0.0, speed, 0.0), "The elevation was measured from above. 0 is level."),
+                (
+                    (0.0, speed, 0.0),
+                    "The elevation was measured from the vertical. Measure it "
+                    "from the ground, so that 0 is level.",
+                ),
             ],
             (QUARTER, 0.0): [
-                ((-speed, 0.0, 0.0), "The azimuth has the wrong sign. It turns from Z to X."),
+                (
+                    (-speed, 0.0, 0.0),
+                    "The azimuth has the wrong sign. A positive azimuth points from Z toward X.",
+                ),
                 ((speed * math.sin(small), 0.0, speed * math.cos(small)), degrees),
             ],
             (0.0, QUARTER): [

@@ -63,7 +63,10 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
         size = max(1.0, *wanted)
         undamped = "The damping was ignored."
         if damping == 0.9999:
-            undamped = "A damping near 1 was taken for 1, but k t decides whether drag is small."
+            undamped = (
+                "A damping near 1 was taken for 1. Whether drag is negligible depends on k t, not "
+                "on the damping alone."
+            )
         drag = 1.0 - damping
         powers = [(kept, (1.0 - kept) / drag) for kept in (damping**time, math.exp(-drag * time))]
         mistakes = [
@@ -88,7 +91,13 @@ def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
     about.read = FACTORS
     for damping, t, wanted, cause in (
         (1.0, time, (1.0, time, time * time / 2.0), "Damping 1 gives k = 0: return 1, t, t^2 / 2."),
-        (0.0, time, (0.0, 0.0, 0.0), "Damping 0 stops everything at once. ln 0 does not exist."),
+        (
+            0.0,
+            time,
+            (0.0, 0.0, 0.0),
+            "With damping 0 everything stops at once. Handle this case "
+            "first, because ln 0 does not exist.",
+        ),
         (0.5, 0.0, (1.0, 0.0, 0.0), "At time 0 nothing has changed: 1, 0 and 0."),
         (0.0, 0.0, (1.0, 0.0, 0.0), "At time 0 nothing has changed, whatever the damping is."),
     ):
@@ -164,7 +173,10 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
     damping, first, second = (round(rng.uniform(0.2, 0.8), 3) for _ in range(3))
     words, p = particle_of(x, v, a, damping)
     about.call = f"{words}; state_after(p, {first}), and from there {second} s more"
-    about.cause = "b seconds after the state at time a, the state must be that of time a + b."
+    about.cause = (
+        "If you continue from the state at time a for b more seconds, you must reach the state at "
+        "time a + b."
+    )
     about.read = STATE
     middle = closed_form.state_after(p, first)
     if xyz(p.position) != x or xyz(p.velocity) != v:
@@ -193,8 +205,8 @@ def test_the_step_comes_near_it_as_frames_get_short(rng: Random) -> None:
     x, v, a = components(rng), components(rng), (number(rng), -9.81, number(rng))
     damping, t = round(rng.uniform(0.3, 0.8), 3), 2.0
     words, p = particle_of(x, v, a, damping)
-    about.cause = "integrate must come closer to this state as steps get shorter, with half the "
-    about.cause += "error for half the step."
+    about.cause = "integrate must approach this state as the steps get shorter. Half the step must "
+    about.cause += "give half the error."
     about(f"{words}; state_after(p, {t})", read=f"{STATE}; chapter 3's integrate")
     exact = [xyz(vector) for vector in closed_form.state_after(p, t)]
     for i, name in enumerate(("position", "velocity")):
@@ -281,7 +293,10 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     got = closed_form.burst_positions(start, speeds, a, 1.0, t)
     wanted = [start + speed * t + a * t * t / 2.0 for speed in speeds]
     mistakes = [
-        ([number - start for number in wanted], "The start is missing. Add it to each position."),
+        (
+            [number - start for number in wanted],
+            "The start position is missing. Add it to each position.",
+        ),
         ([start + speed * t for speed in speeds], "acceleration x fallen is missing."),
         (sorted(wanted), "The positions were sorted. Return them in the order of the speeds."),
     ]

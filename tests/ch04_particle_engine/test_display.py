@@ -193,14 +193,14 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
     about.read = "the docstring of is_over"
     rocket, spark = (1, 0.0, 20.0), (2, 0.0, 20.0)
     for lit, misses, over, cause in (
-        ((rocket,), 0, False, "A rocket burns, so the game goes on."),
+        ((rocket,), 0, False, "A rocket still burns, so the game goes on."),
         (
             (rocket, spark),
             5,
             False,
             "MISSES_ALLOWED is 5, so the fifth miss does not end the game.",
         ),
-        ((rocket, spark), 6, True, "The sixth miss ends the game, although a rocket burns."),
+        ((rocket, spark), 6, True, "The sixth miss ends the game, even if a rocket still burns."),
         ((spark, spark), 0, True, "Only sparks burn. Without rockets the game is over."),
         ((), 0, True, "Nothing burns, so the game is over."),
     ):

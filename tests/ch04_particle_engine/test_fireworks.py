@@ -184,7 +184,10 @@ def test_all_that_is_drawn_comes_from_the_random_that_is_given(rng: Random) -> N
 def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
     type = rng.randrange(1, 5)
     about.call = f"show.launch({type}); the types of show.fireworks"
-    about(cause="Light one birth of that type, without a parent.", read="the docstring of launch")
+    about(
+        cause="Call light with one birth of that type and no parent.",
+        read="the docstring of launch",
+    )
     a_show = show(9, "keep_old")
     a_show.launch(type)
     expect_exactly(burning(a_show), [type])
@@ -192,8 +195,8 @@ def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
     about.cause = "Without a parent, make_firework must choose one of three places on the ground."
     places = probes.places_of_launches(simple(type), type, 80)
     if len(places) == 1:
-        about.cause = "All start at the same place. Pass no parent to make_firework, and pass "
-        about.cause += "self.random instead of making a new Random in each call."
+        about.cause = "All fireworks start at the same position. Pass no parent to make_firework, "
+        about.cause += "and pass self.random instead of making a new Random in each call."
     wanted = [(-5.0, 0.0), (0.0, 0.0), (5.0, 0.0)]
     expect_exactly(places, wanted)
 

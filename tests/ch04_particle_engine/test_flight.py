@@ -43,15 +43,20 @@ def by_the_law(
 def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> None:
     about.read = "the docstring of is_spent; book 4.1.2, the listing"
     for position, age, spent, cause in (
-        ((0.0, 1.5, 100.0), 4.0, False, "This shot is in flight."),
+        ((0.0, 1.5, 100.0), 4.0, False, "This shot is still in flight, so it is not spent."),
         ((0.0, 0.0, 100.0), 4.0, False, "y = 0 is on the ground. Only y < 0 is below it."),
-        ((0.0, -0.001, 100.0), 4.0, True, "This shot is below the ground."),
+        ((0.0, -0.001, 100.0), 4.0, True, "This shot is below the ground, so it is spent."),
         ((0.0, 1.5, 100.0), 5.0, False, "An age of 5 s is allowed. Only an older shot is spent."),
-        ((0.0, 1.5, 100.0), 5.001, True, "This shot is older than 5 s."),
+        ((0.0, 1.5, 100.0), 5.001, True, "This shot is older than 5 s, so it is spent."),
         ((0.0, 1.5, 150.0), 4.0, False, "The range ends at 200 m, not at 100 m (E-34)."),
         ((0.0, 1.5, 200.0), 4.0, False, "z = 200 m is allowed. Only z > 200 m is past the end."),
-        ((0.0, 1.5, 200.001), 4.0, True, "This shot is past the end of the range."),
-        ((300.0, 300.0, -300.0), 0.0, False, "There is no limit to x, to y upward or to z < 0."),
+        ((0.0, 1.5, 200.001), 4.0, True, "This shot is past the end of the range, so it is spent."),
+        (
+            (300.0, 300.0, -300.0),
+            0.0,
+            False,
+            "The range has no limit in x, none upward and none for z < 0.",
+        ),
     ):
         about.cause = cause
         about.call = f'shot = Shot("pistol", Particle(Vector3{position})); shot.age = {age}; '

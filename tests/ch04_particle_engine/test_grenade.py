@@ -89,8 +89,8 @@ def test_what_is_not_below_the_ground_does_not_bounce(rng: Random) -> None:
 
 @pytest.mark.exercise("4.1")
 def test_what_rises_already_is_not_turned_round_again(rng: Random) -> None:
-    about.cause = "This grenade rises already. Only change a velocity that points down, or the "
-    about.cause += "grenade is sent into the ground."
+    about.cause = "This grenade is already rising. Reverse only a velocity that points down, or "
+    about.cause += "you send the grenade back into the ground."
     about.read = "the docstring of bounce"
     for vy in (round(rng.uniform(2.0, 9.0), 3), 0.0):
         v = (number(rng), vy, number(rng))

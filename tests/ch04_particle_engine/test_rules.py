@@ -32,11 +32,12 @@ def test_rules_that_end_have_no_endless_types() -> None:
         about.cause += "only if the payloads that it leaves lead back to the type itself."
         got = probes.endless(leaves)
         if got == [*leaves]:
-            about.cause = "You return every type. A type counts as reached only if a payload leads "
-            about.cause += "to it, so do not mark the type that you start from."
+            about.cause = "Your function returns every type. A type counts as reached only if a "
+            about.cause += "payload leads to it, so do not mark the type that you start from."
         elif got == [1]:
             about.cause = "Type 1 leads to type 4 in two ways, by 2 and by 3, but nothing leads "
-            about.cause += "back to 1. To meet a type twice is no ring. Compare with the start."
+            about.cause += "back to 1. Reaching a type twice does not make a ring. Compare each "
+            about.cause += "type with the one that you started from."
         expect_exactly(got, [])
 
 
@@ -60,7 +61,11 @@ def test_types_that_lead_round_in_a_ring_are_all_endless(rng: Random) -> None:
             [1, 2, 3],
             "9 and 4 lead into the ring, but nothing leads back to them. They are not endless.",
         ),
-        ({1: [2], 2: [1], 3: [4], 4: [3], 5: [1, 3]}, [1, 2, 3, 4], "There are two rings."),
+        (
+            {1: [2], 2: [1], 3: [4], 4: [3], 5: [1, 3]},
+            [1, 2, 3, 4],
+            "There are two rings here, and every type in them is endless.",
+        ),
         (
             {type: [ring[(i + 1) % 40]] for i, type in enumerate(ring)},
             sorted(ring),
@@ -146,6 +151,7 @@ def test_your_types_burn_and_come_to_an_end() -> None:
         expect_between(least, 0.1, math.inf, call=f"own_types(): min_age of type {type}")
         expect_between(counts[0], 1, math.inf, then=", after 0.05 s")
         about.cause = (
-            "After 40 s it must be dark, but some still burn. Shorten the fuses (max_age)."
+            "After 40 s all fireworks must have burnt out, but some still burn. Shorten the fuses "
+            "(max_age)."
         )
         expect_exactly(counts[-1], 0, then=", after 40 s")

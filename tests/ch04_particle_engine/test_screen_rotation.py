@@ -23,14 +23,17 @@ def test_the_angle_grows_by_the_rate(rng: Random) -> None:
     for turning in (rate, -rate):
         about.call = f"screen_angle({start}, {turning}, 2.5)"
         about.cause = (
-            "The angle is start + rate x time, from -pi to pi. A backward rotation makes it "
-            "negative."
+            "The result is the angle start + rate x time in the range from -pi to pi. A backward "
+            "rotation makes it negative."
         )
         got = screen_rotation.screen_angle(start, turning, 2.5)
         angle = start + 2.5 * turning
         mistakes = [
             (2.5 * turning, "The start is missing. Add it."),
-            (angle + 2.0 * math.pi, "This is from 0 to 2 pi. The result must be from -pi to pi."),
+            (
+                angle + 2.0 * math.pi,
+                "This angle is in the range from 0 to 2 pi. The result must be from -pi to pi.",
+            ),
             (angle + math.pi, "Half a turn was added. Remove only whole turns of 2 pi."),
             (angle - math.pi, "Half a turn was subtracted. Remove only whole turns of 2 pi."),
         ]
@@ -46,17 +49,21 @@ def test_whole_turns_are_left_out(rng: Random) -> None:
     for angle in (way * (turns * 2.0 * math.pi + part) for way in (1.0, -1.0) for part in beyond):
         rate = round((angle - 0.5) / 20.0, 3)
         about.call = f"screen_angle(0.5, {rate}, 20)"
-        about.cause = "The result is not from -pi to pi. Remove whole turns of 2 pi."
+        about.cause = "The result is outside the range from -pi to pi. Remove whole turns of 2 pi."
         got = screen_rotation.screen_angle(0.5, rate, 20.0)
         angle, turn = 0.5 + 20.0 * rate, 2.0 * math.pi
         mistakes = [
             (angle, "This is start + rate x time. Remove the whole turns of 2 pi from it."),
             (
                 math.fmod(angle, turn),
-                "This is more than half a turn. Removing whole turns gave a result from -2 pi to "
-                "2 pi, and one more turn must go, so that it is from -pi to pi.",
+                "This angle is more than half a turn. Removing whole turns left a result between "
+                "-2 pi and 2 pi. Remove one more turn to bring it into the range from -pi to pi.",
             ),
-            (angle % turn, "This is from 0 to 2 pi. Above pi, subtract one more turn of 2 pi."),
+            (
+                angle % turn,
+                "This angle is in the range from 0 to 2 pi. If it is above pi, "
+                "subtract one more turn of 2 pi.",
+            ),
         ]
         blame(got, mistakes)
         expect_between(got, -math.pi, math.pi, tolerance=1e-9)
@@ -96,7 +103,11 @@ def test_the_corners_of_a_square(rng: Random) -> None:
     about.read = CORNERS
     half = size / 2.0
     for turned, cause in (
-        (0.0, "Start half a side to the right and half a side up, and go on from X toward Y."),
+        (
+            0.0,
+            "The first corner is half a side to the right of the center and half a side up. Go "
+            "on in the direction from X toward Y.",
+        ),
         (math.pi / 2.0, "After a quarter turn, each corner is where the next one was."),
         (angle, "Rotate each corner about the center: (a cos t - b sin t, a sin t + b cos t)."),
     ):

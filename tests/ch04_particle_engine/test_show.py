@@ -69,7 +69,7 @@ def test_every_firework_moves_by_a_step_and_its_fuse_gets_shorter(rng: Random) -
 @pytest.mark.exercise("B4.6")
 def test_a_firework_burns_out_when_its_age_is_below_0() -> None:
     about.call = "0.5 s of fuse; show.update(0.125) 4 times and once more; how many burn after each"
-    about.cause = "At an age of 0 it still burns. Below 0 it has burnt out."
+    about.cause = "At an age of 0 a firework still burns. Below 0 it has burnt out."
     seen = probes.sparks([fixed(1, 0.5)], [1], 9, "keep_old", 1, 0.125, 5)
     counts = [len(types) for types in seen]
     expect_exactly(counts, [1, 1, 1, 1, 0], read=READ)
@@ -81,8 +81,8 @@ def why_no_payload() -> str:
     high.update(0.0625)
     if types(high) == []:
         return (
-            "The payload is lost, also that of a firework that burns out high above the ground. "
-            "Keep those that still burn first, and then light the payloads behind them."
+            "The payload is lost, even that of a firework that burns out high above the ground. "
+            "First collect the fireworks that still burn, and then light the payloads after them."
         )
     fast = fixed(2, 9.0, (0.0, 90.0, 0.0))
     low = show_with([fixed(1, 9.0, STILL, (2, 3)), fast], [(1, 1, at((0.0, -0.001, 0.0)))])

@@ -54,8 +54,8 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
 @pytest.mark.exercise("4.3b")
 def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
     about.cause = (
-        "On each axis, a part of the path is between the two faces, and it begins at the smaller "
-        "fraction. The path enters the box at the latest of the three beginnings."
+        "On each axis, one part of the path lies between the two faces, and that part begins at "
+        "the smaller fraction. The path enters the box at the latest of the three beginnings."
     )
     for start, end, wanted in (
         ((1.5, 3.0, 1.0), (2.5, 5.0, 9.0), 0.25),
@@ -75,8 +75,8 @@ def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
 @pytest.mark.exercise("4.3b")
 def test_a_way_along_an_axis_has_two_others_to_ask_without_dividing() -> None:
     about.cause = (
-        "If the path does not move along an axis, do not divide. It is between those two faces "
-        "all the time or never."
+        "If the path does not move along an axis, do not divide. It is then between those two "
+        "faces either all the time or never."
     )
     for start, end, wanted in (
         ((2.0, 4.0, 1.0), (2.0, 4.0, 9.0), 0.25),
@@ -117,7 +117,7 @@ def test_asking_changes_neither_the_way_nor_the_block(rng: Random) -> None:
     about.call = f"hit_fraction(start, end, block), start = Vector3{start}, end = Vector3{end}"
     first, last = Vector3(*start), Vector3(*end)
     block = TargetBlock(Vector3(*center), (1.0, 2.0, 3.0), mass=10.0)
-    about(cause="Work on numbers or on new vectors. Do not change the arguments.", read=READ)
+    about(cause="Compute with numbers or with new vectors. Do not change the arguments.", read=READ)
     targets.hit_fraction(first, last, block)
     expect_unchanged("start", xyz(first), start)
     expect_unchanged("end", xyz(last), end)
@@ -137,13 +137,13 @@ def test_asking_changes_neither_the_way_nor_the_block(rng: Random) -> None:
 @pytest.mark.exercise("4.3b")
 def test_a_way_beside_before_or_behind_the_box_misses() -> None:
     for start, end, missed, cause in (
-        ((3.5, 4.0, 1.0), (3.5, 4.0, 9.0), True, "It passes beside the box, along Z."),
-        ((2.9, 4.0, 1.0), (2.9, 4.0, 9.0), False, "It is 0.9 m off, within half a side."),
-        ((1.1, 4.0, 1.0), (1.1, 4.0, 9.0), False, "It is 0.9 m off on the other side."),
-        ((2.0, 1.5, 1.0), (2.0, 1.5, 9.0), True, "It passes below the box."),
-        ((2.0, 4.0, 0.0), (2.0, 4.0, 2.9), True, "It ends before the box. Fractions go up to 1."),
-        ((2.0, 4.0, 9.5), (2.0, 4.0, 20.0), True, "It starts behind the box."),
-        ((2.0, 4.0, -1.0), (2.0, 4.0, -9.0), True, "It moves away from the box."),
+        ((3.5, 4.0, 1.0), (3.5, 4.0, 9.0), True, "The path runs along Z, beside the box."),
+        ((2.9, 4.0, 1.0), (2.9, 4.0, 9.0), False, "The path is 0.9 m off, within half a side."),
+        ((1.1, 4.0, 1.0), (1.1, 4.0, 9.0), False, "It is 0.9 m off on the other side, so it hits."),
+        ((2.0, 1.5, 1.0), (2.0, 1.5, 9.0), True, "The path passes below the box."),
+        ((2.0, 4.0, 0.0), (2.0, 4.0, 2.9), True, "The path ends before it reaches the box."),
+        ((2.0, 4.0, 9.5), (2.0, 4.0, 20.0), True, "The path starts behind the box."),
+        ((2.0, 4.0, -1.0), (2.0, 4.0, -9.0), True, "The path leads away from the box."),
     ):
         about(words(start, end), cause=cause)
         got = fraction(start, end)
@@ -152,8 +152,8 @@ def test_a_way_beside_before_or_behind_the_box_misses() -> None:
 
 @pytest.mark.exercise("4.3b")
 def test_a_way_that_cuts_the_corner_misses() -> None:
-    beside = "It is between the faces of X, and of Z, but never between both at the same time."
-    through = "It is between the faces of X, Y and Z at the same time, so it hits."
+    beside = "The path is between the faces of X and between those of Z, but never between both."
+    through = "The path is between the faces of X, Y and Z at the same time, so it hits."
     for start, end, missed, cause in (
         ((0.0, 4.0, 8.0), (4.0, 4.0, 16.0), True, beside),
         ((0.0, 4.0, 4.0), (4.0, 4.0, 8.0), False, through),
@@ -167,12 +167,12 @@ def test_a_way_that_cuts_the_corner_misses() -> None:
 @pytest.mark.exercise("4.3b")
 def test_touching_counts_and_so_does_a_start_inside() -> None:
     for start, end, wanted, cause in (
-        ((2.0, 4.0, 1.0), (2.0, 4.0, 3.0), 1.0, "It ends on the face. Touching counts."),
-        ((3.0, 4.0, 1.0), (3.0, 4.0, 9.0), 0.25, "It runs along the face. Touching counts."),
-        ((1.0, 4.0, 1.0), (1.0, 4.0, 9.0), 0.25, "It runs along the face. Touching counts."),
-        ((2.0, 4.0, 9.0), (2.0, 4.0, 12.0), 0.0, "It starts on the face. Touching counts."),
-        ((2.0, 4.0, 5.0), (2.0, 4.0, 30.0), 0.0, "It starts inside, so it hits at 0."),
-        ((2.0, 4.0, 5.0), (2.5, 5.0, 7.0), 0.0, "It starts and ends inside."),
+        ((2.0, 4.0, 1.0), (2.0, 4.0, 3.0), 1.0, "The path ends on the face, which is a hit."),
+        ((3.0, 4.0, 1.0), (3.0, 4.0, 9.0), 0.25, "The path runs along the face, which is a hit."),
+        ((1.0, 4.0, 1.0), (1.0, 4.0, 9.0), 0.25, "The path runs along the face, which is a hit."),
+        ((2.0, 4.0, 9.0), (2.0, 4.0, 12.0), 0.0, "The path starts on the face, which is a hit."),
+        ((2.0, 4.0, 5.0), (2.0, 4.0, 30.0), 0.0, "The path starts inside the box."),
+        ((2.0, 4.0, 5.0), (2.5, 5.0, 7.0), 0.0, "The path starts and ends inside the box."),
         ((2.0, 4.0, 5.0), (2.0, 4.0, 5.0), 0.0, "The path has no length, but it is inside."),
     ):
         about(words(start, end), cause=cause)
@@ -195,7 +195,7 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
     before = (number(rng), 1.5, number(rng))
     about.call = f"strike_first(start, p, [block]), p with mass {mass} and velocity {v}, block "
     about.call += f"with mass 8 and velocity {before}"
-    about.cause = "v' = v + m v_shot / M along X and Z. The ground takes the part along Y."
+    about.cause = "v' = v + m v_shot / M along X and Z. The ground absorbs the part along Y."
     block = TargetBlock(Vector3(0.0, 1.0, 5.0), (2.0, 2.0, 2.0), mass=block_mass)
     block.particle.velocity = Vector3(*before)
     p = Particle(Vector3(0.0, 1.0, 5.0), Vector3(*v), mass=mass)
@@ -212,7 +212,7 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
         ),
         (
             tuple(before[i] + gained[i] for i in range(3)),
-            "The ground takes the part along Y. Change only X and Z.",
+            "The ground absorbs the part along Y. Change only X and Z.",
         ),
         (
             (before[0] + v[0], 1.5, before[2] + v[2]),
@@ -264,7 +264,8 @@ def test_only_the_first_block_on_the_way_is_hit() -> None:
 @pytest.mark.exercise("4.3c")
 def test_first_is_who_is_touched_first_and_not_who_is_nearer() -> None:
     about.cause = (
-        "hit_fraction says how far along the path each block is touched. Distances do not."
+        "Compare the results of hit_fraction, which say how far along the path each block is "
+        "touched. The distances of the blocks do not show that."
     )
     about.read = STRIKE
     about.call = "strike_first(Vector3(0, 1, 0), p at z = 20, a block from z = 4 to 16 and a thin "
@@ -276,7 +277,7 @@ def test_first_is_who_is_touched_first_and_not_who_is_nearer() -> None:
     hits = (thin.hits, long.hits)
     expect_exactly(hits, (0, 1), then=", thin one and long one")
     about.call = "two blocks with one and the same face; strike_first(...), their hits"
-    about.cause = "If two blocks are touched at once, hit the earlier one in the list."
+    about.cause = "If the path touches two blocks at once, the first one in the list is hit."
     pair = [TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 2 * z - 8.0), mass=5.0) for z in (5, 6)]
     targets.strike_first(Vector3(0.0, 1.0, 0.0), p, pair)
     hits = tuple(block.hits for block in pair)
@@ -322,8 +323,8 @@ def test_on_the_range_a_fast_shot_is_stopped_by_a_thin_block() -> None:
         'a block of 35 kg, 2 cm thick, at z = 20; r.fire("laser"); r.update(0.05) 5 times; '
     )
     about.cause = (
-        "In update, the position before the step must be a copy, or it moves along with the shot. "
-        "A shot that has hit is removed."
+        "In update, copy the position before the step. Otherwise it moves along with the shot. "
+        "Remove a shot that has hit."
     )
     about.read = "the docstring of update"
     block = TargetBlock(Vector3(0.0, 1.5, 20.0), (2.0, 2.0, 0.02), mass=35.0, damping=1.0)
@@ -354,7 +355,8 @@ def test_on_the_range_each_shot_hits_what_is_first_on_its_own_way() -> None:
     about.call = "blocks aside, at z = 12 and at z = 8; fire a laser, a fireball to the side and "
     about.call += "another laser; r.update(0.1)"
     about.cause = (
-        "Test every shot against all targets. It hits at most one, and the other shots fly on."
+        "Test every shot against all targets. A shot hits at most one target, and the other shots "
+        "fly on."
     )
     about.read = "the docstring of update"
     blocks = [
@@ -376,7 +378,7 @@ def test_on_the_range_each_shot_hits_what_is_first_on_its_own_way() -> None:
 def test_on_the_range_a_hit_comes_before_the_end_of_a_flight() -> None:
     about.read = "the docstring of update"
     about.cause = (
-        "The shot hits before it gets to the position where it is spent. Call strike_first first."
+        "The shot hits before it reaches the point where it is spent. Call strike_first first."
     )
     about.call = (
         'a block at z = 8; r.fire("laser", elevation=-0.1); r.update(0.5), which ends below 0'

@@ -72,11 +72,11 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
             ),
             (
                 (speed * y, 0.0 - speed * x, 0.0),
-                "The rim rotates the other way. It goes from X toward Y.",
+                "The rim rotates the other way. It moves from X toward Y.",
             ),
             (
                 (0.0 - rate * y, rate * x, 0.0),
-                "This is the rate. The speed of the rim is rate x radius.",
+                "This is the rate, in rad/s. The speed of the rim is rate x radius.",
             ),
         ]
         blame(got, mistakes)
@@ -143,7 +143,9 @@ def test_sparks_are_due_by_the_time_and_not_by_the_frame(rng: Random) -> None:
                 "time."
             )
         if counts[-1] == 0:
-            about.cause = "There is no spark at all. Fractions of a spark add up over the steps."
+            about.cause = (
+                "No sparks left the wheel. Fractions of a spark must add up from step to step."
+            )
         expect_exactly(counts[-1], math.floor(per_second * 2.0))
         about.cause = "Fractions of a spark must not be lost from one step to the next."
         wanted = [math.floor(per_second * h * (i + 1)) for i in range(frames)]

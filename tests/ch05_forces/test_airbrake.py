@@ -59,7 +59,7 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         if wanted is pulled:
             slips = {
-                "This pushes along the motion. The minus sign is missing.": [
+                "This pushes in the direction of the motion. The minus sign is missing.": [
                     -part for part in pulled
                 ],
                 "This is -v m / h, a full stop. Use the smaller of the two forces.": [
@@ -124,9 +124,8 @@ def test_a_hard_brake_stops_the_motion_and_does_not_turn_it_round(rng: Random) -
         p.integrate(h)
         got = xyz(p.velocity)
         slips = {
-            "The brake has reversed the motion. Limit the force.": [
-                part * (1.0 - share) for part in v
-            ],
+            "The brake has reversed the motion. Limit the force. It may not exceed a full stop, "
+            "-v m / h.": [part * (1.0 - share) for part in v],
             "The velocity has not changed. A brake that is too strong must stop the motion.": v,
         }
         why = named(got, about.cause, slips)

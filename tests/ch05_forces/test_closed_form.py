@@ -29,7 +29,8 @@ def test_at_the_terminal_speed_the_drag_is_the_weight(rng: Random) -> None:
     got = terminal_speed(2 * 9.81, 0.3, 0.05)
     root, without_4 = math.sqrt(0.09 + 0.2 * 19.62), math.sqrt(0.09 + 0.05 * 19.62)
     slips = {
-        "This is the negative root. Use the positive one.": (-0.3 - root) / 0.1,
+        "This is the negative root. Use the positive root of the quadratic equation.": (-0.3 - root)
+        / 0.1,
         "The denominator is k2. It must be 2 k2.": (-0.3 + root) / 0.05,
         "The square root lacks a factor of 4. It is sqrt(k1^2 + 4 k2 W).": (-0.3 + without_4) / 0.1,
         "The square root in 2 W / (k1 + sqrt(k1^2 + 4 k2 W)) lacks its factor of 4.": 39.24
@@ -66,7 +67,10 @@ def test_at_the_terminal_speed_the_drag_is_the_weight(rng: Random) -> None:
 def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
     about.read = TERMINAL
     weight, k = positive_number(rng, 5.0, 900.0), positive_number(rng)
-    about.cause = "For k2 = 0 the speed is W / k1. 2 W / (k1 + root) does not divide by k2."
+    about.cause = (
+        "For k2 = 0 the speed is W / k1. Use the form 2 W / (k1 + root), which does not divide by "
+        "k2."
+    )
     about.call = f"terminal_speed({weight}, {k}, 0.0)"
     got = terminal_speed(weight, k, 0.0)
     expect_close(got, weight / k, tolerance=ROUNDED * got)
@@ -80,8 +84,8 @@ def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
 def test_a_little_quadratic_drag_changes_the_terminal_speed_a_little(rng: Random) -> None:
     about.read = TERMINAL
     weight, k1 = positive_number(rng, 5.0, 90.0), positive_number(rng, 2.0)
-    about.cause = "-k1 + root loses digits, because the two are almost equal. 2 W / (k1 + root) is "
-    about.cause += "the same number and keeps them."
+    about.cause = "The difference -k1 + root loses digits, because k1 and root are almost equal. "
+    about.cause += "Use 2 W / (k1 + root), which is the same number and keeps all digits."
     for k2 in (1e-6, 1e-10, 1e-14):
         about.call = f"terminal_speed({weight}, {k1}, {k2})"
         got = terminal_speed(weight, k1, k2)
@@ -135,7 +139,9 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
         expect_close(speed, wanted_speed, then=", the speed", tolerance=tolerance)
         # From v dv = (g - k2 v^2 / m) dx: v^2 = u^2 (1 - e^(-2 k2 x / m)).
         total = speed * speed + u * u * math.exp(-2.0 * k2 * distance / mass)
-        about.cause = "Speed and distance do not fit together: v^2 = u^2 (1 - e^(-2 k2 x / m))."
+        about.cause = (
+            "The speed and the distance do not fit together: v^2 = u^2 (1 - e^(-2 k2 x / m))."
+        )
         expect_close(
             total, u * u, then=" = (v, x); v^2 + u^2 e^(-2 k2 x / m)", tolerance=ROUNDED * u * u
         )
@@ -201,7 +207,10 @@ def test_a_fall_without_an_end_fits_in_a_float(rng: Random) -> None:
 def test_a_fall_of_any_length_keeps_its_digits() -> None:
     # 2 kg, g = 8 and k2 = 1/4: the terminal speed u is 8 m/s, and g t / u is the time.
     about.read = FALL
-    about.cause = "Check where you switch between forms of ln cosh x. Each must hold there."
+    about.cause = (
+        "Check where you switch between forms of ln cosh x. Near that point each form must be "
+        "accurate."
+    )
     for text in ("0.001", "0.01", "0.05", "0.2", "1", "5", "12", "16", "20", "39", "41"):
         about.call = f"quadratic_fall(2.0, 8.0, 0.25, {text})"
         x = Decimal(text)

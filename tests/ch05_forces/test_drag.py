@@ -31,9 +31,11 @@ def drag_slips(v: Components, k1: float, k2: float) -> dict[str, Components]:
 
     x, y, z = (-part * (k1 + k2 * abs(part)) for part in v)
     return {
-        "This pushes along the motion. The minus sign is missing.": along(k1 + k2 * speed),
+        "This pushes in the direction of the motion. The minus sign is missing.": along(
+            k1 + k2 * speed
+        ),
         "k1 and k2 are swapped.": along(-(k2 + k1 * speed)),
-        "This uses v in place of the unit vector v^, so it is |v| times too large.": along(
+        "The force uses v in place of the unit vector v^, so it is |v| times too large.": along(
             -speed * (k1 + k2 * speed)
         ),
         "The part with k2 is missing.": along(-k1),

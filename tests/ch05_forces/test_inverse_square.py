@@ -46,10 +46,12 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
             "This decreases with r, not r^2. Check the power, and normalize the direction.": [
                 part * distance for part in wanted
             ],
-            "This decreases with r^3.": [part / distance for part in wanted],
-            "This pushes away from the center.": [-part for part in wanted],
+            "This force decreases with r^3, not with r^2.": [part / distance for part in wanted],
+            "This pushes away from the center. Reverse the direction of the force.": [
+                -part for part in wanted
+            ],
             "The mass is missing.": [part / mass for part in wanted],
-            "This pulls toward (0, 0, 0) instead of the center.": [
+            "This pulls toward (0, 0, 0) instead of the center. Use self.center.": [
                 -mass * mu * part / reach**3 for part in (x, y, z)
             ],
         }
@@ -170,7 +172,7 @@ def test_kepler_s_ellipse_is_met_the_better_the_shorter_the_frames(rng: Random) 
     errors = [math.dist(end, exact) for end in ends]
     # Explicit Euler is off by 7.1 h here, and its next term is 0.3 % of that.
     expect_between(errors[0], -0.008, 0.008, then=" in steps of 1/1000 s: the error of p.position")
-    about.cause = "Half the step must give half the error, if the force is m mu / r^2."
+    about.cause = "If the force is m mu / r^2, half the step must give half the error."
     expect_close(
         errors[0] / errors[1],
         2.0,

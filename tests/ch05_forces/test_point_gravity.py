@@ -39,13 +39,16 @@ def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> N
         got = xyz(p.force_accumulator)
         reach = math.hypot(*xyz(place))
         slips = {
-            "This pushes away from the center.": [-part for part in wanted],
-            "This grows with the distance. Normalize the vector to the center.": [
+            "This pushes away from the center. Reverse the direction of the force.": [
+                -part for part in wanted
+            ],
+            "This force grows with the distance. Normalize the vector to the center.": [
                 part * distance for part in wanted
             ],
             "The mass is missing.": [part / mass for part in wanted],
-            "This decreases with r^2, as in exercise 5.4.": [part / distance**2 for part in wanted],
-            "This pulls toward (0, 0, 0) instead of the center.": [
+            "This force decreases with r^2, as in exercise 5.4. Here the strength does not "
+            "depend on the distance.": [part / distance**2 for part in wanted],
+            "This pulls toward (0, 0, 0) instead of the center. Use self.center.": [
                 -mass * strength * part / reach for part in xyz(place)
             ],
         }
@@ -84,7 +87,10 @@ def test_at_the_center_point_gravity_has_no_direction(rng: Random) -> None:
 @pytest.mark.exercise("5.3")
 @pytest.mark.robust
 def test_a_distance_whose_square_is_zero_has_a_direction() -> None:
-    about.cause = "The square of 1e-170 rounds to 0, but the distance is not 0. Use the magnitude."
+    about.cause = (
+        "The square of 1e-170 rounds to 0, but the distance itself is not 0. Use magnitude() "
+        "instead of the squared magnitude."
+    )
     expect_full_strength(1e-170, about.cause)
 
 

@@ -66,17 +66,17 @@ def test_every_pair_is_asked_once_a_frame(rng: Random) -> None:
     acts = [("add", 0, 1), ("add", 2, 0), ("add", 0, 2), ("update", h), ("update", k)]
     wanted = [(0, 1, h), (2, 0, h), (0, 2, h), (0, 1, k), (2, 0, k), (0, 2, k)]
     slips = {
-        "Only the first update called them. Pairs stay until remove or clear.": wanted[:3],
-        "The newest pair came first. Keep the order in which they were added.": [
+        "Only the first update called the generators. A pair stays registered until remove "
+        "or clear takes it out.": wanted[:3],
+        "The newest pair was called first. Call the pairs in the order in which they were added.": [
             *wanted[2::-1],
             *wanted[:2:-1],
         ],
-        "Each particle has one generator only. Every call of add makes another pair.": [
+        "Only one generator per particle was called. Every call of add makes another pair.": [
             one for one in wanted if one[:2] != (0, 1)
         ],
-        "A pair is missing. Do not compare generators with ==, they may be equal.": [
-            one for one in wanted if one[:2] != (0, 2)
-        ],
+        "A pair is missing. Do not compare generators with ==, because two different generators "
+        "may be equal.": [one for one in wanted if one[:2] != (0, 2)],
         "The generators got 1/60 s. Pass them the duration of update_forces.": [
             (p, generator, 1.0 / 60.0) for p, generator, _ in wanted
         ],
@@ -180,7 +180,10 @@ def test_an_update_adds_to_the_forces_that_are_there(rng: Random) -> None:
 @pytest.mark.exercise("B5.3")
 def test_a_generator_may_change_the_registry_meanwhile() -> None:
     about.read = "the docstring of update_forces"
-    about.cause = "Changes during an update count from the next one. Loop over a copy of the list."
+    about.cause = (
+        "Pairs that are added or removed during an update count from the next update on. Loop over "
+        "a copy of the list."
+    )
     for what, second in (("remove", 2), ("add", 4), ("remove the second", 2), ("clear", 0)):
         about.call = f"three pairs, the first generator changes the registry ({what}); "
         about.call += "registry.update_forces(0.5) twice; number of generators called in each"

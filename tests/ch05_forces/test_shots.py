@@ -52,8 +52,9 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
         expect_exactly(fired, True)
         expect_exactly(at.bullet is None, False, then="; range.bullet is None")
         bullet: Any = at.bullet
-        about.cause = "y is sin(elevation). The horizontal part is cos(elevation), and the azimuth "
-        about.cause += "rotates it from Z toward X."
+        about.cause = "The vertical part of the speed is sin(elevation) of it, and the horizontal "
+        about.cause += "part is cos(elevation) of it. The azimuth rotates the horizontal part from "
+        about.cause += "Z toward X."
         wanted = (
             120.0 * math.cos(elevation) * math.sin(azimuth),
             120.0 * math.sin(elevation),
@@ -192,10 +193,10 @@ def test_the_innermost_ring_counts(rng: Random) -> None:
     about.cause += "distance from the center."
     use = "Use the distance from the center, math.hypot(x, y)."
     for x, y, points, slip, gives in (
-        (0.0, 0.3, 2, "x alone counts here.", 10),
-        (0.3, 0.0, 2, "y alone counts here.", 10),
-        (0.08, -0.08, 5, "x and y are added here.", 10),
-        (0.2, 0.2, 2, "The rings are square here, because the larger of x and y counts.", 5),
+        (0.0, 0.3, 2, "Here x alone decides.", 10),
+        (0.3, 0.0, 2, "Here y alone decides.", 10),
+        (0.08, -0.08, 5, "Here x and y are added.", 10),
+        (0.2, 0.2, 2, "Here the rings are square, because the larger of x and y decides.", 5),
     ):
         about.call = f"ring_points({x}, {y}), {math.hypot(x, y):.4f} m from the center"
         got = ring_points(x, y)

@@ -208,7 +208,7 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
     place, wind = xyz(bullet.position), xyz(at.wind.velocity)
     at.update(FRAME)
     expect_unchanged("bullet.position", xyz(bullet.position), place, call="range.update(1/60)")
-    about.cause = "Without a bullet, update must change nothing, not even the wind."
+    about.cause = "While no bullet is in flight, update must change nothing, not even the wind."
     got = xyz(at.wind.velocity)
     expect_unchanged("the wind", got, wind, call="range.update(1/60)")
     about.cause = "The next shot can be fired as soon as this one has landed."

@@ -203,7 +203,7 @@ def test_a_damping_of_0_and_a_frame_of_a_whole_second(rng: Random) -> None:
     p.add_force(Vector3(*f))
     p.integrate(0.5)
     expect_close(xyz(p.velocity), ZERO)
-    about.cause = "A duration of 1 is as good as 1.0."
+    about.cause = "A duration of 1, an int, is as valid as 1.0."
     about.call = f"p = Particle(velocity=Vector3{v}, damping=0.5); p.add_force(Vector3{f}); "
     about.call += "p.integrate(1); p.velocity"
     p = Particle(velocity=Vector3(*v), damping=0.5)

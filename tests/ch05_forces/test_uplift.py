@@ -130,7 +130,9 @@ def test_the_uplift_adds_to_the_other_forces(rng: Random) -> None:
     expect_unchanged("p.position", xyz(p.position), (1, 2, 1))
     about.call = "uplift.origin = Vector3(9, 0, 9); p.clear_forces(); uplift.update_force(p, 0.5); "
     about.call += f"then uplift.radius = 20.0, uplift.force = Vector3{moved}, and again"
-    about.cause = "The column has moved away. Read self.origin in every call."
+    about.cause = (
+        "The column has moved, and the particle is outside it now. Read self.origin in every call."
+    )
     uplift.origin = Vector3(9, 0, 9)
     p.clear_forces()
     uplift.update_force(p, 0.5)

@@ -116,7 +116,7 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
     about.call = f"range = SniperRange({seed}); range.change_wind() 400 times; range.wind.velocity"
     about.cause = "Draw the numbers with self.random.uniform."
     (seen,) = winds([seed], 400)
-    expect_exactly(len(seen), 401, call=f"how many: {about.call}", cause="One wind per call.")
+    expect_exactly(len(seen), 401, call=f"how many: {about.call}", cause="Draw one wind per call.")
     about.cause = "The wind is horizontal, so its y component is 0."
     highest = max(abs(y) for _, y, _ in seen)
     expect_close(highest, 0.0, then=": the largest |y|")
@@ -133,15 +133,15 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
             if abs(got) > 10.0:
                 why = f"This exceeds 10 m/s. Do not add the new wind to the old one. {why}"
             expect_between(got, low, high, then=f": the {what} {name}", cause=why)
-    about.cause = "Draw x and z independently. Then the wind is weak now and then."
+    about.cause = "Draw x and z independently, so that the wind is weak now and then."
     # |w| < 5 for 0.196 of all: 79 of 401, and beyond these bounds once in 10^9 runs.
     weak = sum(math.hypot(x, z) < 5.0 for x, _, z in seen)
     expect_between(weak, 27, 131, then=": how often it is below 5 m/s")
     # x z > 0 for half of all: 200 of 401, and beyond these bounds once in 10^11 runs.
-    about.cause = "Draw x and z independently. Then the wind comes from all directions."
+    about.cause = "Draw x and z independently, so that the wind can come from any direction."
     same = sum(x * z > 0.0 for x, _, z in seen)
     expect_between(same, 130, 270, then=": how often x and z have the same sign")
-    about.cause = "Draw x and z independently. Then they are almost never equal."
+    about.cause = "Draw x and z independently, so that they are almost never equal."
     same = sum(abs(abs(x) - abs(z)) < 1e-9 for x, _, z in seen)
     expect_exactly(same, 0, then=": how often |x| is |z|")
 

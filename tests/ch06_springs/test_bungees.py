@@ -130,8 +130,12 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
         offset = tuple((rest + extension) * part for part in d)
         still = k * extension / c  # the speed of shortening at which nothing is left of the pull
         for share, cause in (
-            (-1.0, "Damping also resists a rope that gets longer: -(k x + c l') d^."),
-            (0.5, "A stretched rope that gets shorter pulls less: -(k x + c l') d^."),
+            (-1.0, "Damping adds to the pull of a rope that is getting longer: -(k x + c l') d^."),
+            (
+                0.5,
+                "Damping reduces the pull of a stretched rope that is getting shorter: -(k x + "
+                "c l') d^.",
+            ),
             (
                 2.0,
                 "If the damping is larger than the pull, there is no force. A rope never pushes.",

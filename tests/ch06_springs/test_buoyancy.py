@@ -103,9 +103,14 @@ def test_out_of_the_water_there_is_no_lift_and_deep_in_it_no_more(rng: Random) -
         (
             surface - 1.5 * s,
             1.0,
-            "Deep under water the lift is that of the whole body, and not more.",
+            "Deep under water the whole body is submerged, so the lift is rho V g and not more.",
         ),
-        (surface - 50.0, 1.0, "At any depth, the lift is at most that of the whole body."),
+        (
+            surface - 50.0,
+            1.0,
+            "The submerged fraction is at most 1, so the lift never exceeds "
+            "rho V g, however deep the body is.",
+        ),
     ):
         about.cause = cause
         about.call = f"p at (0, {y}, 0); Buoyancy({s}, {volume}, {surface}).update_force(p, 0.5)"

@@ -133,7 +133,8 @@ def test_connected_ends_at_one_place_feel_nothing(rng: Random) -> None:
         expect_close(got, ZERO, then=f"; {name}.force_accumulator")
     about.call += "; a.position.x += 1.0; c.update_force(a, 0.5); a.force_accumulator"
     about.cause = (
-        "At a distance of 1 m it acts again: a push of 100 N, minus 3 N s/m times the speed."
+        "At a distance of 1 m the spring acts again: a push of 100 N, minus 3 N s/m times the "
+        "speed."
     )
     a.position.x += 1.0
     c.update_force(a, 0.5)
@@ -190,8 +191,8 @@ def test_connect_lets_the_registry_ask_once(rng: Random) -> None:
                         "move? The registry skips immovable particles."
                     ): ZERO,
                     (
-                        "The force is twice as large. Is the spring registered under both ends? "
-                        "Register it once."
+                        "The force is twice as large as it should be. Is the spring registered "
+                        "under both ends? Register it once."
                     ): [2.0 * part for part in force],
                     "The stiffness and the rest length are exchanged.": [
                         sign * part for part in swapped

@@ -77,7 +77,9 @@ def test_the_three_cases_by_known_values() -> None:
         * math.sinh(0.05 * over),
         "This is e^(-half t) cosh(gamma t) alone. Add half sinh(gamma t) / gamma.": math.exp(-1.0)
         * math.cosh(0.05 * over),
-        "This has cos and sin of gamma t.": math.exp(-1.0)
+        "This uses cos and sin of gamma t. An over-damped spring needs cosh and sinh.": math.exp(
+            -1.0
+        )
         * (math.cos(0.05 * over) + 20.0 / over * math.sin(0.05 * over)),
     }
     for c, t, x, cause in (
@@ -253,7 +255,7 @@ def test_soft_and_stiff_springs_swing_alike() -> None:
             (1.0, 1.0, 1e12, 1e3, 1.0, 100.0),
             0.0,
             1e-12,
-            "The spring has been at rest for a long time by then.",
+            "By then the spring has been at rest for a long time.",
         ),
         (
             (1.0, 0.0, 1e-8, 0.0, 1.0, 1e4),
@@ -266,7 +268,7 @@ def test_soft_and_stiff_springs_swing_alike() -> None:
             (1.0, 0.0, 1e12, 0.0, 1.0, math.pi * 1e-6),
             -1.0,
             1e-9,
-            "Half a period later it is on the other side.",
+            "Half a period later the body is on the other side.",
         ),
     ):
         about.cause = cause
@@ -290,7 +292,12 @@ def test_no_number_is_too_large_for_the_formula() -> None:
             "half - gamma loses all its digits. chi^2 / (half + gamma) has the same value.",
         ),
         ((1.0, 1.0, 5.0, 10.0, 1.0, 1e6), 0.0, 1e-12, "cosh overflows, and e^-x becomes 0."),
-        ((0.0, 1.0, 1.0, 1e9, 1.0, 1.0), 1e-9, 1e-17, "With strong damping it travels v0 m / c."),
+        (
+            (0.0, 1.0, 1.0, 1e9, 1.0, 1.0),
+            1e-9,
+            1e-17,
+            "With strong damping the body travels v0 m / c in all.",
+        ),
     ):
         about.cause = cause
         expect_position(arguments, wanted, tolerance)
@@ -302,8 +309,8 @@ def test_the_motion_goes_on_from_where_it_is(rng: Random) -> None:
     x0, v0, m, some = draw_number(rng), draw_number(rng), positive_number(rng), positive_number(rng)
     first, second = positive_number(rng, 0.1, 2.0), positive_number(rng, 0.1, 2.0)
     about.cause = (
-        "Two times in a row must lead to the same state as their sum. Position and velocity must "
-        "belong to the same motion."
+        "Two durations, one after the other, must lead to the same state as their sum. If they do "
+        "not, the position and the velocity do not belong to the same motion."
     )
     # With a stiffness of 4 m the damping is critical to the last digit.
     for share, k in ((0.0, some), (0.5, some), (1.0, 4.0 * m), (2.0, some)):
@@ -317,7 +324,8 @@ def test_the_motion_goes_on_from_where_it_is(rng: Random) -> None:
     about.call = f"s = damped_spring_state({x0}, {v0}, 1.0, 0.0, 1.0, pi); damped_spring_state(*s, "
     about.call += "...)"
     about.cause = (
-        "After half a period it is on the other side, and after a whole period back at the start."
+        "After half a period the body is on the other side, and after a whole period it is back at "
+        "the start."
     )
     half = damped_spring_state(x0, v0, 1.0, 0.0, 1.0, math.pi)
     expect_close(half, (-x0, -v0), tolerance=1e-11)
@@ -343,7 +351,7 @@ def test_a_spring_state_needs_numbers_that_mean_something() -> None:
         allowed=lambda: damped_spring_state(*good),
     )
     about.call = "damped_spring_state(1.0, 0.0, 1.0, 2.0, 1.0, 1.0)"
-    about.cause = "A valid call must be answered: (1 + t) e^-t and -t e^-t."
+    about.cause = "This call is valid, so it must return (1 + t) e^-t and -t e^-t."
     got = damped_spring_state(1.0, 0.0, 1.0, 2.0, 1.0, 1.0)
     wanted = (2.0 * math.exp(-1.0), -math.exp(-1.0))
     expect_close(got, wanted)

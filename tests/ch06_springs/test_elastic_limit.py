@@ -23,13 +23,17 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
     base, d = components(rng), direction(rng)
     k, rest = positive_number(rng), positive_number(rng, 1.0, 4.0)
     for share, cause in (
-        (1.9, "If stretched, it pulls like any spring: -k (l - l0) d^."),
-        (0.5, "If compressed, it pushes like any spring: -k (l - l0) d^."),
+        (
+            1.9,
+            "A stretched spring pulls, and up to its limit it does so like any other: -k (l - "
+            "l0) d^.",
+        ),
+        (0.5, "A compressed spring pushes like any other: -k (l - l0) d^."),
         (
             0.1,
             (
-                "A compressed spring pushes with its full stiffness. The limit is for the "
-                "length only."
+                "A compressed spring pushes with its full stiffness. The limit applies only to "
+                "stretching."
             ),
         ),
     ):
@@ -50,11 +54,13 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
             }
         blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-12)
-        about.cause = "It acts on one end only. Do not change the other particle."
+        about.cause = "This spring acts on one end only. Do not change the other particle."
         expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
     about.call = f"p at (4, 0, 0), q at (0, 0, 0); ElasticLimitSpring(q, {k}, 2, 4, "
     about.call += "0.25).update_force(p, 0.5); p.force_accumulator"
-    about.cause = "At exactly the limit it pulls with its full stiffness."
+    about.cause = (
+        "When the length is exactly at the limit, the spring still pulls with its full stiffness."
+    )
     p, q = Particle(Vector3(4.0, 0.0, 0.0)), Particle()
     ElasticLimitSpring(q, k, 2.0, 4.0, 0.25).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
@@ -74,8 +80,8 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         about.call = f"p at {place}, q at {base}; ElasticLimitSpring(q, {k}, {rest}, {limit}, "
         about.call += f"{share}).update_force(p, 0.5)"
         about.cause = (
-            "Up to the limit the full stiffness counts, and beyond it share times the stiffness: "
-            "k (limit - l0) + share k (l - limit)."
+            "Up to the limit the full stiffness applies. Beyond it only share times the stiffness "
+            "does: k (limit - l0) + share k (l - limit)."
         )
         p, q = Particle(Vector3(*place), mass=3.0), Particle(Vector3(*base))
         spring = ElasticLimitSpring(q, k, rest, limit, share)
@@ -84,8 +90,8 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         late = rest + limit  # the length of a limit that is counted from the rest length
         sizes = {
             (
-                "Beyond the limit the force does not grow. It must grow with share times the "
-                "stiffness."
+                "The force does not grow beyond the limit. It must keep growing, with share times "
+                "the stiffness."
             ): limit - rest,
             (
                 "share is applied to the whole extension. Apply it only to the part beyond the "

@@ -50,7 +50,8 @@ def test_the_force_by_its_formula() -> None:
         "This is the printed listing. Its 1 / h * h does not divide by h^2 (E-6).": wanted[0]
         / 3600.0,
         "This is the force of a real spring, -k x, which is too large for such a step.": -400.0,
-        "This moves p by a h^2 / 2. Semi-implicit Euler moves it by a h^2.": 2.0 * wanted[0],
+        "This force is for a step that moves p by a h^2 / 2, but semi-implicit Euler moves "
+        "it by a h^2.": 2.0 * wanted[0],
     }
     blame(got, {slip: (size, 0.0, 0.0) for slip, size in sizes.items()})
     # 1 - cos(1/3) loses a digit, and is multiplied by 3600.
@@ -158,7 +159,10 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     f, place = components(rng), components(rng)
     about.call = f"p of 2 kg at {place}; s = FakeStiffSpring(Vector3{place}, 400, 3); "
     about.call += f"p.add_force(Vector3{f}); s.update_force(p, 0.5); p.force_accumulator"
-    about.cause = "At rest at the anchor there is no force, and the other forces stay."
+    about.cause = (
+        "A particle at rest at the anchor gets no force from the spring. Keep the other forces on "
+        "it."
+    )
     p, s = Particle(Vector3(*place), mass=2.0), FakeStiffSpring(Vector3(*place), 400.0, 3.0)
     p.add_force(Vector3(*f))
     s.update_force(p, 0.5)
@@ -178,7 +182,7 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     expect_close(got, ZERO, tolerance=1e-12)
     s.stiffness = 100.0
     about.call = "p immovable at (1, 0, 0); s.update_force(p, 0.5); p.force_accumulator"
-    about.cause = "Leave an immovable particle alone. Infinity times 0 is NaN."
+    about.cause = "Do not add a force to an immovable particle. Infinity times 0 is NaN."
     p = Particle(Vector3(1.0, 0.0, 0.0), mass=math.inf)
     s.update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), ZERO)
@@ -208,7 +212,7 @@ def test_a_faked_spring_needs_a_duration() -> None:
                 allowed=lambda: s.update_force(Particle(Vector3(1.0, 0.0, 0.0)), 1.0),
             )
     about.call = "FakeStiffSpring(Vector3(), 400, 3).update_force(p, 1/60), p at (1, 0, 0)"
-    about.cause = "A valid duration must be answered."
+    about.cause = "This duration is valid, so the call must not raise an error."
     p = Particle(Vector3(1.0, 0.0, 0.0))
     s.update_force(p, 1.0 / 60.0)
     wanted = (true_spring(1.0, 0.0, 400.0, 3.0, 1.0, 1.0 / 60.0) - 1.0) * 3600.0

@@ -26,8 +26,8 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
         about.call = f"p at (3, {y}, 5); p.add_force(Vector3{f}); LighterThanAir({most}, "
         about.call += f"{scale}).update_force(p, 0.5); p.force_accumulator"
         about.cause = (
-            "Add F e^(-y / H), upward, to the existing forces. At the scale height it is 1 / e of "
-            "F."
+            "Add F e^(-y / H), upward, to the existing forces. At the scale height the lift is 1 / "
+            "e of F."
         )
         p = Particle(Vector3(3.0, y, 5.0), mass=7.0)
         p.add_force(Vector3(*f))
@@ -94,7 +94,8 @@ def test_a_balloon_comes_to_rest_where_its_lift_is_its_weight() -> None:
     about.call = "p of 2 kg, damping 0.5, g = 9.81; 60 s of LighterThanAir(30, 8).update_force(p, "
     about.call += "h), p.integrate(h) in frames of 1/60 s; p.position.y"
     about.cause = (
-        "It rises until F e^(-y / H) equals m g, at the height H ln(F / (m g)), and stays there."
+        "The particle rises until F e^(-y / H) equals m g, which is at the height H ln(F / (m g)), "
+        "and stays there."
     )
     y = risen(30.0, 8.0, 2.0, 0.5, 9.81, 1.0 / 60.0, 3600)
     wanted = 8.0 * math.log(30.0 / (2.0 * 9.81))

@@ -50,7 +50,7 @@ def test_how_the_particle_is_released() -> None:
     expect_close(damping, 0.25, then=": its damping")
     about.cause = "Pass the duration on to the integrator."
     expect_close(h, 0.125, then=": the duration")
-    about.cause = "Release the particle START, which is 10 m, away from the anchor."
+    about.cause = "Release the particle at a distance of START, 10 m, from the anchor."
     expect_close(math.hypot(*place), 10.0, then=": distance from the anchor")
     about.cause = "There is no gravity. Leave the particle's own acceleration at 0."
     expect_close(drift, (0.0, 0.0, 0.0), then=": acceleration")
@@ -90,17 +90,22 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
             1.02,
             True,
             (
-                "At 2 % above the limit they grow, slowly under the book's step. Compare late "
-                "oscillations with early ones."
+                "At 2 % above the limit the oscillations grow, but only slowly with the book's "
+                "step. Compare late oscillations with early ones."
             ),
         ),
         (0.5, False, "Far below the limit the oscillations die out."),
         (
             4.0,
             True,
-            "Far above the limit they grow without bounds. Stop before a number overflows.",
+            "Far above the limit the oscillations grow without bounds. Stop before a number "
+            "overflows.",
         ),
-        (1e6, True, "After some steps they are too large for a float. Stop before that."),
+        (
+            1e6,
+            True,
+            "After some steps the oscillations are too large for a float. Stop before that.",
+        ),
     ):
         about.cause = cause
         k = part * limit
@@ -123,7 +128,7 @@ def test_swings_that_stay_as_they_are_are_not_wider() -> None:
         about.call = f"swings_wider(integrator, {k}, 1.0, 1/60), a step that bears 14400 N/m"
         got = wider(1.0, False, k, 1.0, 1.0 / 60.0)
         expect_exactly(got, False)
-    about.call = "swings_wider(integrator, 14700, 1.0, 1/60), a step that bears 14400 N/m"
+    about.call = "swings_wider(integrator, 14700, 1.0, 1/60), a step that is stable up to 14400 N/m"
     about.cause = "At 2 % above the limit they grow."
     got = wider(1.0, False, 14_700.0, 1.0, 1.0 / 60.0)
     expect_exactly(got, True)
@@ -140,8 +145,8 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
     about.call = f"largest_stable_stiffness(integrator, {damping}, {h!r}), a step of the check's "
     about.call += "own"
     about.cause = (
-        "Measure it with the integrator that is passed. Halve the interval between a stable "
-        "stiffness and an unstable one. No formula knows this integrator."
+        "Measure the limit with the integrator that is passed, because no formula covers it. "
+        "Repeatedly halve the interval between a stable and an unstable stiffness."
     )
     got = measured(share, explicit, damping, h)
     wanted = limit_of(share, explicit, damping, h)
@@ -179,7 +184,9 @@ def test_the_ends_of_what_is_measured() -> None:
     about.cause = "If no spring is stable, return 0 or almost 0."
     got = never_safe(h)
     expect_between(got, -0.36, 0.36)
-    about.cause = "Nothing above STIFFEST / h^2 is tried. Return that."
+    about.cause = (
+        "Do not try any stiffness above STIFFEST / h^2. If even that one is stable, return it."
+    )
     for rate in (60.0, 30.0, 1.25):
         about.call = f"largest_stable_stiffness(integrator, 0.5, 1/{rate:g}), a step that bears "
         about.call += "400 / h^2"
@@ -187,7 +194,9 @@ def test_the_ends_of_what_is_measured() -> None:
         got = measured(0.01, False, 0.5, 1.0 / rate)
         expect_close(got, most, tolerance=0.01 * most)
     about.call = "largest_stable_stiffness(integrator, 0.0, 1/60), the velocity-first step"
-    about.cause = "A damping of 0 is valid. At the end of each step everything stands still."
+    about.cause = (
+        "A damping of 0 is valid. With damping 0 the particle is at rest at the end of each step."
+    )
     got = measured(1.0, False, 0.0, h)
     most = 16.0 * 3600.0
     expect_close(got, most, tolerance=0.01 * most)
@@ -231,6 +240,8 @@ def test_measuring_needs_numbers_that_mean_something() -> None:
             allowed=lambda: wider(1.0, True, 1.0, 0.5, 0.25),
         )
     about.call = "swings_wider(integrator, 10.0, 0.5, 1/60), the book's step"
-    about.cause = "A valid call must be answered. 10 N/m is below the limit of 41.8 N/m."
+    about.cause = (
+        "This call is valid, so it must not raise an error. 10 N/m is below the limit of 41.8 N/m."
+    )
     got = wider(1.0, True, 10.0, 0.5, 1.0 / 60.0)
     expect_exactly(got, False)

@@ -31,7 +31,11 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
                 "l). p itself is in the list, at a distance of 0."
             ),
         ),
-        (0.9, "If it is slightly closer than the distance, there is a small push away from it."),
+        (
+            0.9,
+            "A particle that is slightly closer than the distance pushes p away with a small "
+            "force.",
+        ),
         (1.1, "Beyond the distance there is no push and no pull."),
     ):
         about.cause = cause
@@ -128,7 +132,8 @@ def test_a_particle_does_not_push_itself_nor_who_is_at_its_place(rng: Random) ->
     about.call = "p at (0, 1e-9, 0), not in the crowd; Overcrowding([q], 3.0, 5.0).update_force(p, "
     about.call += "0.5), q at (0, 0, 0); p.force_accumulator"
     about.cause = (
-        "The particle need not be in the crowd. Close is not the same as at the same position."
+        "The particle need not be in the crowd. A neighbor that is very close still has a "
+        "direction, so it pushes."
     )
     p, q = Particle(Vector3(0.0, 1e-9, 0.0)), Particle()
     Overcrowding([q], 3.0, 5.0).update_force(p, 0.5)

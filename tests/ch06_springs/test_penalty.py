@@ -60,14 +60,14 @@ def test_above_the_ground_nothing_pushes(rng: Random) -> None:
         expect_close(got, ZERO)
     about.call = f"p at (0, -1e-6, 0); PenaltyGround(0, {k}).update_force(p, 0.5); "
     about.call += "p.force_accumulator"
-    about.cause = "Slightly below the ground it pushes slightly."
+    about.cause = "A particle slightly below the surface gets a small push upward."
     p = Particle(Vector3(0.0, -1e-6, 0.0))
     PenaltyGround(0.0, k).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
     expect_close(got, (0.0, 1e-6 * k, 0.0))
     about.call = f"p at (0, {height - 1}, 0); PenaltyGround({height}, {k}, {c}).update_force(p, "
     about.call += "0.5)"
-    about.cause = "Below the ground it pushes."
+    about.cause = "A particle below the surface gets a push upward."
     p = Particle(Vector3(0.0, height - 1.0, 0.0))
     PenaltyGround(height, k, c).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
@@ -81,9 +81,19 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
     free = k * depth / c  # m/s upwards, at which nothing is left of the push
     ground = PenaltyGround(0.0, k, c)
     for share, cause in (
-        (-2.0, "Damping pushes a body that sinks in more: k depth - c v_y."),
-        (0.5, "Damping pushes a body that is leaving less: k depth - c v_y."),
-        (2.0, "A body that leaves faster than the damping allows is not held back. Do not pull."),
+        (
+            -2.0,
+            "For a body that is still sinking in, the damping increases the push: k depth - c v_y.",
+        ),
+        (
+            0.5,
+            "For a body that is leaving the ground, the damping reduces the push: k depth - c v_y.",
+        ),
+        (
+            2.0,
+            "If the damping of a leaving body exceeds the push, there is no force. The ground "
+            "does not pull.",
+        ),
     ):
         about.cause = cause
         v = share * free
@@ -123,7 +133,7 @@ def test_a_body_comes_to_rest_in_the_sponge() -> None:
     end, lowest = on_penalty_ground(400.0, 10.0, 2.0, 0.5, 1.0 / 240.0, 4800)
     # By then the swings have died out to e^-50.
     expect_close(end, -0.05, tolerance=1e-9)
-    about.cause = "It arrives with the root of 10 m/s, and the spring stops it within about 0.2 m."
+    about.cause = "The body arrives at sqrt(10) m/s, and the spring stops it within about 0.2 m."
     deepest = -0.05 - math.sqrt(0.05**2 + 10.0 * 2.0 / 400.0)  # without damping
     expect_between(lowest, deepest, 0.6 * deepest, then=", at its lowest")
     about.call = "PenaltyGround(0, 400, 0) with height, stiffness and damping changed to 1, 3 and "

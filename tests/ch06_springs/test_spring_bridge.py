@@ -56,7 +56,9 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
     # Lengths of up to 20 m are 1e-14 m off, times a stiffness of up to 9 N/m.
     height, k, _ = numbers
     for i, force in enumerate(forces):
-        slack = "The hangers have no rest length. It is the height, their length at the start."
+        slack = (
+            "The hangers have no rest length. Use the height, which is their length at the start."
+        )
         blame(force, [((0.0, k * height, 0.0), slack)])
         expect_close(force, ZERO, then=f"; planks[{i}].force_accumulator", tolerance=1e-12)
     about.call += ", the first plank 0.5 m lower"
@@ -122,17 +124,29 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
     places = [(-1.5, 0.0, 0.0), (-0.5, 0.5, 0.0), (1.5, 0.0, 1.0)]
     weight = positive_number(rng, 1.0, 900.0)
     for x, shares, cause in (
-        (-1.25, (0.75, 0.25, 0.0), "The nearer plank carries more: 1 - s and s."),
+        (
+            -1.25,
+            (0.75, 0.25, 0.0),
+            "The nearer plank carries more. The two fractions of the weight are 1 - s and s.",
+        ),
         (
             1.0,
             (0.0, 0.25, 0.75),
             "s goes from 0 at one plank to 1 at the next. Divide by the gap.",
         ),
-        (-0.5, (0.0, 1.0, 0.0), "Directly above a plank, that plank carries everything."),
-        (-7.0, (1.0, 0.0, 0.0), "Before the first plank, that plank carries everything."),
-        (9.0, (0.0, 0.0, 1.0), "After the last plank, that plank carries everything."),
-        (-1.5, (1.0, 0.0, 0.0), "Directly above the first plank, that plank carries everything."),
-        (1.5, (0.0, 0.0, 1.0), "Directly above the last plank, that plank carries everything."),
+        (-0.5, (0.0, 1.0, 0.0), "A walker directly above a plank is carried by that plank alone."),
+        (-7.0, (1.0, 0.0, 0.0), "A walker before the first plank is carried by that plank alone."),
+        (9.0, (0.0, 0.0, 1.0), "A walker beyond the last plank is carried by that plank alone."),
+        (
+            -1.5,
+            (1.0, 0.0, 0.0),
+            "A walker directly above the first plank is carried by that plank alone.",
+        ),
+        (
+            1.5,
+            (0.0, 0.0, 1.0),
+            "A walker directly above the last plank is carried by that plank alone.",
+        ),
     ):
         about(f"planks at x = -1.5, -0.5 and 1.5; load_bridge(planks, {x}, {weight})", cause=cause)
         forces = loaded(places, x, weight)
@@ -161,11 +175,11 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         got = [part for force in forces for part in (force[0], force[2])]
         expect_close(got, [1.0, 3.0] * 3, then=": forces along x and z stay")
     about.call = f"one plank at x = -1.5; load_bridge([plank], 4.0, {weight})"
-    about.cause = "A single plank carries everything."
+    about.cause = "If there is only one plank, it carries the whole weight."
     got = loaded(places[:1], 4.0, weight)[0][1] - 2.0
     expect_close(got, -weight, tolerance=1e-12 * weight)
     about.call = "load_bridge(planks, 0.0, 4.0), both planks at x = 0; the sum of what they carry"
-    about.cause = "However close they are, together they carry the whole weight."
+    about.cause = "However close the planks are, together they carry the whole weight."
     got = math.fsum(force[1] - 2.0 for force in loaded([ZERO, ZERO], 0.0, 4.0))
     expect_close(got, -4.0)
 

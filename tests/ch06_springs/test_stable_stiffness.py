@@ -46,7 +46,10 @@ def test_the_largest_stiffness_by_known_values() -> None:
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=1e-10 * wanted)
     for mass in (2.0, 0.25):
-        about(f"max_stable_stiffness(0.5, 1/60, {mass})", cause="It is proportional to the mass.")
+        about(
+            f"max_stable_stiffness(0.5, 1/60, {mass})",
+            cause="The largest stable stiffness is proportional to the mass.",
+        )
         got = max_stable_stiffness(0.5, 1.0 / 60.0, mass)
         wanted = mass * 41.829985086921
         slips = {
@@ -153,6 +156,6 @@ def test_a_largest_stiffness_needs_numbers_that_mean_something() -> None:
             allowed=lambda: max_stable_stiffness(0.5, 0.25, 1.0),
         )
     about.call = "max_stable_stiffness(0.25, 1.0, 2.0)"
-    about.cause = "A valid call must be answered: 2 (4 - 1)."
+    about.cause = "This call is valid, so it must return 2 (4 - 1)."
     got = max_stable_stiffness(0.25, 1.0, 2.0)
     expect_close(got, 6.0)

@@ -220,9 +220,9 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
             places.append(p[i] + v[i] * h + 0.5 * first * h * h)
         elif method == "runge_kutta_4":
             about.cause = (
-                "Take the rates at the start, where the first rate leads in half of the step, "
-                "where the second leads in half of it, and where the third leads in the whole "
-                "step."
+                "Evaluate the rates at four points: at the start, where the first rate leads in "
+                "half a step, where the second rate leads in half a step, and where the third rate "
+                "leads in a whole step."
             )
             places.append(p[i] + 0.5 * h * v[i])
             second = a[i] - k * places[1] / mass
@@ -291,7 +291,10 @@ def test_a_step_needs_a_duration(method: str) -> None:
     about.read = "the docstring of the module"
     body: Body = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), ZERO, 1.0, 1.0, ZERO)
     refuse = "Refuse it with ValueError. positive() does that."
-    late = "The step is refused, but too late. Check the duration before you change anything."
+    late = (
+        "The step is refused, but only after something has changed. Check the duration before you "
+        "change anything."
+    )
     for bad in (0.0, -1.0, math.inf, math.nan):
         about(f"{method}([p], apply_forces, {bad})", cause=refuse)
         expect_error(

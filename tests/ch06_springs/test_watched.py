@@ -59,20 +59,26 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         got = (math.nan,) * 4 if error is None else tuple(error)
         size = 1.25 * limit
         slips = {
-            "This is the number of the step before.": (fast, number - 1, size, limit),
-            "The particle is counted from 1. The list begins with 0.": (
-                fast + 1,
-                number,
+            "This is the number of the step before. The first step has the number 1.": (
+                fast,
+                number - 1,
                 size,
                 limit,
             ),
+            "Here the first particle has the number 1. Number the particles from 0, as in the "
+            "list.": (fast + 1, number, size, limit),
             "This is the last particle that is too fast. Report the first one.": (
                 3,
                 number,
                 2.0 * limit,
                 limit,
             ),
-            "limit and speed are in the wrong order.": (fast, number, limit, size),
+            "The speed and the limit are in the wrong order. The speed comes first.": (
+                fast,
+                number,
+                limit,
+                size,
+            ),
         }
         blame(got, slips)
         if error is None:
@@ -87,7 +93,7 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
             wanted,
             then=": (particle, step, speed, limit) of the error, nan where none is raised",
         )
-        about.cause = "Raise right after that step."
+        about.cause = "Raise the error right after the step in which a particle is too fast."
         expect_exactly(len(calls), number, then=": how many steps were made")
 
 
@@ -95,12 +101,15 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
 def test_a_speed_at_the_limit_is_not_over_it() -> None:
     about("watched(integrator, 7.0); a velocity of (2, 3, 6), whose speed is 7: ", read=READ)
     about.call += "SimulationDiverged"
-    about.cause = "A speed at the limit is not above it. Raise if `not speed <= speed_limit`."
+    about.cause = (
+        "A speed equal to the limit is allowed. Write `not speed <= speed_limit` instead of `speed "
+        "> speed_limit`, so that NaN is refused too."
+    )
     _, error = watching(7.0, [[7.0]])
     expect_exactly(error, None)
     about.call = "watched(integrator, 1.0), 2 m/s after the first step: (particle, step) of the "
     about.call += "error, nan where none is raised"
-    about.cause = "A valid limit must be watched."
+    about.cause = "This limit is valid, so the steps must be watched."
     _, error = watching(1.0, [[2.0]])
     got = (math.nan, math.nan) if error is None else tuple(error[:2])
     expect_close(got, (0.0, 1.0))
@@ -113,7 +122,10 @@ def test_a_speed_that_is_no_number_is_over_every_limit() -> None:
     for speed, what in ((math.nan, "NaN"), (math.inf, "infinity"), (-math.inf, "-infinity")):
         about.call = f"{CALL.format(1e300)}; the velocity of particle 1 has {what} along y after "
         about.call += "step 2"
-        about.cause = "Every comparison with NaN is false. Test `not speed <= speed_limit`."
+        about.cause = (
+            "Every comparison with NaN is false, so `speed > speed_limit` misses it. Test `not "
+            "speed <= speed_limit`."
+        )
         _, error = watching(1e300, [[1.0, 1.0], [1.0, speed], [1.0, 1.0]])
         got = (math.nan, math.nan) if error is None else tuple(error[:2])
         expect_close(
@@ -146,13 +158,13 @@ def test_two_watches_count_for_themselves() -> None:
     about.read = READ
     about.call = "two steps by watched(integrator, 5.0), one after the other; the second is too "
     about.call += "fast at once"
-    about.cause = "The count belongs to the function that watched returns, not to the module."
+    about.cause = "Count the steps in the function that watched() returns, not in the module."
     watching(5.0, [[1.0]] * 3)
     _, error = watching(5.0, [[9.0]])
     got = (math.nan, math.nan) if error is None else tuple(error[:2])
     expect_close(got, (0.0, 1.0), then=": (particle, step) of the error, nan where none is raised")
     about.call = "watched(integrator, 5.0), watched(integrator, 9.0): 7 m/s under the second one"
-    about.cause = "Each watch has its own limit."
+    about.cause = "Each call of watched() has its own limit."
     _, error = watching(9.0, [[7.0]])
     expect_exactly(error, None, then=": SimulationDiverged")
 

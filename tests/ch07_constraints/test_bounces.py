@@ -94,7 +94,10 @@ def test_each_material_has_its_row(rng: Random) -> None:
     means = [row[2] for row in got]
     # Roots of the heights, a few roundings of 1.
     roots = tuple(math.sqrt(math.fsum(c * c for c in part) / len(part)) for part in (a, b, [0.5]))
-    name = "The mean was taken before the square root. Take the root of each drop first."
+    name = (
+        "The mean was taken before the square root. First take the root for each drop, and then "
+        "the mean."
+    )
     blame(means, [(roots, name)])
     expect_close(means, wanted, then=": means", tolerance=1e-14)
     about.cause = "The standard error is s / sqrt(n). statistics.stdev computes s with n - 1."
@@ -124,7 +127,7 @@ def test_a_table_refuses_what_a_drop_refuses() -> None:
     good = ("oak", 2.0, 1.0)
     for bad, error in ((("oak", 0.0, 0.0), ValueError), (("ash", 1.0, "2"), TypeError)):
         about.call = f"table_of_drops([{good}, {bad}])"
-        about.cause = "Call restitution_of_drop for every drop and do not catch its error."
+        about.cause = "Call restitution_of_drop for every drop, and do not catch its error."
         expect_error(
             lambda bad=bad: table_of_drops([good, bad]),
             error,
@@ -248,7 +251,10 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
         mistakes = [(impulse, why)]
         if share:
             longer = tuple(part / share for part in f)
-            name = "The ratio is upside down. A short push needs a smaller force for a whole frame."
+            name = (
+                "The ratio is upside down. Spread over a whole frame, a short push needs a smaller "
+                "force."
+            )
             mistakes.append((longer, name))
         why = cause_of(got, mistakes, about.cause)
         expect_close(got, wanted, cause=why, tolerance=1e-14)
@@ -280,7 +286,7 @@ def test_a_push_is_not_longer_than_its_frame() -> None:
         contact, frame = numbers
         about.cause = "The contact time must be from 0 to the frame's duration."
         if isinstance(contact, str) or isinstance(frame, str):
-            about.cause = "A text is not a number. Raise TypeError."
+            about.cause = "A string is not a number. Raise TypeError."
         elif not 0.0 < frame < math.inf:
             about.cause = "Refuse a frame that is not positive and finite. Call positive."
         expect_error(

@@ -22,22 +22,27 @@ def test_when_a_gap_closes(rng: Random) -> None:
     for gap, v, a, wanted, cause in (
         (12.0, -4.0, 0.0, 3.0, "Without acceleration the gap closes at t = gap / -v."),
         (5.0, 0.0, -10.0, 1.0, rest),
-        (15.0, 10.0, -10.0, 3.0, "It first goes up and then comes down: take the later solution."),
-        (40.0, -10.0, -10.0, 2.0, "One solution lies in the past. Take the positive one."),
-        (6.0, -5.0, 2.0, 2.0, "It slows down but arrives: take the first of the two solutions."),
+        (15.0, 10.0, -10.0, 3.0, "The body first rises and then falls back: take the later "
+                                 "solution."),
+        (40.0, -10.0, -10.0, 2.0, "One solution is negative, so it lies in the past. Take the "
+                                  "positive one."),
+        (6.0, -5.0, 2.0, 2.0, "The body slows down but still arrives: take the first of the two "
+                              "solutions."),
         (0.5 * pull * t * t, 0.0, -pull, t, rest),
-        (1e-6, -1e-6, 0.0, 1.0, "A slow approach closes the gap too."),
-        (5e-7, 0.0, -1e-6, 1.0, "A weak acceleration closes the gap too."),
-        (0.0, 10.0, -10.0, 2.0, "It leaves the ground now. The impact is when it comes back."),
-        (-0.01, 10.0, -10.0, 1.0 + math.sqrt(0.998), "It starts a little inside and leaves. The "
-         "impact is when it comes back."),
-        (-5.0, 3.0, -10.0, 0.3, "It is too deep to get out. It starts to close when its velocity "
-         "reverses."),
+        (1e-6, -1e-6, 0.0, 1.0, "Even a slow approach closes the gap."),
+        (5e-7, 0.0, -1e-6, 1.0, "Even a weak acceleration closes the gap."),
+        (0.0, 10.0, -10.0, 2.0, "The body leaves the ground now. The impact is when it comes "
+                                "back."),
+        (-0.01, 10.0, -10.0, 1.0 + math.sqrt(0.998), "The body starts a little inside the ground "
+                                                     "and leaves it. The impact is when it comes "
+                                                     "back."),
+        (-5.0, 3.0, -10.0, 0.3, "The body is too deep to get out. Its impact is when its "
+                                "velocity reverses and it starts to close."),
     ):  # fmt: skip
         about(f"time_to_close({gap}, {v}, {a})", cause=cause)
         got = time_to_close(gap, v, a)
-        mistakes = [(-wanted, "This time is in the past. Check the signs of velocity and "
-                     "acceleration.")]  # fmt: skip
+        mistakes = [(-wanted, "A negative time is in the past. Check the signs of velocity "
+                              "and acceleration.")]  # fmt: skip
         if a:
             other = -2.0 * v / a - wanted  # the sum of both solutions is -2 v / a
             mistakes.append((other, f"This is the other solution of the equation. {cause}"))
@@ -52,29 +57,38 @@ def test_when_a_gap_closes(rng: Random) -> None:
 def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
     about.read = CLOSE
     x = positive_number(rng)
-    lies = "It lies there and is accelerated inward. The time is 0."
+    lies = "The body lies on the ground and is accelerated inward, so the time is 0."
     slow = "A speed below VELOCITY_TOLERANCE is rounding. It does not close the gap."
     for gap, v, a, wanted, cause in (
-        (0.0, -x, 0.0, 0.0, "It touches and closes, so the time is 0."),
-        (-x, -x, 3.0, 0.0, "It is inside and moves farther in, so the time is 0."),
-        (0.0, -1e-9, 0.0, 0.0, "It touches and closes slowly, so the time is 0."),
-        (2.0, -2.0, 1.0, math.inf, "It reverses exactly when it touches (the root is 0), so there "
-         "is no impact."),
+        (0.0, -x, 0.0, 0.0, "The body touches the ground and is closing, so the time is 0."),
+        (-x, -x, 3.0, 0.0, "The body is inside the ground and moves farther in, so the time is 0."),
+        (0.0, -1e-9, 0.0, 0.0, "The body touches the ground and is closing, if only slowly, so "
+                               "the time is 0."),
+        (2.0, -2.0, 1.0, math.inf, "The body reverses exactly when it touches (the root is 0), "
+                                   "so there is no impact."),
         (0.0, 0.0, -x, 0.0, lies),
         (-1e-18, 0.0, -x, 0.0, lies),
-        (x, 1.0, 0.0, math.inf, "It moves away and nothing brings it back."),
-        (x, 0.0, 0.0, math.inf, "It does not move at all."),
-        (x, 0.0, 2.0, math.inf, "It is accelerated away."),
-        (x, 2.0, 3.0, math.inf, "It moves away and is accelerated away."),
-        (x, -1.0, 1.0 / x, math.inf, "It reverses before it arrives: the number under the root is "
-         "negative."),
-        (0.0, 0.0, 0.0, math.inf, "It lies there without velocity or acceleration, so there is no "
-         "impact."),
-        (0.0, x, 0.0, math.inf, "It leaves."),
-        (-x, 0.0, 0.0, math.inf, "It is inside but does not move, so there is no impact."),
-        (-x, 0.0, 2.0, math.inf, "It is inside and accelerated outward, so there is no impact."),
+        (x, 1.0, 0.0, math.inf, "The body moves away, and nothing brings it back. Return "
+                                "math.inf."),
+        (x, 0.0, 0.0, math.inf, "The body does not move at all, so it never arrives. Return "
+                                "math.inf."),
+        (x, 0.0, 2.0, math.inf, "The body is at rest and is accelerated away, so it never "
+                                "arrives."),
+        (x, 2.0, 3.0, math.inf, "The body moves away and is accelerated away, so it never "
+                                "arrives."),
+        (x, -1.0, 1.0 / x, math.inf, "The body reverses before it arrives: the number under the "
+                                     "root is negative."),
+        (0.0, 0.0, 0.0, math.inf, "The body lies on the ground without velocity or acceleration, "
+                                  "so there is no impact."),
+        (0.0, x, 0.0, math.inf, "The body leaves the ground and nothing brings it back, so there "
+                                "is no impact."),
+        (-x, 0.0, 0.0, math.inf, "The body is inside the ground but does not move, so there is "
+                                 "no impact."),
+        (-x, 0.0, 2.0, math.inf, "The body is inside the ground and accelerated outward, so "
+                                 "there is no impact."),
         (1.0, -1e-13, 0.0, math.inf, slow),
-        (-x, x, 1.0, math.inf, "It is inside but moves out, so there is no impact."),
+        (-x, x, 1.0, math.inf, "The body is inside the ground but moves out, so there is no "
+                               "impact."),
         (0.0, -1e-13, 0.0, math.inf, slow),
     ):  # fmt: skip
         about(f"time_to_close({gap}, {v}, {a})", cause=cause)

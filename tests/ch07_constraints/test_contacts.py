@@ -67,7 +67,7 @@ def test_the_world_does_not_move(rng: Random) -> None:
     v = components(rng)
     for n in (UP, direction(rng)):
         about.call = f"a with velocity {v}; Contact(a, None, Vector3{n}).separating_velocity()"
-        about.cause = "If other is None, there is no second velocity. Return va . n."
+        about.cause = "If self.other is None, there is no second velocity. Return va . n."
         got = Contact(Particle(velocity=Vector3(*v)), None, Vector3(*n)).separating_velocity()
         blame(got, [(-dot(v, n), "The sign is wrong. Return va . n.")])
         expect_close(got, dot(v, n), tolerance=1e-13)
@@ -79,7 +79,9 @@ def test_to_ask_for_it_changes_nothing(rng: Random) -> None:
     v, w, n, m = components(rng), components(rng), direction(rng), direction(rng)
     about.call = f"a with velocity {v}, b with {w}; c = Contact(a, b, Vector3{n}); "
     about.call += "c.separating_velocity()"
-    about.cause = "-= changes a vector in place. Compute a - b, which makes a new vector."
+    about.cause = (
+        "The operator -= changes a vector in place. Compute a - b, which makes a new vector."
+    )
     a, b = Particle(velocity=Vector3(*v)), Particle(velocity=Vector3(*w))
     c = Contact(a, b, Vector3(*n))
     c.separating_velocity()
@@ -167,8 +169,8 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
     x, y, z = xyz(side)
     pull = (5.0 * x - G * n[0], 5.0 * y - G * n[1], 5.0 * z - G * n[2])
     for closing, wanted, cause in (
-        (G * h, 0.0, "This body is at rest: it closes only by what the time step's acceleration "
-         "added. It must not bounce."),
+        (G * h, 0.0, "This body is at rest. It closes only with the velocity that this time step "
+                     "has added, so it must not bounce."),
         (0.4 * G * h, 0.0, "The time step added more than the whole closing speed. Return 0, never "
          "less."),
         (5.0, c * (5.0 - G * h), "Of the 5 m/s the time step added 0.1962 m/s. Only the rest "
@@ -177,12 +179,12 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
         about.cause = cause
         size = math.hypot(*pull)
         mistakes = [
-            (c * closing, "Everything bounces here. Leave out the velocity that this time step has "
-             "added, or a resting body jitters."),
+            (c * closing, "The whole velocity bounces here. Leave out the part that this time "
+                          "step has added, or a resting body jitters."),
             (c * closing - G * h, "Subtract the built-up velocity before you multiply by the "
              "restitution: c (-v_s + a . n h)."),
-            (c * (closing + G * h), "Here a . n is negative and makes the bounce smaller. Add it "
-             "to -v_s."),
+            (c * (closing + G * h), "Here a . n is negative, so it makes the bounce smaller. Add "
+                                    "a . n h to -v_s."),
             (c * (closing - size * h), "This uses the whole |a|. Only a . n, its component along "
              "the normal, closes the contact."),
             (0.0, "Nothing bounces here, but the time step added only 0.1962 of the 5 m/s. Did you "
@@ -267,8 +269,8 @@ def test_two_that_fall_alike_build_up_nothing(rng: Random) -> None:
     c, h = round(rng.uniform(0.3, 0.9), 3), 0.02
     immovable = "An immovable particle does not accelerate. Ignore its last_acceleration."
     for pa, pb, mass_a, mass_b, wanted, cause in (
-        (pull, pull, 1.0, 2.0, c * 3.0, "Both accelerate alike, so a does not accelerate relative "
-         "to b. Use (aa - ab) . n."),
+        (pull, pull, 1.0, 2.0, c * 3.0, "Both particles accelerate alike, so a does not "
+                                        "accelerate relative to b. Use (aa - ab) . n."),
         (0.0, other, 1.0, 2.0, c * (3.0 - other * h), "Here b accelerates toward a, which closes "
          "the contact. Use (aa - ab) . n."),
         (0.0, other, 1.0, math.inf, c * 3.0, immovable),

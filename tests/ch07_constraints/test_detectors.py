@@ -172,8 +172,8 @@ def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
         expect_close(restitution, right[3], then=": restitution")
         apart = size - right[4]
         mistakes = [
-            (size * size - apart * apart, "These are squares. Subtract the distance itself, not "
-             "its square."),
+            (size * size - apart * apart, "These are squares. Subtract the distance itself from "
+                                          "two radii, not its square."),
             (-right[4], "The sign is wrong. The penetration of overlapping spheres is positive."),
             (0.5 * size - apart, "Each sphere has a radius. Subtract the distance from two radii."),
             (apart, "This is the distance of the centers. Subtract it from two radii."),

@@ -70,11 +70,11 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     ((a, b, normal, restitution, depth),) = told([contact], particles)
     seen = (a, b, *normal, restitution, depth)
     wanted = (times.index(first), -1, *UP, c, 0.0)
-    about.cause = "The contact is wrong. It has the particle, no other, the normal (0, 1, 0), the "
-    about.cause += "detector's restitution and a penetration of 0."
+    about.cause = "The contact is wrong. Pass it the particle, None as its other, the normal (0, "
+    about.cause += "1, 0), the detector's restitution and a penetration of 0."
     for part, cause in (
         (0, "The particle must be the one that arrives first."),
-        (1, "The ground is no particle. other must be None."),
+        (1, "The ground is not a particle, so the contact's other must be None."),
         (3, "The normal must be (0, 1, 0), from the ground to the particle."),
         (5, "Pass the detector's restitution to the contact."),
         (6, "The contact describes the moment of the impact. Its penetration is 0."),
@@ -135,7 +135,9 @@ def test_the_ground_sees_accelerations_and_walls(rng: Random) -> None:
     expect_close(impact[0], 1.0)
     about.call = "two particles at height 2 with velocity (0, -2, 0); "
     about.call += "GroundPlane(particles).next_impact(1)"
-    about.cause = "Of two impacts at the same time, return the one that is first in the list."
+    about.cause = (
+        "If two impacts are at the same time, the particle that is first in the list counts."
+    )
     particles = [Particle(Vector3(i, 2.0, 0.0), down) for i in range(2)]
     impact = expect_impact(GroundPlane(particles).next_impact(1.0))
     ((first, *_),) = told([impact[1]], particles)
@@ -143,7 +145,9 @@ def test_the_ground_sees_accelerations_and_walls(rng: Random) -> None:
     expect_close(impact[0], 1.0, then=": time")
     about.call = "p at height -1 with velocity (0, -2, 0); GroundPlane([p]).next_impact(0): time, "
     about.call += "penetration"
-    about.cause = "It is in the ground and closing, so the impact is at time 0, with penetration 0."
+    about.cause = (
+        "The particle is in the ground and closing. The impact is at time 0, with penetration 0."
+    )
     impact = expect_impact(GroundPlane([Particle(Vector3(0.0, -1.0, 0.0), down)]).next_impact(0.0))
     seen = (impact[0], impact[1].penetration)
     expect_close(seen, (0.0, 0.0))
@@ -238,22 +242,22 @@ def test_when_two_spheres_meet(rng: Random) -> None:
 @pytest.mark.exercise("B7.11")
 def test_spheres_that_touch_or_never_meet() -> None:
     about.read = PAIRS
-    meet = "Their centers are 5 m apart. They touch when that is 2 m."
+    meet = "The centers are 5 m apart. The spheres touch when this distance is 2 m."
     for x, y, speed, wanted, cause in (
-        (2.0, 0.0, -3.0, 0.0, "They touch and approach each other, so the time is 0."),
-        (1.5, 0.0, -3.0, 0.0, "They overlap and approach each other, so the time is 0."),
-        (1.5, 0.0, 3.0, None, "They overlap, but they move apart. Return None."),
-        (5.0, 0.0, 3.0, None, "They move apart. Return None."),
-        (5.0, 0.0, 0.0, None, "They do not move relative to each other. Return None."),
-        (5.0, 2.5, -3.0, None, "They miss each other: the number under the root is negative."),
-        (5.0, 2.000001, -3.0, None, "They only just miss each other. Return None."),
+        (2.0, 0.0, -3.0, 0.0, "The spheres touch and approach each other, so the time is 0."),
+        (1.5, 0.0, -3.0, 0.0, "The spheres overlap and approach each other, so the time is 0."),
+        (1.5, 0.0, 3.0, None, "The spheres overlap, but they move apart. Return None."),
+        (5.0, 0.0, 3.0, None, "The spheres move apart. Return None."),
+        (5.0, 0.0, 0.0, None, "The spheres do not move relative to each other. Return None."),
+        (5.0, 2.5, -3.0, None, "The spheres miss: the number under the root is negative."),
+        (5.0, 2.000001, -3.0, None, "The spheres only just miss each other. Return None."),
         (5.0, 0.0, -3.0, 1.0, meet),
         (-5.0, 0.0, 3.0, 1.0, meet),
         (5.0, 0.0, -0.125, None, "They meet after 24 s, later than the duration. Return None."),
-        (2.0, 0.0, -1e-9, 0.0, "They touch and approach slowly, so the time is 0."),
-        (32.0, 0.0, -3.0, 10.0, "They meet exactly at the end of the duration, which counts."),
-        (2.0, 0.0, -1e-13, None, "A closing speed below VELOCITY_TOLERANCE is rounding."),
-        (0.0, 0.0, 3.0, None, "Their positions are equal, so they are not closing."),
+        (2.0, 0.0, -1e-9, 0.0, "The spheres touch and slowly approach, so the time is 0."),
+        (32.0, 0.0, -3.0, 10.0, "The spheres meet exactly at the end of the duration."),
+        (2.0, 0.0, -1e-13, None, "A closing speed below VELOCITY_TOLERANCE is rounding error."),
+        (0.0, 0.0, 3.0, None, "The positions are equal, so the spheres are not closing."),
     ):
         about(f"a at ({x}, {y}, 0), velocity ({speed}, 0, 0); b at (0, 0, 0); ", cause=cause)
         about.call += "ParticlePairs([a, b], 1.0).next_impact(10.0)"
@@ -308,7 +312,9 @@ def test_the_first_pair_of_many(rng: Random) -> None:
     expect_close(impact[0], 0.5 / speed, then=": time")
     about.call = f"spheres of radius 1 at x = 0, 3 and 6 with {speed}, 0 and -{speed} m/s along x; "
     about.call += "next_impact(9.0)"
-    about.cause = "Of two impacts at the same time, return the one that is first in list order."
+    about.cause = (
+        "If two impacts are at the same time, the pair that is first in list order counts."
+    )
     particles = [Particle(Vector3(3.0 * i), Vector3(speed * (1 - i))) for i in range(3)]
     impact = expect_impact(ParticlePairs(particles, 1.0).next_impact(9.0))
     ((a, b, *_),) = told([impact[1]], particles)

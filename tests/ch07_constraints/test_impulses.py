@@ -151,7 +151,7 @@ def test_what_parts_or_cannot_be_moved_gets_no_impulse(rng: Random) -> None:
     if dot(v, n) < dot(w, n):
         v, w = w, v
     for mass, first, second, cause in (
-        (2.0, v, w, "The two are separating already. Give no impulse."),
+        (2.0, v, w, "The two particles are separating already, so they need no impulse."),
         (math.inf, w, v, "Both particles are immovable, so the sum of the inverse masses is 0. "
          "Return before you divide by it."),
     ):  # fmt: skip
@@ -245,7 +245,7 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
         contact = Contact(a, b, Vector3(*n), 0.5, depth)
         moves = contact.resolve_penetration()
         got = xyz(contact.normal)
-        whole = "The contact's normal changed. *= and normalize work in place; use a new vector."
+        whole = "The contact's normal changed: *= and normalize work in place. Use a new vector."
         expect_unchanged("the normal", got, n, cause=whole)
         move = tuple(share * depth * part for part in n)
         back = tuple((share - 1.0) * depth * part for part in n)
@@ -288,7 +288,7 @@ def test_what_is_not_in_each_other_is_not_moved(rng: Random) -> None:
     p, q, n = components(rng), components(rng), direction(rng)
     gap = "A negative penetration is a gap. Leave it as it is, however small it is."
     for depth, mass, cause in (
-        (0.0, 2.0, "The two only touch, so nothing has to move."),
+        (0.0, 2.0, "The two particles only touch, so nothing has to move."),
         (-positive_number(rng), 2.0, gap),
         (-0.125, 2.0, gap),
         (-1e-10, 2.0, gap),

@@ -62,7 +62,7 @@ def expect_contacts(
     for seen, right in zip(got, wanted, strict=True):
         a, b, normal, restitution, depth = seen
         name = f"{about.call}: index of particle and other, -1 is None"
-        why = "The particle of the contact is a. The other is b, or None for an anchor."
+        why = "The particle of the contact is a. Its other is b, or None for an anchor."
         expect_close((a, b), right[:2], call=name, cause=why)
         back = tuple(-part for part in right[2])
         why = f"The normal has the wrong sign. {about.cause}"
@@ -89,7 +89,10 @@ def places(pair: list[Any]) -> Components:
 
 @scoped
 def expect_ends(pair: list[Any], before: Components) -> None:
-    about.cause = "Finding contacts must not move anything. Compute b - a; -= works in place."
+    about.cause = (
+        "Finding contacts must not move anything. Compute b - a instead of using -=, which works "
+        "in place."
+    )
     expect_unchanged("the pair of positions", places(pair), before)
 
 

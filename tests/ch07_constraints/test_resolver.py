@@ -38,8 +38,16 @@ def test_what_closes_fastest_is_first() -> None:
     about.call += "resolve_velocities([left pair, right pair], limit, 0.5), limit"
     for limit, wanted, cause in (
         (1, (1.0, -2.25, -0.75), "The right pair closes at 3 m/s, the left pair only at 1 m/s."),
-        (2, (-1.4375, 0.1875, -0.75), "The left pair is next: it now closes at 3.25 m/s."),
-        (9, (-1.4375, -0.515625, -0.046875), "The right pair closes again, so it comes once more."),
+        (
+            2,
+            (-1.4375, 0.1875, -0.75),
+            "The left pair comes next, because it now closes at 3.25 m/s.",
+        ),
+        (
+            9,
+            (-1.4375, -0.515625, -0.046875),
+            "The right pair closes again, so resolve it once more.",
+        ),
     ):
         about.cause = f"{cause} Compare all contacts again before each resolution."
         used, bodies, _ = resolved(row(1.0, 0.0, -3.0), contacts, "resolve_velocities", limit)
@@ -83,10 +91,12 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
     used, after, depths = resolved(bodies, contacts, "resolve_velocities", 1)
     got = tuple(velocity[1] for _, velocity in after[:3])
     mistakes = [
-        ((2.0, -1.0, 0.0), "a was resolved, but c closes faster. Depth, restitution and immovable "
-         "ends do not matter; compare the separating velocities."),
-        ((-2.0, 1.0, 0.0), "b was resolved, the deepest one and the fastest along the ground. c "
-         "has the lowest separating velocity."),
+        ((2.0, -1.0, 0.0), "The contact of a was resolved, but that of c closes faster. Compare "
+                           "only the separating velocities. Depth, restitution and immovable "
+                           "ends do not matter."),
+        ((-2.0, 1.0, 0.0), "The contact of b was resolved, which is the deepest and has the "
+                           "fastest particle along the ground. But that of c has the lowest "
+                           "separating velocity."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, (-2.0, -1.0, 3.0), then=": upward velocities")
@@ -127,7 +137,12 @@ def test_a_push_goes_through_a_row(rng: Random) -> None:
     about.call += f"resolve_velocities of the pairs {pairs}, limit"
     for limit, leaves, cause in (
         (2, 2, "Each resolution passes the whole motion on to the next ball. Stop at the limit."),
-        (4, 4, "The last ball must end up with all of the motion, and the others at rest."),
+        (
+            4,
+            4,
+            "At the end, the last ball must have all of the motion, and the others must be at "
+            "rest.",
+        ),
         (50, 4, "After four resolutions nothing closes. Stop before the limit."),
     ):
         about.cause = cause
@@ -145,13 +160,13 @@ def test_only_what_closes_is_resolved(rng: Random) -> None:
     about.read = FASTEST
     n = direction(rng)
     for closing, depth, wanted, cause in (
-        (1e-13, 0.0, 0, "A closing speed below VELOCITY_TOLERANCE is rounding. Leave it."),
+        (1e-13, 0.0, 0, "A closing speed below VELOCITY_TOLERANCE is rounding error. Leave it."),
         (1e-11, 0.0, 1, "This contact closes faster than VELOCITY_TOLERANCE. Resolve it."),
         (0.5, -1.0, 1, "This contact is closing. Its penetration does not matter here."),
         (-0.5, 1.0, 0, "This contact is separating. Leave it, however deep it is."),
         (0.0, 1.0, 0, "Deep contacts are left to resolve_penetrations, unlike in the book's "
          "listing."),
-        (1e-13, 1.0, 0, "A closing speed below VELOCITY_TOLERANCE is rounding. Leave it."),
+        (1e-13, 1.0, 0, "A closing speed below VELOCITY_TOLERANCE is rounding error. Leave it."),
         (1e-11, 1.0, 1, "This contact closes faster than VELOCITY_TOLERANCE. Resolve it."),
     ):  # fmt: skip
         about.cause = cause
@@ -234,8 +249,9 @@ def test_what_is_deepest_is_first() -> None:
     for limit, wanted, depths, cause in (
         (1, (0.0, 0.625, 2.375), (0.875, 0.0), "The right pair is deepest. Each of its balls moves "
          "by half the depth."),
-        (2, (-0.4375, 1.0625, 2.375), (0.0, 0.4375), "The left pair is next. The first move pushed "
-         "the middle ball into it, so it is 0.875 m deep now."),
+        (2, (-0.4375, 1.0625, 2.375), (0.0, 0.4375), "The left pair comes next. The first move "
+                                                     "pushed the middle ball into the left one, "
+                                                     "so this pair is now 0.875 m deep."),
         (3, (-0.4375, 0.84375, 2.59375), (0.21875, 0.0), "The right pair is the deepest again."),
     ):  # fmt: skip
         about.cause = cause
@@ -257,10 +273,10 @@ def test_what_is_deepest_is_first() -> None:
              "Check the sign."),
             ((0.875, -0.75), "The resolved contact was updated twice. resolve_penetration already "
              "sets it to 0, so skip it in your loop."),
-            ((0.0, 0.0), "The right contact is still 0. The middle ball is its other: update "
-             "contacts for that case too."),
-            ((0.0, -0.4375), "The sign is wrong for a contact's other. A move of the other along "
-             "the normal makes the contact deeper."),
+            ((0.0, 0.0), "The right contact is still 0. There the middle ball is contact.other: "
+                         "update contacts for that case too."),
+            ((0.0, -0.4375), "The sign is wrong for a contact's other. When contact.other moves "
+                             "along the normal, the contact gets deeper."),
         ]  # fmt: skip
         blame(got_depths, mistakes)
         expect_close(got_depths, depths, then=f" {limit}: penetrations")
@@ -282,8 +298,8 @@ def test_one_contact_is_resolved_once(rng: Random) -> None:
     about.read = DEEPEST
     n, mass, depth = direction(rng), positive_number(rng), positive_number(rng, 0.1, 0.9)
     for deep, wanted, cause in (
-        (depth, 1, "After one resolution the contact only touches, so stop. The book's listing "
-         "moves it again (E-8)."),
+        (depth, 1, "After one resolution the particle only touches the ground, so stop. The "
+                   "book's listing moves it again (E-8)."),
         (2e-9, 1, "This contact is deeper than DEPTH_TOLERANCE. Resolve it."),
         (5e-10, 0, "A depth below DEPTH_TOLERANCE counts as touching. Leave it."),
         (-1.0, 0, "The particle is apart from the ground. Leave it."),
@@ -330,8 +346,9 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
         expect_close(depths[1], 0.0, call=name)
         for (p, q, m, _, _), got in zip(others, [depths[0], *depths[2:]], strict=True):
             wanted = -5.0 - (moves.get(p, 0.0) - moves.get(q, 0.0)) * dot(n, m)
-            about.cause = "Subtract how far its particle moved along its normal, and add how far "
-            about.cause += "its other moved. Compare particles with `is`; other may be None, the "
+            about.cause = "For each contact, subtract the distance that contact.particle moved "
+            about.cause += "along the normal, and add the distance that contact.other moved. "
+            about.cause += "Compare particles with `is`. If contact.other is None, it is the "
             about.cause += "world, which never moves."
             name = f"{about.call} {names[p]} and {names[q]}"
             expect_close(got, wanted, call=name, tolerance=1e-14)

@@ -42,10 +42,12 @@ def test_without_an_impact_the_flight_is_exact(rng: Random) -> None:
     wanted = (v[0] * h, 9.0 + v[1] * h - 5.0 * h * h, v[2] * h)
     without = (wanted[0], 9.0 + v[1] * h, wanted[2])
     mistakes = [
-        ((0.0, 9.0, 0.0), "It did not move. After the last impact, fly on to the end of the step."),
+        ((0.0, 9.0, 0.0), "It did not move. After the last impact, fly "
+                          "on to the end of the step."),
         (without, "The term a t^2 / 2 is missing, as in explicit Euler. Use p + v t + a t^2 / 2."),
-        ((wanted[0], 9.0 + v[1] * h - 10.0 * h * h, wanted[2]), "This adds a t^2. Only half of it "
-         "belongs there: p + v t + a t^2 / 2."),
+        ((wanted[0], 9.0 + v[1] * h - 10.0 * h * h, wanted[2]), "This adds a t^2 to the "
+                                                                "position. Add only half of it: "
+                                                                "p + v t + a t^2 / 2."),
     ]  # fmt: skip
     seen = cause_of(place, mistakes, about.cause)
     expect_close(place, wanted, then="position", cause=seen)
@@ -296,14 +298,19 @@ def test_depths_are_not_looked_at() -> None:
     about.read = READ
     about.call = "a particle 1 m below the ground, velocity (0, 3, 0); a step of 0.5 s: position, "
     about.call += "velocity"
-    about.cause = "It is on its way out, so there is no impact. Never resolve penetrations here."
+    about.cause = (
+        "The particle is on its way out, so there is no impact. Never resolve penetrations here."
+    )
     body = ((0.0, -1.0, 0.0), (0.0, 3.0, 0.0), 2.0)
     seen, _, _, _ = flown([body], ZERO, 0.0, (0.5, None), 0.5, 1)
     got = seen[0][0][0] + seen[0][0][1]
     expect_close(got, (0.0, 0.5, 0.0, 0.0, 3.0, 0.0))
     about.call = "the same with velocity (0, -3, 0), restitution 0.5: position, velocity"
     body = ((0.0, -1.0, 0.0), (0.0, -3.0, 0.0), 2.0)
-    about.cause = "It bounces at once, where it is. Call resolve_velocity and nothing else."
+    about.cause = (
+        "The particle bounces at once and is not moved first. Call resolve_velocity and nothing "
+        "else."
+    )
     seen, _, _, _ = flown([body], ZERO, 0.0, (0.5, None), 0.5, 1)
     got = seen[0][0][0] + seen[0][0][1]
     expect_close(got, (0.0, -0.25, 0.0, 0.0, 1.5, 0.0))
@@ -340,5 +347,8 @@ def test_a_frame_needs_numbers_that_mean_something() -> None:
         got = (*xyz(p.position), *xyz(p.velocity), *xyz(p.force_accumulator))
         before = (0.0, 5.0, 0.0, 1.0, 2.0, 3.0, 1.0, 0.0, 0.0)
         name = "position, velocity and force"
-        late = "The step is refused, but too late. Check both arguments before anything moves."
+        late = (
+            "The step is refused, but only after something has changed. Check both arguments "
+            "before anything moves."
+        )
         expect_unchanged(name, got, before, cause=late)

@@ -23,7 +23,9 @@ def test_a_row_counts_once(rng: Random) -> None:
     a, b = rng.sample(range(1, rows - 1), 2)  # other checks have the first and the last row
     events = [a, a, b, a, b]
     about(f"Rules({rows}); rules.landed() for the rows {events}: the score after each", read=RULES)
-    about.cause = "A row gives POINTS, 10, the first time, and nothing after that."
+    about.cause = (
+        "The first landing on a row scores POINTS, 10. Later landings on it score nothing."
+    )
     seen = ruled(rows, events)
     got = [score for score, *_ in seen]
     mistakes = [
@@ -66,7 +68,7 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     over = "The game is over if it is won, or if no lives are left."
     expect_exactly(list(won[3:]), [True, True], call=name, cause=over)
     before = seen[rows + falls - 2]
-    about.cause = "Before the last row the game is not won, so there is no bonus."
+    about.cause = "Before the last row is visited, the game is not won, so there is no bonus."
     expect_exactly(before[0], 10 * (rows - 1), then=": the score before the last row")
     about.cause = "After the end of the game nothing counts any more."
     got = list(seen[-1][:2])
@@ -249,7 +251,9 @@ def test_the_last_row_ends_the_game(rng: Random) -> None:
     x = FIRST + 2.0 * row
     about.call = f"a game with rows {visited} visited, the ball 0.05 m above row {row} at -6 m/s; "
     about.call += "three times game.step(1/60)"
-    about.cause = "The game is won. POINTS and the bonus are given once, and then nothing moves."
+    about.cause = (
+        "The game is won. POINTS and the bonus are given only once, and after that nothing moves."
+    )
     seen = played(3, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0), visited=visited)
     scores = [frame["score"] for frame in seen]
     expect_exactly(scores, [160] * 3, then=": the scores")

@@ -107,17 +107,19 @@ def test_a_bond_at_its_very_limits(rng: Random) -> None:
     lengths = [most, most + 1e-6, rest + 1e-6, rest]
     about.call = f"Bond(a, b, 30, {rest}, {rest}, 0.5, {most}) along X, set to the lengths "
     about.call += f"{lengths} in turn: whether it holds at each"
-    about.cause = "At exactly break_length the bond still holds. A longer bond breaks, and holds "
-    about.cause += "again at rest_length or less."
+    about.cause = "At exactly break_length the bond still holds. A longer bond breaks, and it "
+    about.cause += "holds again at rest_length or less."
     # Quarters of a meter from the origin are not rounded.
     seen = bonded(lengths, 30.0, rest, rest, 0.5, most, (1.0, 0.0, 0.0), origin=ZERO)
     got = [holds for _, _, holds in seen]
     if got == [True] * 4:
         about.cause = "The bond never breaks. It must break when it is longer than break_length."
     elif got == [True, False, False, False]:
-        about.cause = "The bond does not heal. It holds again at rest_length or less."
+        about.cause = "The bond does not heal. It must hold again at rest_length or less."
     elif got == [True, False, True, True]:
-        about.cause = "The bond heals too early. It stays broken until its length is rest_length."
+        about.cause = (
+            "The bond heals too early. It stays broken until its length is rest_length or less."
+        )
     expect_exactly(got, [True, False, False, True])
 
 

@@ -262,7 +262,7 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
             if not depth:
                 about.cause = "The ball just touches the deck. A penetration of 0 counts."
         elif ends in ([(0, 3)], [(0, 4)]):
-            about.cause = "Only one end of the row has a contact. Return one for each end."
+            about.cause = "Only one end of the row has a contact. Return one contact for each end."
         elif ends == [(3, 0), (4, 0)]:
             about.cause = "particle and other are swapped. The ball is the particle, and the end "
             about.cause += "of the row is the other."
@@ -272,7 +272,9 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         for _, _, normal, restitution, penetration in list(got):
             about.cause = "The normal is +Y, since the deck pushes the ball up."
             expect_close(normal, UP, then=": the normal", tolerance=1e-15)
-            about.cause = "The penetration is height + radius - y."
+            about.cause = (
+                "The penetration is height + radius - y, where height is that of the deck."
+            )
             mistakes = [
                 ((0.0, depth), "The restitution is missing. Pass self.restitution."),
                 ((c, 0.5 * depth), "Do not divide the depth between the two contacts."),

@@ -30,7 +30,7 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
     for count, wanted, cause in (
         (8, 18, "Eight corners have 24 degrees of freedom, and a rigid body has 6: 24 - 6 rods."),
         (3, 3, "A triangle is rigid: three particles need three rods."),
-        (2, 1, "Two particles need one rod. Here 3 n - 6 does not hold."),
+        (2, 1, "Two particles need one rod. The formula 3 n - 6 does not hold for them."),
         (1, 0, "A single particle is rigid without a rod."),
         (4, 6, "A tetrahedron is rigid: four particles need six rods."),
     ):
@@ -46,7 +46,7 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
         expect_exactly(got, wanted)
     count = rng.randint(9, 99)
     about.call = f"fewest_rods({count})"
-    about.cause = "There are three for each particle, minus the six of a rigid body."
+    about.cause = "Each particle has three degrees of freedom. Subtract the six of a rigid body."
     expect_exactly(fewest_rods(count), 3 * count - 6)
 
 
@@ -128,19 +128,21 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
     about.read = DRIVE
     hub, force, already = components(rng), number(rng), components(rng)
     about.cause = "The force is F (-sin, cos, 0) of the spoke's angle in the X-Y plane. It is at a "
-    about.cause += "right angle to the spoke, and it is the same at every distance."
+    about.cause += "right angle to the spoke and has the same size at every distance."
     about.call = "RimDrive(hub at (1, 2, 3), 10).update_force(particle, 0.1), the particle at (4, "
     about.call += "6, 15)"
     got, _ = driven((1.0, 2.0, 3.0), 10.0, [(4.0, 6.0, 15.0)], (0.0, 0.0, 0.0))[0]
     mistakes = [
-        ((6.0, 8.0, 0.0), "This acts along the spoke. Rotate (x, y) by a right angle: (-y, x)."),
-        ((8.0, -6.0, 0.0), "This is clockwise. Use (-y, x) instead of (y, -x)."),
+        ((6.0, 8.0, 0.0), "This force acts along the spoke. Rotate (x, y) by a right angle: (-y, "
+                          "x)."),
+        ((8.0, -6.0, 0.0), "This force drives the rim clockwise. Use (-y, x) instead of (y, -x)."),
         ((-40.0, 30.0, 0.0), "The force grows with the distance. Divide (-y, x) by the spoke's "
          "length."),
-        ((6.0, 8.0, 24.0), "This acts along the spoke and along Z. Use (-y, x, 0)."),
+        ((6.0, 8.0, 24.0), "This force acts along the spoke and along Z. Use (-y, x, 0)."),
         ((-40.0 / 13.0, 30.0 / 13.0, 0.0), "Use the length in the X-Y plane, sqrt(x^2 + y^2)."),
-        ((-60.0 / math.sqrt(52.0), 40.0 / math.sqrt(52.0), 0.0), "This acts around the origin. Use "
-         "the position relative to the hub."),
+        ((-60.0 / math.sqrt(52.0), 40.0 / math.sqrt(52.0), 0.0), "This force acts around the "
+                                                                 "origin. Use the position "
+                                                                 "relative to the hub."),
     ]  # fmt: skip
     seen = cause_of(got, mistakes, about.cause)
     expect_close(got, (-8.0, 6.0, 0.0), cause=seen)
@@ -160,7 +162,7 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
         name = f"{about.call}{place}: its position afterward"
         moves = "update_force must not move the particle. Compute with a new vector."
         expect_close(after, place, call=name, cause=moves, tolerance=0.0)
-    about.cause = "At the hub, and exactly in front of it, no direction exists. Add no force."
+    about.cause = "At the hub, and exactly in front of it, there is no direction, so add no force."
     start = about.call
     for place in (hub, (hub[0], hub[1], hub[2] + 1.0)):
         about.call = f"{start}{place}"

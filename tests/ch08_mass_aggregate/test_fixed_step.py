@@ -30,12 +30,16 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
         about.call += f"while {0.25 * STEP * left} s are left from before"
         steps, left = divmod(left + quarter, 4)
         mistakes = [
-            (steps + 1, "One step too many. Keep a time shorter than a step for the next call."),
+            (
+                steps + 1,
+                "This is one step too many. A time shorter than a step stays in "
+                "self.left for the next call.",
+            ),
             (1, "Only one step was made. Repeat while there is enough time left."),
         ]
         seen = cause_of(row[0], mistakes, about.cause)
         expect_exactly(row[0], steps, then=": the number of steps that it returns", cause=seen)
-        mistakes = [((0.0, 0.0), "The rest of the time is lost. Keep it in left.")]
+        mistakes = [((0.0, 0.0), "The rest of the time is lost. Keep it in self.left.")]
         seen = cause_of(row[1:], mistakes, about.cause)
         wanted = (0.25 * STEP * left, 0.0)
         expect_close(row[1:], wanted, then=": left and dropped", cause=seen, tolerance=0.0)
@@ -95,8 +99,8 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     elapsed = [STEP * (limit + late + 0.25), STEP * (limit + 0.5), STEP * (limit - 1)]
     elapsed.append(STEP * (limit + 1))
     start = f"a FixedStep of {STEP} s, max_steps={limit}; advance by "
-    about.cause = "After max_steps, move the time of the whole steps that are still due from left "
-    about.cause += "to dropped."
+    about.cause = "After max_steps steps, subtract the time of all remaining whole steps from "
+    about.cause += "self.left and add it to self.dropped."
     done = advanced(STEP, elapsed, limit)
     wanted = [
         (limit, 0.25 * STEP, STEP * late),
@@ -107,14 +111,27 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     for i, row in enumerate(done["rows"]):
         about.call = f"{start}{elapsed[: i + 1]} in turn"
         steps, left, dropped = wanted[i]
-        mistakes = [(limit + 1, "One step more than max_steps was made.")]
+        mistakes = [(limit + 1, "One step more than max_steps was made. Stop at max_steps.")]
         seen = cause_of(row[0], mistakes, about.cause)
         expect_exactly(row[0], steps, then=": steps of the last call", cause=seen)
         mistakes = [
-            ((0.0, left + dropped), "All of the time is dropped. Keep less than a step in left."),
-            ((left + dropped, 0.0), "Nothing is dropped, so the next call would catch up."),
-            ((left, dropped / STEP), "dropped is a time in s and not a number of steps."),
-            ((left, STEP), "This is what the last call dropped. Add it to dropped."),
+            (
+                (0.0, left + dropped),
+                "All of the time is dropped. Keep less than a step in self.left.",
+            ),
+            (
+                (left + dropped, 0.0),
+                "Nothing is dropped, so the next call would make up for the missing steps.",
+            ),
+            (
+                (left, dropped / STEP),
+                "The attribute dropped is a time in seconds and not a number of steps.",
+            ),
+            (
+                (left, STEP),
+                "This is only what the last call dropped. Add it to dropped instead "
+                "of replacing dropped.",
+            ),
         ]
         seen = cause_of(row[1:], mistakes, about.cause)
         expect_close(row[1:], (left, dropped), then=": left, dropped", cause=seen, tolerance=1e-12)
@@ -122,11 +139,14 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     about.call = f"{start}{elapsed} in turn"
     expect_exactly(len(done["made"]), count, then=": steps made in all")
     about.call = f"a FixedStep of 0.1 s, max_steps={limit}; advance by {0.1 * (limit + late)!r}"
-    about.cause = "A step that is due except for rounding counts as a whole step here too."
+    about.cause = "Here too, a step counts as due if only a rounding error is missing from it."
     row = advanced(0.1, [0.1 * (limit + late)], limit)["rows"][0]
     # Rounding of a few times 0.1 s, many times less than a step.
     expect_close(row[1:], (0.0, 0.1 * late), then=": left, dropped", tolerance=1e-9)
-    about.cause = "Drop whole steps. A step of which less than SHARE is missing counts as whole."
+    about.cause = (
+        "Drop whole steps and nothing less. A step of which less than SHARE is missing counts as "
+        "whole."
+    )
     for duration, lack in product((1e-6, STEP, 1000.0), (1e-7, 1e-10)):
         elapsed = duration * (5.0 - lack)
         about.call = f"a FixedStep of {duration} s, max_steps=2; advance({elapsed!r})"
@@ -171,10 +191,13 @@ def test_a_time_that_is_none_is_refused() -> None:
         ("0.1", "TypeError"),
     ):
         about.call = f"a FixedStep of {STEP} s with left = {0.25 * STEP}; advance({time!r})"
-        about.cause = 'Check it before left changes: not_negative("elapsed", elapsed).'
+        about.cause = 'Check elapsed before you change self.left: not_negative("elapsed", elapsed).'
         name, left, made = refused_time(STEP, time)
         expect_exactly(name, error, then=": the error raised ('' is none)")
-        lost = "The rest of the time from the call before is lost. A rejected call must keep left."
+        lost = (
+            "The rest of the time from the call before is lost. A rejected call must not change "
+            "self.left."
+        )
         expect_close(left, 0.25 * STEP, then=": left", cause=lost, tolerance=0.0)
         expect_exactly(made, 0, then=": steps made")
     about(f"a FixedStep of {STEP} s; advance(0.0)", cause="A time of 0 is valid. It makes no step.")

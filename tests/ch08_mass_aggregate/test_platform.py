@@ -52,7 +52,7 @@ def test_a_platform_can_only_tilt() -> None:
             about.call = f"rods_of(six particles at PLACES), which joins {pairs}; how many motions "
             about.call += "are possible besides the tilt"
             expect_exactly(len(left) - 1, 0)
-    about.cause = "The platform must be able to tilt about its pivot."
+    about.cause = "The platform must still be able to tilt about its pivot."
     expect_exactly(len(left), 1, then=": how many")
 
 
@@ -85,8 +85,8 @@ def test_what_balances_a_platform(rng: Random) -> None:
     about.cause += "give 2 kg m, so the answer is 2 kg m / 3 m."
     got = balancing_mass([1.0] * 4, [-3.0, -3.0, 4.0, 4.0], -3.0)
     mistakes = [
-        (-2.0 / 3.0, "The sign is wrong. The new mass turns the platform the opposite way: m = "
-         "-sum / x."),
+        (-2.0 / 3.0, "The sign is wrong. The new mass must turn the platform the opposite way: m "
+                     "= -sum / x."),
         (14.0 / 3.0, "Keep the signs of the positions. They are negative on the left of the "
          "pivot."),
         (2.0, "This is the sum of mass times position. Divide it by -x."),
@@ -189,7 +189,7 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
         mistakes = [
             (_masses(1.0, right, left), "The ends are swapped. The nearer end carries more."),
             (_masses(1.0, 2.0 * left, 2.0 * right), "An end has two particles. Each carries half "
-             "of the end's part."),
+                                                    "of the part of that end."),
             (_masses(0.0, left, right), "The particles lost their own mass. Add MASS to what each "
              "carries."),
             (_masses(1.0, near, far), "The nearer end carries everything. Divide the weight "
@@ -207,7 +207,7 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
         expect_close(got[2:], wanted, tolerance=1e-12)
     about.call = "platform.put_weight(3.0, 1.0); put_weight(0.0, 1.0): the masses of the ends"
     got, _ = weighed([(3.0, 1.0), (0.0, 1.0)])
-    expect_close(got[2:], [1.0] * 4, cause="A weight of 0 kg removes the old weight.")
+    expect_close(got[2:], [1.0] * 4, cause="A weight of 0 kg must remove the old weight.")
 
 
 @pytest.mark.exercise("B8.7")

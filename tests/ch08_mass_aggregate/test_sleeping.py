@@ -34,8 +34,8 @@ def test_what_is_slow_for_long_enough_falls_asleep(rng: Random) -> None:
         )
         about.cause += "particles into self.asleep there."
     elif seen[:frames] == wanted[:frames]:
-        about.cause = "They fall asleep but do not stay asleep. Set velocity and inverse_mass to "
-        about.cause += "0, and wake a particle only if something has changed."
+        about.cause = "The particles fall asleep but do not stay asleep. Set velocity and "
+        about.cause += "inverse_mass to 0, and wake a particle only if something has changed."
     expect_exactly(seen, wanted)
     about.call = "particles of 1 m/s, and 0.5, 1 and 2 kg; fall_asleep(): who sleeps after 5 steps"
     about.cause = "sleep_energy is an energy per kg, so the mass makes no difference. Exactly "
@@ -68,9 +68,11 @@ def test_what_has_parted_is_no_group(rng: Random) -> None:
         wanted = [[]] * (last + 4) + [[0]] * 3
         seen, why = parted(last, last + 7), about.cause
         if not any(seen):
-            why = "It never falls asleep. Forget contacts after sleep_frames steps."
+            why = "The slow particle never falls asleep. Forget contacts after sleep_frames steps."
         elif any(seen[: last + 4]):
-            why = "It sleeps although it touched a fast particle in the last sleep_frames steps."
+            why = (
+                "The particle sleeps although it touched a fast one in the last sleep_frames steps."
+            )
         expect_exactly(seen, wanted, cause=why)
     last = rng.randint(1, 2)
     fast = last + rng.randint(1, 4)
@@ -78,8 +80,8 @@ def test_what_has_parted_is_no_group(rng: Random) -> None:
     about.call += f"{fast}; sleep_frames 5; fall_asleep(): who sleeps after each step"
     wanted, seen = [[]] * (fast + 4) + [[0]] * 3, parted(last, fast + 7, fast)
     if not any(seen):
-        about.cause = "It never falls asleep. Forget every contact that is sleep_frames steps old, "
-        about.cause += "in each step."
+        about.cause = "The particle never falls asleep. Forget every contact that is sleep_frames "
+        about.cause += "steps old, in each step."
     elif any(seen[: fast + 4]):
         about.cause = f"It was fast in step {fast}, so count its slow steps from there."
     expect_exactly(seen, wanted)
@@ -103,18 +105,20 @@ def test_what_has_parted_is_no_group(rng: Random) -> None:
 def test_what_touches_the_restless_stays_awake() -> None:
     about.read = FALL
     for what, speeds, pairs, masses, wanted, cause in (
-        ("0 and 1", [0.0, 2.0, 0.0], [(0, 1)], (), [2], "1 is fast and touches 0, so both stay "
-         "awake."),
+        ("0 and 1", [0.0, 2.0, 0.0], [(0, 1)], (), [2], "Particle 1 is fast and touches particle "
+                                                        "0, so both stay awake."),
         ("0 and 1, 1 and 2, 2 and 3", [0.0, 0.0, 0.0, 2.0, 0.0], [(0, 1), (1, 2), (2, 3)], (), [4],
-         "3 is fast. It keeps 2 awake, which keeps 1 awake, which keeps 0 awake. Go through the "
-         "pairs until no particle is added."),
+         "Particle 3 is fast. It keeps 2 awake, which keeps 1 awake, which keeps 0 awake. Go "
+         "through the pairs until no particle is added."),
         ("3 and 2, 2 and 1, 1 and 0", [2.0, 0.0, 0.0, 0.0], [(3, 2), (2, 1), (1, 0)], (), [],
-         "0 is fast and keeps all others awake, in whatever order the contacts come."),
-        ("1 and 0", [0.0, 2.0], [(1, 0)], (), [], "0 touches 1, which is fast. Check both "
-         "particles of a pair."),
-        ("0 and 1", [0.0, 0.0], [(0, 1)], (), [0, 1], "Both are slow, so both fall asleep."),
+         "Particle 0 is fast and keeps all others awake, in whatever order the contacts come."),
+        ("1 and 0", [0.0, 2.0], [(1, 0)], (), [], "Particle 0 touches particle 1, which is fast. "
+                                                  "Check both particles of a pair."),
+        ("0 and 1", [0.0, 0.0], [(0, 1)], (), [0, 1], "Both particles are slow, so both fall "
+                                                      "asleep."),
         ("0 and 1, 1 and 2", [0.0, 0.0, 2.0], [(0, 1), (1, 2)], [1.0, math.inf, 1.0], [0],
-         "Immovable particles join nothing. Two bodies on one floor do not form a group."),
+         "Immovable particles do not join others into a group. Two bodies on the same floor "
+         "sleep separately."),
         ("0 and a wall (other is None)", [0.0], [(0, -1)], (), [0], "A wall keeps nothing awake."),
     ):  # fmt: skip
         about.cause = cause

@@ -83,12 +83,12 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
 
     steep = "The projectile still flies too steeply. release_angle is in degrees, but math.atan2 "
     steep += "returns radians."
-    lower = "It lets go at the release angle or lower. Use the angle above the horizontal, "
+    lower = "The sling lets go at the release angle or lower. Use the angle above the horizontal, "
     lower += "atan2(v.y, v.x)."
     about.cause = lower
     if not lets_go(design, [flight(angle - 0.1)])[0]:
-        steep = "The comparison is reversed: it lets go above the release angle. It must let go at "
-        steep += "the release angle or lower."
+        steep = "The comparison is reversed: the sling lets go above the release angle. It must "
+        steep += "let go at the release angle or lower."
     forward = "The projectile must fly forward: v.x > 0."
     high = "The projectile must be above the pivot."
     for what, how, wanted, cause in (
@@ -113,7 +113,7 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
     about.call = f"a release angle of 0; lets_go() {height} m above the pivot, velocity ({speed}, "
     about.call += "0, 0)"
     got = lets_go((*design[:4], 0.0), [(height, (speed, 0.0, 0.0))])[0]
-    expect_exactly(got, True, cause="At exactly the release angle it lets go.")
+    expect_exactly(got, True, cause="At exactly the release angle the sling lets go.")
 
 
 @pytest.mark.exercise("P8.2a")
@@ -126,20 +126,23 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
     start = 5.0 + 3.0 * math.sin(math.radians(200.0)) - 1.0
     about.cause = "The flight takes t = (v_y + sqrt(v_y^2 + 2 g y)) / g. The range is x + v_x t."
     distance, share, frames, flies, _ = throw(design, "up")
-    seen = "It lets go in the first step. Check self.flies after each self.step(STEP), and stop."
+    seen = (
+        "The sling lets go in the first step. Check self.flies after each self.step(STEP), and "
+        "stop."
+    )
     seen = cause_of(frames, [(4, "This was a step of 1/60 s. Use self.step(STEP).")], seen)
     expect_exactly(frames, 1, then=": time until then, in units of STEP", cause=seen)
     wanted = 2.0 + 30.0 * (10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
     mistakes = [
-        (wanted - 2.0, "This is measured from the point of release. Add its x."),
+        (wanted - 2.0, "This range is measured from the point of release. Add its x coordinate."),
         (2.0 + 30.0 * 20.0 / G, "This is the range from the ground. It was released 8 m above it."),
         (600.0 / G, "This is the range from the ground below the pivot. It was released at (2, "
          "8)."),
     ]  # fmt: skip
     blame(distance, mistakes)
     expect_close(distance, wanted, then=": range", tolerance=1e-9)
-    about.cause = "The share is m v^2 / 2 + m g (rise of the projectile), divided by M g (fall of "
-    about.cause += "the counterweight)."
+    about.cause = "In Throw, share is m v^2 / 2 + m g (rise of the projectile), divided by M g "
+    about.cause += "(fall of the counterweight)."
     gained = 0.5 * 5.0 * 1000.0 + 5.0 * G * (8.0 - start)
     lost = 4.0 * weight * G
     wanted = gained / lost
@@ -147,7 +150,7 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
         (2500.0 / lost, "The potential energy of the projectile is missing: m g times its rise."),
         ((gained - 2500.0) / lost, "The kinetic energy of the projectile is missing."),
         (gained / (4.0 * 5.0 * G), "The lost energy was computed with the projectile's mass. Use "
-         "the counterweight's."),
+                                   "the counterweight's mass."),
         (1.0 / wanted, "The fraction is upside down. Divide the gained energy by the lost energy."),
         (100.0 * wanted, "This is in percent. A share of 1 is all of the energy."),
     ]  # fmt: skip

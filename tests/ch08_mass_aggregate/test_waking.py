@@ -55,7 +55,7 @@ def test_what_is_moved_by_hand_wakes(
     before, got, now, fast = woken_by_hand(how)
     expect_exactly(before, [0], then=": who slept before")
     expect_exactly(got, sleeps, then=": who sleeps afterward")
-    about.cause = "A particle that wakes gets its old mass back, unless it was given a new one."
+    about.cause = "A particle that wakes must get its old mass back, unless it was given a new one."
     expect_close(1.0 / now, 1.0 / mass, then=": 1 / mass", tolerance=1e-12)
     about.cause = "Forces and gravity must already move it in this step. Call wake_moved before "
     about.cause += "the integrator."
@@ -97,12 +97,15 @@ def test_what_is_pushed_moves_in_that_frame(rng: Random) -> None:
         about.cause = "After the comparison, clear the accumulator of a sleeping particle and set "
         about.cause += "its inverse_mass back to 0."
         expect_exactly(done["sums"], [(0.0, 0.0, 0.0)], then=": its accumulator while it slept")
-        about.cause = "A change of more than SAME, 1 %, of what acts must wake the particle. "
+        about.cause = "A change of more than SAME, 1 %, of |a| + |f / m| must wake the particle. "
         about.cause += "run_physics calls wake_pushed in every LOOK_EVERY-th step."
         woken = done["velocity"] is not None
         expect_exactly(woken, True, then=": does it wake within 10 steps")
         got = done["velocity"] or (math.nan,) * 3
-        about.cause = "The step in which it wakes already moves it, by each force once."
+        about.cause = (
+            "Already the step in which the particle wakes must move it, with each force counted "
+            "once."
+        )
         twice = tuple(2.0 * part for part in velocity)
         if any(velocity):
             seen = "The forces count twice. Clear the accumulator after the comparison."

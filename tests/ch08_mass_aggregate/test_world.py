@@ -49,7 +49,7 @@ def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
         (38.0, "The mass is missing from the potential energy. It is - m a . p."),
         (46.0, "The mass is missing from the potential energy. It is - m a . p."),
     ]
-    about.cause = cause_of(got, mistakes, "The energy is m v^2 / 2 + m g y: 16 J and 60 J.")
+    about.cause = cause_of(got, mistakes, "The energy is m v^2 / 2 + m g y, so 16 J and 60 J.")
     expect_close(got, 76.0)
     about.cause = "The energy of a particle is m v^2 / 2 - m a . p. Add up all particles."
     for name, some, wanted in (
@@ -139,7 +139,7 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
     hand = components(rng)
     bodies = [draw_body(rng) for _ in range(2)]
     about.cause = "Call self.integrator(self.particles, self.registry.update_forces, duration). "
-    about.cause += "Forces that were added since start_frame count too."
+    about.cause += "Forces that were added after start_frame count too."
     about.call = f"world of two particles, integrator={integrator}, forces -{k} x: start_frame(); "
     about.call += f"add_force(Vector3{hand}); run_physics({h})"
     done = frame(bodies, "run_physics", h, integrator=integrator, k=k, late=hand)
@@ -162,7 +162,7 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
                  "yourself: the integrator does."),
                 (0.0, 1.0, "The force that was added after start_frame is lost. run_physics must "
                  "not clear forces."),
-                (0.0, 0.0, "No force counts, only the acceleration."),
+                (0.0, 0.0, "The forces have no effect, only the acceleration does."),
             )
         ]  # fmt: skip
         seen = cause_of(got[1], mistakes, about.cause)

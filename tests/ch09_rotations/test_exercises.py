@@ -116,7 +116,7 @@ def way_back(q: Quad) -> tuple:
 def test_one_turn_leads_back(rng: Random) -> None:
     about.read = BACK
     axis, small, large = components(rng), rng.uniform(0.1, 1.0), rng.uniform(3.3, 6.0)
-    about.cause = "The conjugate undoes a rotation: the same axis with the opposite angle."
+    about.cause = "The conjugate undoes a rotation: it has the same axis and the opposite angle."
     drawn = [draw_quad(rng), quad(axis, small), quad(axis, large), quad(axis, -small)]
     for q in ((0.5, 0.5, 0.5, 0.5), *drawn):
         unit, angle = way_back(q)
@@ -134,7 +134,10 @@ def test_one_turn_leads_back(rng: Random) -> None:
 
 @pytest.mark.exercise("9.2")
 def test_the_way_back_at_the_ends(rng: Random) -> None:
-    about(cause="This is the reference already. The angle is 0, about any axis.", read=BACK)
+    about(
+        cause="This orientation is the reference already, so the angle is 0, about any axis.",
+        read=BACK,
+    )
     for q in ((1.0, 0.0, 0.0, 0.0), (-1.0, 0.0, 0.0, 0.0)):
         _, angle = way_back(q)
         about.call = f"back_to_reference(Quaternion{q}), the angle"

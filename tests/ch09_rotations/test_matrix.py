@@ -64,7 +64,10 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
     about.read = TIMES
     m, n = draw_matrix(rng), draw_matrix(rng)
     about.call = f"{written(m)}.product({written(n)})"
-    about.cause = "Each number is a row of self times a column of m. The order matters."
+    about.cause = (
+        "Each entry of the product is the dot product of a row of self and a column of m. The "
+        "order of the factors matters."
+    )
     first, second = Matrix3(*m), Matrix3(*n)
     got = entries(first.product(second))
     slips = {
@@ -167,7 +170,9 @@ def determinant_slips(m: Nine) -> dict[str, float]:
 def test_the_determinant(rng: Random) -> None:
     about.read = "book 9.4.3, and the docstring of Matrix3.determinant"
     m = draw_matrix(rng)
-    about.cause = "With the rows as vectors it is first . (second x third). It may be negative."
+    about.cause = (
+        "With the rows as vectors, the determinant is first . (second x third). It may be negative."
+    )
     for rows in ((0, 1, 2), (1, 0, 2), (2, 0, 1)):
         n = tuple(m[3 * row + column] for row in rows for column in range(3))
         about.call = f"{written(n)}.determinant()"
@@ -180,7 +185,7 @@ def test_the_determinant(rng: Random) -> None:
         about.call = f"{written(n)}.determinant()"
         got = Matrix3(*n).determinant()
         expect_close(got, determinant(n))
-    about.cause = "The determinant is small but not zero. Do not round it."
+    about.cause = "The determinant is small but not zero. Do not round it to zero."
     n = tuple(number * 1e-7 for number in m)
     about.call = f"{written(n)}.determinant()"
     got = Matrix3(*n).determinant()
@@ -255,8 +260,8 @@ def test_a_singular_matrix_has_no_inverse(rng: Random) -> None:
     about.cause += "determinant that equals the limit, too."
     expect_no_inverse((0.0,) * 9)
     expect_no_inverse((1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0))
-    about.cause = "Rounding leaves 1e-15 of the rows' lengths as a determinant. Compare it with "
-    about.cause += "SINGULAR times the product of these lengths."
+    about.cause = "Rounding leaves a determinant of about 1e-15 times the product of the rows' "
+    about.cause += "lengths. Compare it with SINGULAR times that product."
     for scale in (1.0, 1e6):
         for _ in range(6):
             a, b = components(rng), components(rng)

@@ -43,7 +43,10 @@ def test_a_point_is_transformed_and_moved(rng: Random) -> None:
     twelve = joined(m, p)
     v = Vector3(*a)
     about.call = f"{written(twelve)}.transform(Vector3{a})"
-    about.cause = "Multiply the first three numbers of each row by the vector, then add the fourth."
+    about.cause = (
+        "Take the dot product of the vector with the first three numbers of each row, then add the "
+        "fourth number."
+    )
     got = xyz(Matrix4(*twelve).transform(v))
     slips = {
         "the rotated point, without the translation": applied(m, a),
@@ -138,7 +141,7 @@ def test_the_translation_has_no_part_in_the_determinant(rng: Random) -> None:
     m, p = draw_mirror(rng), components(rng)
     twelve = joined(m, p)
     about.call = f"{written(twelve)}.determinant()"
-    about.cause = "Use the nine numbers without the last column."
+    about.cause = "The determinant is that of the nine numbers without the last column."
     got = Matrix4(*twelve).determinant()
     slips = {
         "the book's determinant, with a plus in place of a minus (E-28)": printed_determinant(m),
@@ -148,7 +151,7 @@ def test_the_translation_has_no_part_in_the_determinant(rng: Random) -> None:
     }
     why = named(got, about.cause, slips)
     expect_close(got, determinant(m), cause=why, tolerance=1e-10)
-    about.cause = "The determinant is small but not zero. Do not round it."
+    about.cause = "The determinant is small but not zero. Do not round it to zero."
     small = tuple(1e-7 * number for number in m)
     about.call = f"{written(joined(small, p))}.determinant()"
     got = Matrix4(*joined(small, p)).determinant()

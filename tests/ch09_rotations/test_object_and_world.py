@@ -69,7 +69,7 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
     near = tuple(component * (1.0 + 5e-7) for component in q)
     orientation = Quaternion(*near)
     about.call = f"Matrix4.from_orientation_and_position(Quaternion{near}, Vector3{p})"
-    about.cause = "A length that is_unit accepts is near enough to 1."
+    about.cause = "A length that is_unit() accepts is close enough to 1. Do not refuse it."
     got = entries(Matrix4.from_orientation_and_position(orientation, place))
     expect_close(got, wanted, tolerance=1e-5)
     expect_unchanged("q", rijk(orientation), near, cause=UNCHANGED)
@@ -80,7 +80,7 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
 def test_no_matrix_of_what_is_no_orientation() -> None:
     about.read = "the docstring of from_orientation_and_position"
     p, q = Vector3(1.0, 2.0, 3.0), Quaternion(0.6, 0.0, 0.8, 0.0)
-    off = "The length of this quaternion is not 1. Matrix3.from_quaternion refuses it."
+    off = "The length of this quaternion is not 1. Call Matrix3.from_quaternion, which refuses it."
     for name, attempt, error, cause in (
         (
             "Quaternion(0.6, 0, 0.81, 0), Vector3(1, 2, 3)",
@@ -202,13 +202,13 @@ def test_a_turn_told_in_other_axes() -> None:
     about_z = matrix_of(quad((0.0, 0.0, 1.0), 0.5 * math.pi))
     z_to_x = matrix_of(quad((0.0, 1.0, 0.0), 0.5 * math.pi))
     about.call = f"change_basis({written(about_z)}, {written(z_to_x)})"
-    about.cause = "The result is basis m basis^-1. This basis takes Z to X, so a rotation about Z "
-    about.cause += "becomes one about X."
+    about.cause = "The result is the product basis * m * basis^-1. This basis takes Z to X, so a "
+    about.cause += "rotation about Z becomes one about X."
     got = entries(change_basis(Matrix3(*about_z), Matrix3(*z_to_x)))
     wanted = matrix_of(quad((1.0, 0.0, 0.0), 0.5 * math.pi))
     back = transposed(z_to_x)
     slips = {
-        "basis^-1 m basis, with the two swapped": times(times(back, about_z), z_to_x),
+        "basis^-1 m basis, with basis and its inverse swapped": times(times(back, about_z), z_to_x),
         "basis m, without the inverse": times(z_to_x, about_z),
         "m basis, without the inverse": times(about_z, z_to_x),
         "m basis^-1, without the basis on the left": times(about_z, back),
@@ -226,7 +226,9 @@ def test_any_matrix_in_any_axes(rng: Random) -> None:
     m, basis = draw_matrix(rng), draw_mirror(rng)
     one, other = Matrix3(*m), Matrix3(*basis)
     about.call = f"change_basis({written(m)}, {written(basis)}) @ basis"
-    about.cause = "The result is basis m basis^-1. The axes need not be at right angles."
+    about.cause = (
+        "The result is the product basis * m * basis^-1. The axes need not be at right angles."
+    )
     got = entries(change_basis(one, other))
     product = times(got, basis) if isinstance(got, tuple) and len(got) == 9 else got
     by_transpose = times(times(times(basis, m), transposed(basis)), basis)
@@ -244,7 +246,7 @@ def test_a_motion_told_from_another_place(rng: Random) -> None:
     first, second = joined(m, p), joined(basis, q)
     a = components(rng)
     about.call = f"change_basis({written(first)}, {written(second)}) @ (basis @ Vector3{a})"
-    about.cause = "The result is basis m basis^-1, including both translations."
+    about.cause = "The result is the product basis * m * basis^-1, including both translations."
     told = change_basis(Matrix4(*first), Matrix4(*second))
     got = entries(told)
     if isinstance(got, tuple) and len(got) == 12:

@@ -34,9 +34,9 @@ def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
                 slips = {
                     "an angle from 0 to 2 pi": angle % math.tau,
                     "the original angle": angle + turns * math.tau,
-                    "the angle minus one turn; take off as many as needed": angle
+                    "the angle minus one turn; subtract as many turns as needed": angle
                     + (turns - 1) * math.tau,
-                    "the angle plus one turn; add as many as needed": angle
+                    "the angle plus one turn; add as many turns as needed": angle
                     + (turns + 1) * math.tau,
                     "the angle in degrees": math.degrees(angle),
                 }
@@ -47,7 +47,7 @@ def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
 @pytest.mark.exercise("B9.1", weight=0.5)
 def test_an_angle_of_many_turns_is_wrapped(rng: Random) -> None:
     about.read = WRAP
-    about.cause = "Take off all whole turns at once, with math.remainder or %."
+    about.cause = "Remove all whole turns at once, with math.remainder or %."
     size = positive_number(rng, 0.1, 3.0)
     for turns, angle in ((160_000, size), (160_000, -size), (-160_000, size), (-160_000, -size)):
         about.call = f"wrap_angle({angle} + {turns} * 2 pi)"
@@ -196,7 +196,9 @@ def test_the_center_of_many_masses(rng: Random) -> None:
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
         after = masses_after(masses, positions)
-        cause_lists = "The call must not change its lists. Sort or pop from a copy."
+        cause_lists = (
+            "The call must not change its lists. If you sort them or pop from them, use copies."
+        )
         for name, now, before in (
             ("masses", after[0], masses),
             ("positions", after[1], positions),

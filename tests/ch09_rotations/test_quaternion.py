@@ -103,7 +103,9 @@ def test_normalized_it_has_length_one(rng: Random) -> None:
 @pytest.mark.exercise("B9.7")
 def test_zero_becomes_the_reference() -> None:
     about("q = Quaternion(0, 0, 0, 0); q.normalize(); q", read=NORMALIZE)
-    about.cause = "Zero has no direction. It becomes (1, 0, 0, 0), the rotation by 0."
+    about.cause = (
+        "Zero has no direction, so the zero quaternion becomes (1, 0, 0, 0), the rotation by 0."
+    )
     quaternion = Quaternion(0.0, 0.0, 0.0, 0.0)
     quaternion.normalize()
     expect_close(rijk(quaternion), (1.0, 0.0, 0.0, 0.0))
@@ -134,7 +136,10 @@ def test_huge_and_tiny_components_have_a_length(rng: Random) -> None:
     q = draw_four(rng)
     length = math.hypot(*q)
     wanted = tuple(component / length for component in q)
-    about.cause = "The squares do not fit into a float. math.hypot takes four numbers."
+    about.cause = (
+        "The squares do not fit into a float. Use math.hypot, which takes all four numbers and "
+        "does not overflow."
+    )
     for scale in (1e200, 1e-200):
         scaled = tuple(component * scale for component in q)
         about.call = f"Quaternion{scaled}.magnitude() / {scale}"

@@ -114,7 +114,7 @@ def test_the_easy_inverse(rng: Random) -> None:
     twelve = joined(m, p)
     matrix = Matrix4(*twelve)
     about.call = f"easy_inverse({written(twelve)})"
-    about.cause = "The rotation becomes its transpose T, and the position p becomes -T p."
+    about.cause = "In the inverse, the rotation is the transpose T and the position is -T p."
     got = entries(easy_inverse(matrix))
     t = transposed(m)
     x, y, z = applied(t, p)

@@ -56,7 +56,9 @@ def expect_rotation(m: Nine, wanted: bool) -> None:
 def test_rotations_are_known(rng: Random) -> None:
     about.cause = "The rows have length 1, are at right angles and right-handed: a rotation."
     expect_rotation(IDENTITY, True)
-    about.cause += " The numbers are rounded, so test whether products are near 1 and 0."
+    about.cause += (
+        " The numbers are rounded, so test whether the products of rows are near 1 and 0."
+    )
     for m in (matrix_of(draw_quad(rng)), matrix_of(draw_quad(rng)), HALF_TURN):
         expect_rotation(m, True)
 
@@ -118,7 +120,10 @@ def test_what_is_huge_is_no_rotation(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_what_is_not_finite_is_no_rotation(bad: float) -> None:
-    about.cause = "NaN compares false with everything. Test whether each product is near enough."
+    about.cause = (
+        "NaN compares false with everything. Test whether each product is near enough, not whether "
+        "it is too far off."
+    )
     for place in range(9):
         m = [*IDENTITY]
         m[place] = bad

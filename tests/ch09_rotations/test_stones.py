@@ -148,7 +148,7 @@ def test_it_balances_though_the_masses_differ() -> None:
     about.read = BESIDE
     stones = [("near and heavy", 3.0, 0.2, 0.4), ("far and light", 1.0, 0.6, 0.8)]
     about.call = f"masses_beside({stones}, 0)"
-    about.cause = "The edge lies at y = 0.5. 1 kg is beyond it, on its left, and 3 kg are on its "
+    about.cause = "The edge lies at y = 0.5. On its left, beyond it, is 1 kg, and 3 kg are on its "
     about.cause += "right."
     got = masses_beside(stones, 0.0)
     slips = {
@@ -194,7 +194,10 @@ def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
         ("right of it", 0.7, x - across.real, y - across.imag),
     ]
     about.call = f"masses_beside({stones}, {angle})"
-    about.cause = "Rounding puts this stone 1e-16 m off the edge. Up to 1e-9 m counts as on it."
+    about.cause = (
+        "Rounding puts this stone 1e-16 m off the edge. A stone up to 1e-9 m from the edge counts "
+        "as on it."
+    )
     got = tuple(masses_beside(stones, angle))
     expect_close(got, (0.7, 0.7), tolerance=TIGHT)
     for off, wanted in ((3e-9, (0.4, 0.4)), (3e-10, (0.0, 0.0))):
@@ -212,7 +215,7 @@ def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
     about.read = "the docstring at the top of exercises.py"
     stones = draw_telling_stones(rng)
     about.call = f"{name}({stones}{'' if name == 'center_of_stones' else ', 0.3'})"
-    about.cause = "The call must not change its list. Sort or pop from a copy."
+    about.cause = "The call must not change its list. If you sort it or pop from it, use a copy."
     center = middle(stones)
     wanted = {
         "center_of_stones": (center.real, center.imag),

@@ -192,7 +192,7 @@ def expect_finite_numbers(
     refused += [(place, "1.0", TypeError) for place in range(len(good))]
     for place, value, error in refused:
         if error is TypeError:
-            cause = "A text is not a number, even if it spells one. Raise TypeError."
+            cause = "A string is not a number, even if it contains digits. Raise TypeError."
         arguments = [*good]
         arguments[place] = value
         expect_error(
@@ -300,7 +300,10 @@ def _complain(
     call, cause, read = about.but(words or {})
     other = ""
     if got == "None":
-        nothing = "Nothing came back. Is a return missing, or does this method work in place?"
+        nothing = (
+            "Nothing came back from the call. Is a return statement missing, or does this method "
+            "work in place?"
+        )
         cause, other = nothing, cause
     if re.search(r"\bNotImplemented\b(?!Error)", got):
         cause, other = NOT_IMPLEMENTED, ""

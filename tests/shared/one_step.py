@@ -69,12 +69,15 @@ def wrong_steps(
     if method == "semi_implicit_euler":
         new = (v + first * h) * keep
         return {
-            "This moves the position twice, by v and by v'.": (x + (v + new) * h, new),
-            "This moves by the mean of v and v'. Move by one of them.": (
+            "The position moves twice here, once by v h and once by v' h. Move it only once.": (
+                x + (v + new) * h,
+                new,
+            ),
+            "The position moves with the mean of v and v'. Move it with one of the two.": (
                 x + 0.5 * (v + new) * h,
                 new,
             ),
-            "This moves by v' before it is damped. Damp it first.": (
+            "The position moves with v' before v' is damped. Damp the velocity first.": (
                 x + (v + first * h) * h,
                 new,
             ),
@@ -85,29 +88,36 @@ def wrong_steps(
         early = (v + first * h) * keep
         halved = (v + 0.5 * h * force(middle, v)) * d ** (0.5 * h)
         return {
-            "The forces are those at the start. Evaluate them after the half drift.": (
-                x + 0.5 * h * (v + early),
-                early,
+            "The forces are those at the start of the step. Evaluate them after the half drift "
+            "instead.": (x + 0.5 * h * (v + early), early),
+            "The code drifts for h after the kick. It should drift for h / 2.": (
+                middle + h * new,
+                new,
             ),
-            "This drifts for h after the kick. Drift for h / 2.": (middle + h * new, new),
             "The second half drift is missing.": (middle, new),
-            "This kicks for h / 2. Kick for the whole step.": (middle + 0.5 * h * halved, halved),
+            "The code kicks for h / 2. It should kick for the whole step, h.": (
+                middle + 0.5 * h * halved,
+                halved,
+            ),
         }
     if method == "velocity_verlet":
         half, whole = x + v * h + 0.5 * first * h * h, x + v * h + first * h * h
         second, later = force(half, v + first * h), force(whole, v + first * h)
         return {
-            "This has a h^2 in place of a h^2 / 2.": (
+            "This adds a h^2 to the position in place of a h^2 / 2.": (
                 whole,
                 (v + 0.5 * (first + later) * h) * keep,
             ),
-            "This has v' = v + b h. Use the mean of a and b.": (half, (v + second * h) * keep),
-            "This uses the sum of the forces. Use their mean.": (
+            "This computes v' = v + b h. Use the mean of a and b instead of b alone.": (
+                half,
+                (v + second * h) * keep,
+            ),
+            "The velocity changes by the sum of the forces. Use their mean.": (
                 half,
                 (v + (first + second - a) * h) * keep,
             ),
-            "The forces of the first evaluation are still there in the second one. Clear the "
-            "accumulators in between, and add again what was added by hand.": (
+            "The forces of the first evaluation still count in the second one. Clear the "
+            "accumulators in between, and then add the forces that were added by hand again.": (
                 half,
                 (v + 0.5 * (first + second + first - acceleration) * h) * keep,
             ),
@@ -119,16 +129,16 @@ def wrong_steps(
     if method == "runge_kutta_4":
         parts = (0.0, 0.5, 0.5, 1.0)
         return {
-            "All rates count the same. The two in the middle must count double.": mean_of(
+            "All rates count the same here. The two in the middle must count double.": mean_of(
                 (1.0, 1.0, 1.0, 1.0), parts
             ),
-            "The outer rates count double. Count the two in the middle double.": mean_of(
+            "The first and the last rate count double. Only the two in the middle should.": mean_of(
                 (2.0, 1.0, 1.0, 2.0), parts
             ),
-            "The third rate is at the end. Take it in the middle.": mean_of(
+            "The third rate is from the end of the step. Evaluate it in the middle.": mean_of(
                 (1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 1.0, 1.0)
             ),
-            "The last rate is in the middle. Take it at the end.": mean_of(
+            "The last rate is from the middle of the step. Evaluate it at the end.": mean_of(
                 (1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 0.5, 0.5)
             ),
         }

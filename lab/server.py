@@ -72,7 +72,7 @@ class Lab:
         )
 
     def check_host(self, request: HTTPServerRequest) -> None:
-        """Reject a request for another host name, which a hostile site may have pointed at us."""
+        """Reject a request for another host name, which a hostile site may have directed here."""
         if request.host not in (f"127.0.0.1:{self.port}", f"localhost:{self.port}"):
             raise HTTPError(403)
 
@@ -151,7 +151,7 @@ class EngineSocket(WebSocketHandler):
         self.lab.check_host(self.request)
 
     def check_origin(self, origin: str) -> bool:
-        """Accept only sockets that our own page opens."""
+        """Accept only sockets that the lab's own page opens."""
         return urlsplit(origin).netloc == self.request.host
 
     def open(self) -> None:

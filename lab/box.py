@@ -34,7 +34,7 @@ def draw_box(
 
 
 def _faces(sides: tuple[float, float, float]) -> list[tuple[list[Vector3], int]]:
-    """Return the corners of the six faces, counter-clockwise seen from outside, and their axes."""
+    """Return the axis and the corners of each face, counter-clockwise as seen from outside."""
     around = ((-1, -1), (1, -1), (1, 1), (-1, 1))
     faces = []
     for axis in range(3):

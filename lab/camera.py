@@ -8,7 +8,7 @@ TOWARD = (0.4, 0.3)  # how far one unit along z moves a point to the left and do
 
 
 def flat(v: Vector3) -> tuple[float, float]:
-    """Return where a point in space is drawn."""
+    """Return the (x, y) at which a point in space is drawn."""
     return v.x - TOWARD[0] * v.z, v.y - TOWARD[1] * v.z
 
 

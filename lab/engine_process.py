@@ -54,7 +54,7 @@ class EngineProcess:
             yield json.dumps({"kind": "stopped", "why": self._why()})
 
     async def end(self) -> None:
-        """Kill the process if it is running."""
+        """End the process immediately if it is running."""
         process, self.process = self.process, None
         if process is not None:
             with contextlib.suppress(ProcessLookupError):

@@ -1,1 +1,1 @@
-"""Plots and measurements of an engine."""
+"""Studies of an engine: its plots, and measurements of speed, accuracy and stability."""

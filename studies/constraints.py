@@ -122,7 +122,7 @@ def without_rule(contacts: list[Contact], duration: float) -> None:
 
 
 def no_bounce_below(speed: float) -> Resolve:
-    """Return a rule that goes too far: slow contacts, below this speed, never bounce."""
+    """Return a deliberately too strict rule: contacts below this speed never bounce."""
 
     def resolve(contacts: list[Contact], duration: float) -> None:
         for contact in contacts:

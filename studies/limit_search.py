@@ -1,8 +1,9 @@
 """Measure limits of stability by bisection, and energies inside the limits.
 
 There are limits for springs, for drag and for a penalty ground. A step is a linear map of position
-and velocity. A spring's limit is where the magnitude of the larger eigenvalue exceeds 1. The limit
-of drag is where the factor of the velocity does. Pymunk is measured in the same way.
+and velocity. A spring reaches its limit when the magnitude of the larger eigenvalue exceeds 1. Drag
+reaches its limit when the magnitude of the factor of the velocity does. Pymunk is measured in the
+same way.
 """
 
 from __future__ import annotations

@@ -66,7 +66,7 @@ def residuals(iterations: int, in_order: bool, rows: int = 4) -> tuple[float, fl
 
     The results are the largest closing velocity in m/s and the largest depth in m at the final
     positions. The contacts are resolved by a ContactResolver, worst first, or by sweeps through the
-    list, which skip contacts that need no resolution.
+    list. A sweep skips contacts that need no resolution.
     """
     spheres, contacts = pile(rows, 0.01, 1.0)
     if iterations and in_order:

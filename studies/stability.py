@@ -45,7 +45,7 @@ SOLVERS: dict[str, Solver] = {"backward Euler": backward_euler, "trapezoidal rul
 
 
 class Pull:
-    """A spring toward 0 in plain numbers. Its pictures show no mistake of the engine's springs.
+    """A spring toward 0 in plain numbers, so that a wrong spring of the engine has no effect.
 
     ``count`` is the number of force evaluations.
     """
@@ -88,7 +88,7 @@ def methods(stiffness: float) -> dict[str, Integrator]:
 
 
 def watching(integrator: Integrator, limit: float) -> Integrator:
-    """Return the integrator, watched for speeds above a limit in m/s if ``watched`` is written.
+    """Return the integrator, wrapped by ``watched`` with this limit in m/s if it is written.
 
     An unwatched integrator also ends when it explodes, because particles reject forces that are not
     finite.
@@ -283,7 +283,7 @@ def _step(
 
 
 def _state(particle: Particle) -> tuple[float, float]:
-    """Return position and velocity along X, or NaN if the engine left no vectors."""
+    """Return the position and velocity along X, or NaN if they are no longer vectors."""
     x, v = (getattr(vector, "x", None) for vector in (particle.position, particle.velocity))
     return number(x), number(v)
 

@@ -1,10 +1,11 @@
-"""Check arguments, and refuse values that make no sense with an error that names them.
+"""Check arguments, and reject values that make no sense with an error that names them.
 
 Each function returns its value, as a float or a copy, if it is valid. Otherwise it raises
-ValueError, or TypeError for a wrong type, with the argument's name and the value that came. Every
-comparison with NaN is False, so each function tests for valid values and refuses the rest.
+ValueError, or TypeError for a wrong type, with the argument's name and the value that it got. Every
+comparison with NaN is False, so each function tests for valid values and rejects everything else.
 
-This file is complete and is not handed in. Write functions of your own in the files that you edit.
+This file is complete, and you do not hand it in. Write functions of your own in the files that you
+edit.
 """
 
 from __future__ import annotations
@@ -50,7 +51,7 @@ def positive_or_infinite(name: str, value: float) -> float:
 
 
 def whole(name: str, value: int) -> int:
-    """Return a whole number that is at least 1. True and False are refused."""
+    """Return a whole number that is at least 1. True and False are rejected."""
     if not isinstance(value, int) or isinstance(value, bool):
         raise TypeError(f"{name} must be a whole number, got {value!r}")
     if value < 1:

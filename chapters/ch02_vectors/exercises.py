@@ -1,4 +1,4 @@
-"""The exercises of the book's chapter 2 and exercise B2.11, as functions of their data.
+"""The exercises of the book's chapter 2, and exercise B2.11, each as a function.
 
 No function here changes the vectors that it is given. Angles are in radians.
 """
@@ -21,11 +21,11 @@ def split(v: Vector3) -> tuple[float, Vector3]:
 
 
 def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
-    """Exercise 2.2a: return a . b and what its sign says about the angle between a and b.
+    """Exercise 2.2a: return a . b, and which kind of angle lies between a and b.
 
-    The word is "acute" (less than a right angle), "right", or "obtuse" (more than a right angle).
-    The numbers of the example are ours. Raises ValueError if the product is NaN, since NaN has no
-    sign.
+    The second result is "acute" (less than a right angle), "right", or "obtuse" (more than a right
+    angle). The numbers in the example are not the book's. Raises ValueError if the product is NaN,
+    because NaN has no sign.
 
     >>> scalar_product_and_angle(Vector3(1, 2, 3), Vector3(4, -5, 1))
     (-3.0, 'obtuse')
@@ -36,7 +36,7 @@ def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
 def make_perpendicular(a: Vector3, x: float, y: float) -> float:
     """Exercise 2.4: return the z that makes (x, y, z) perpendicular to a.
 
-    Raises ValueError if a.z is zero. Then either no z works or every z does.
+    Raises ValueError if a.z is zero. In that case either no z works or every z does.
 
     >>> make_perpendicular(Vector3(1, 2, 3), 7, -2)
     -1.0
@@ -45,7 +45,7 @@ def make_perpendicular(a: Vector3, x: float, y: float) -> float:
 
 
 def angle_by_scalar_product(a: Vector3, b: Vector3) -> float:
-    """Exercise 2.5: return the angle between a and b, from 0 to pi, by their scalar product.
+    """Exercise 2.5: return the angle between a and b, from 0 to pi, from their scalar product.
 
     If a component is NaN, the angle is NaN. Raises ValueError if a or b is zero, because a zero
     vector has no direction.
@@ -73,8 +73,8 @@ def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
 def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
     """Exercise 2.6: return c = a . b, the vector d = b - c a, and the angle between a and d.
 
-    a and b are unit vectors, and d is b without its part along a. The numbers of the example are
-    ours.
+    a and b are unit vectors, and d is b without its component along a. The numbers in the example
+    are not the book's.
 
     Raises:
         ValueError: if the length of a or b differs from 1 by more than 1e-6 or is NaN, or if d is
@@ -88,11 +88,11 @@ def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
 
 
 def checked_duration(duration: float) -> float:
-    """Exercise B2.11: return a duration in s as a float, or refuse one that no step can use.
+    """Exercise B2.11: return a duration in s as a float, or reject one that no step can use.
 
     A step needs a duration that is positive and finite. Check it before you compute anything, so
-    that a refused call changes nothing. The error message says which argument is wrong, what it
-    must be, and which value came: ``duration must be positive and finite, got -1.5``.
+    that a rejected call changes nothing. The error message names the argument, says what it must
+    be, and shows the value that it got: ``duration must be positive and finite, got -1.5``.
 
     Raises:
         ValueError: for zero, a negative number, an infinity or NaN.
@@ -107,7 +107,8 @@ def checked_duration(duration: float) -> float:
 def position_after(position: Vector3, velocity: Vector3, duration: float) -> Vector3:
     """Exercise 2.7: return the position after moving with a constant velocity (Eq. 2.7).
 
-    position is in m, velocity in m/s and duration in s. The start position of the example is ours.
+    position is in m, velocity in m/s and duration in s. The start position in the example is not
+    the book's.
 
     Raises ValueError if the duration is not positive and finite.
 

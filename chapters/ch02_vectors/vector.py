@@ -15,11 +15,11 @@ class Vector3:
     """Three components along X, Y and Z, in the unit of whatever the vector describes.
 
     A component can be any float, including infinities and NaN. Classes that give the numbers a
-    meaning, such as a particle, refuse values that make no sense.
+    meaning, such as a particle, reject values that make no sense.
 
     Raises:
         TypeError: if a component is not something that float() accepts.
-        ValueError: if a component is a text that does not spell a number.
+        ValueError: if a component is a string that does not contain a number.
     """
 
     __slots__ = ("x", "y", "z")
@@ -72,7 +72,7 @@ class Vector3:
         raise NotImplementedError("Exercise B2.2: Length")
 
     def squared_magnitude(self) -> float:
-        """Return |v|^2. It needs no square root and is enough to compare lengths (2.1)."""
+        """Return |v|^2, which is enough to compare lengths and needs no square root (2.1)."""
         raise NotImplementedError("Exercise B2.2: Length")
 
     def __mul__(self, scale: float) -> Vector3:
@@ -114,7 +114,10 @@ class Vector3:
         raise NotImplementedError("Exercise B2.4: Normalize")
 
     def normalized(self) -> Vector3:
-        """Return a new vector of length 1 in the same direction. Zero gives zero."""
+        """Return a new vector of length 1 in the same direction.
+
+        The zero vector gives a new zero vector.
+        """
         raise NotImplementedError("Exercise B2.4: Normalize")
 
     def __add__(self, v: Vector3) -> Vector3:
@@ -136,8 +139,8 @@ class Vector3:
     def add_scaled(self, v: Vector3, scale: float) -> None:
         """Add v * scale, in place (2.1.4).
 
-        Every update p' = p + v h is a call of this method. It also works if v is this very vector.
-        Raises TypeError if v is not a vector.
+        The engine uses this method for every update of the form p' = p + v h. It also works if v is
+        the vector itself. Raises TypeError if v is not a vector.
         """
         raise NotImplementedError("Exercise B2.6: Add a scaled vector")
 
@@ -163,14 +166,14 @@ class Vector3:
         raise NotImplementedError("Exercise B2.8: The scalar product")
 
     def __matmul__(self, v: Vector3) -> float:
-        """Return the same as dot."""
+        """Return the scalar product, as ``dot`` does."""
         raise NotImplementedError("Exercise B2.8: The scalar product")
 
     def cross(self, v: Vector3) -> Vector3:
         """Return the vector product a x b as a new vector (Eq. 2.6).
 
-        It is perpendicular to both vectors and has the length |a| |b| sin t. Swapping the factors
-        reverses it: b x a = -(a x b). Raises TypeError if v is not a vector.
+        The product is perpendicular to both vectors and has the length |a| |b| sin t. Swapping the
+        factors reverses its direction: b x a = -(a x b). Raises TypeError if v is not a vector.
         """
         raise NotImplementedError("Exercise B2.9: The vector product")
 
@@ -185,12 +188,12 @@ class Vector3:
 def make_orthonormal_basis(a: Vector3, b: Vector3) -> tuple[Vector3, Vector3, Vector3]:
     """Return three new unit vectors that are perpendicular and right-handed: a x b = c (2.1.9).
 
-    The first has the direction of ``a``. The third is perpendicular to the plane of ``a`` and
-    ``b``. The second lies in that plane, as close to ``b`` as possible. The lengths of ``a`` and
-    ``b`` do not matter, and neither vector changes.
+    The first vector has the direction of ``a``. The third one is perpendicular to the plane of
+    ``a`` and ``b``. The second one lies in that plane, as close to ``b`` as possible. The lengths
+    of ``a`` and ``b`` do not matter, and neither vector changes.
 
     Raises:
         ValueError: if ``a`` or ``b`` is zero or not finite, or if they are parallel, which means
-            that the sine of their angle is below 1e-12. Then there is no plane and no basis.
+            that the sine of their angle is below 1e-12. Such vectors do not determine a basis.
     """
     raise NotImplementedError("Exercise B2.10: An orthonormal basis")

@@ -1,4 +1,4 @@
-"""The exercises of chapter 3 of the book, as functions of their data. 3.3 is in particle.py.
+"""The exercises of the book's chapter 3, each as a function. Exercise 3.3 is in particle.py.
 
 No function here changes the vectors that it is given. All of them raise TypeError for anything that
 is not a number where a number is expected.
@@ -45,8 +45,8 @@ def position_by_equation(
 ) -> Vector3:
     """Exercise 3.4a: return the new position after a time with constant acceleration (Eq. 2.9).
 
-    It is p' = p + v t + a t^2 / 2, in m, m/s, m/s^2 and s. In this example and those below, the
-    start and two components of the acceleration are ours.
+    The result is p' = p + v t + a t^2 / 2, with lengths in m and times in s. In this example and
+    those below, the start position and two components of the acceleration are not the book's.
 
     Raises ValueError if the time is not positive and finite.
 
@@ -59,10 +59,10 @@ def position_by_equation(
 def state_by_steps(
     position: Vector3, velocity: Vector3, acceleration: Vector3, duration: float, steps: int
 ) -> tuple[Vector3, Vector3]:
-    """Exercise 3.4b and (c): return the position and the velocity after several equal steps.
+    """Exercise 3.4b and c: return the position and the velocity after several equal steps.
 
-    A step is Eq. 2.7 and then Eq. 2.8, without damping. Particle.integrate does the same. The
-    duration of each step is in s.
+    Each step applies Eq. 2.7 and then Eq. 2.8, as Particle.integrate does without damping.
+    ``duration`` is the duration of one step in s.
 
     Raises ValueError if the duration is not positive and finite, or if steps is below 1.
 
@@ -78,9 +78,9 @@ def state_by_steps(
 def stepping_error(
     position: Vector3, velocity: Vector3, acceleration: Vector3, duration: float, steps: int
 ) -> Vector3:
-    """Exercise 3.4d: return the error of the stepped position, which is stepped minus exact.
+    """Exercise 3.4d: return the error of the stepped position: stepped minus exact position.
 
-    The arguments and the errors raised are those of state_by_steps.
+    The function takes the arguments of state_by_steps and raises the same errors.
 
     >>> p, v, a = Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5)
     >>> stepping_error(p, v, a, 1, steps=5)
@@ -92,11 +92,12 @@ def stepping_error(
 def random_frames(mean: float, jitter: float, total: float, seed: int) -> list[float]:
     """Exercise 3.5a: return random frame durations in s that add up to a total time.
 
-    Each duration is drawn evenly from mean (1 - jitter) to mean (1 + jitter). The last one is
-    shortened so that the sum is the total within rounding. The same seed gives the same durations.
+    Each duration is drawn uniformly between mean * (1 - jitter) and mean * (1 + jitter). The last
+    one is shortened so that the sum equals the total, except for rounding. The same seed gives the
+    same durations.
 
-    Raises ValueError if the mean or the total is not positive and finite, or if the jitter is not
-    at least 0 and below 1.
+    Raises ValueError if the mean or the total is not positive and finite, or if the jitter is
+    negative or not below 1.
 
     >>> random_frames(0.25, 0.0, 1.0, seed=7)
     [0.25, 0.25, 0.25, 0.25]
@@ -111,7 +112,8 @@ def damping_difference(
 
     A run is a list of step durations in s. In each run two particles start with the given velocity
     in m/s. In every step one follows Eq. 3.5 and the other Eq. 3.6, with the same damping. The
-    result is the length of the difference of their last velocities, in m/s, averaged over the runs.
+    result is the length of the difference between their final velocities, in m/s, averaged over the
+    runs.
 
     Raises ValueError if there are no runs, if the damping is negative or not finite, or if a
     duration is not positive and finite.

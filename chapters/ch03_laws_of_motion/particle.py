@@ -14,10 +14,11 @@ from ch02_vectors.vector import Vector3
 class Particle:
     """A point mass with a position, a velocity and a constant acceleration, such as gravity.
 
-    ``position``, ``velocity`` and ``acceleration`` are vectors and zero by default. A vector that
-    is assigned to them is copied, so two particles never share one. Assigning a vector that is not
-    finite raises ValueError, and anything else raises TypeError. You may also change components one
-    by one, as in ``particle.velocity.y = 3.0``. Then it is up to you to keep them finite.
+    ``position``, ``velocity`` and ``acceleration`` are vectors, which are zero by default.
+    Assigning a vector to one of them stores a copy, so two particles never share a vector.
+    Assigning a vector that is not finite raises ValueError, and anything else raises TypeError. You
+    may also change components one by one, as in ``particle.velocity.y = 3.0``. Then it is up to you
+    to keep them finite.
 
     ``damping`` is the fraction of the velocity that is kept per second. 1 keeps all of it, 0 stops
     the particle, and a number above 1 speeds it up. A particle whose mass is math.inf, or whose
@@ -62,7 +63,7 @@ class Particle:
 
     @mass.setter
     def mass(self, mass: float) -> None:
-        """Set the mass. Raises ValueError if it is not positive. math.inf is allowed.
+        """Set the mass. math.inf is allowed. Raises ValueError if the mass is not positive.
 
         Like every setter here, it raises TypeError for anything that is not a number.
         """
@@ -70,7 +71,7 @@ class Particle:
 
     @property
     def inverse_mass(self) -> float:
-        """1 / mass in 1/kg, the number that the engine stores. 0 if the particle is immovable."""
+        """The stored number 1 / mass in 1/kg. It is 0 for an immovable particle."""
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     @inverse_mass.setter
@@ -112,28 +113,28 @@ class Particle:
     def last_acceleration(self) -> Vector3:
         """The total acceleration of the last step, as a new vector.
 
-        In this chapter it is the constant acceleration. Chapter 5 adds forces to it.
+        In this chapter it equals the constant acceleration. Chapter 5 adds the effect of forces.
         """
         raise NotImplementedError("Exercise B3.4: The step")
 
     def drift(self, duration: float) -> None:
-        """Move the position with the velocity for a duration in s: p' = p + v h (Eq. 2.7).
+        """Move the particle with its velocity for a duration in s: p' = p + v h (Eq. 2.7).
 
         The velocity does not change, and an immovable particle does not move. The duration may be
         0 or negative, because integrators drift for parts of a step and a few drift back.
 
-        The duration is not checked here, because a step consists of several moves. The caller
-        checks it once per step: integrate, an integrator or a world.
+        The duration is not checked here, because a step may consist of several moves. The caller,
+        which is ``integrate``, an integrator or a world, checks it once per step.
         """
         raise NotImplementedError("Exercise B3.4: The step")
 
     def kick(self, duration: float) -> None:
         """Change the velocity by the acceleration for a duration in s: v' = (v + a h) d^h.
 
-        First the acceleration is added, and then the velocity is damped. This is the form of the
-        book's listing. The book's Eq. 3.6 has v d^h + a h instead (E-16). The position does not
-        change, and an immovable particle keeps its velocity. As in drift, the duration may be 0 or
-        negative and is not checked.
+        The acceleration is applied first, and the damping then acts on the result, as in the book's
+        listing. The book's Eq. 3.6 is v d^h + a h instead (E-16). The position does not change, and
+        an immovable particle keeps its velocity. As in ``drift``, the duration may be 0 or negative
+        and is not checked.
         """
         raise NotImplementedError("Exercise B3.4: The step")
 

@@ -68,44 +68,44 @@ def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
 def is_spent(shot: Shot) -> bool:
     """Return whether a shot must be removed (4.1.2).
 
-    That is the case if it is below the ground (y < 0), older than LONGEST_FLIGHT, or past
+    A shot is spent if it is below the ground (y < 0), older than LONGEST_FLIGHT, or past
     END_OF_RANGE in z.
     """
     raise NotImplementedError("Exercise B4.3: Shots in flight")
 
 
 def grenade_after(shot: Shot) -> list[Shot]:
-    """Mini-project 4.1: return what is left of a grenade that has just moved by one step.
+    """Mini-project 4.1: return the shots that replace a grenade after it has moved by one step.
 
-    First it bounces, if it is below the ground. Once its age has reached FUSE, its fragments are
-    left, as shots of the type "fragment" with an age of 0. Before that the grenade itself is left,
-    or nothing if it is spent.
+    First, a grenade that is below the ground bounces. If its age has reached FUSE, return its
+    fragments, as shots of the type "fragment" with an age of 0. Otherwise return a list with the
+    grenade itself, or an empty list if it is spent.
     """
     raise NotImplementedError("Exercise 4.1: A grenade")
 
 
 def what_is_left(shot: Shot, start: Vector3, targets: Sequence[TargetBlock]) -> list[Shot]:
-    """Return what is left of a shot that has just moved from ``start`` by one step.
+    """Return the shots that replace a shot after it has moved from ``start`` by one step.
 
-    Nothing is left if it has hit a target on its path or is spent. For a grenade, the result is
-    that of grenade_after.
+    The list is empty if the shot has hit a target on its path or is spent. For a grenade that has
+    hit nothing, the result is that of grenade_after. Any other shot remains.
     """
     raise NotImplementedError("Exercise B4.3: Shots in flight")
 
 
 class BallisticRange:
-    """Shots in flight, in the order in which they were fired, and target blocks."""
+    """A range with its shots in flight, in the order of firing, and its target blocks."""
 
     def __init__(self, targets: Iterable[TargetBlock] = ()) -> None:
         self.targets = list(targets)
         self.shots: list[Shot] = []
 
     def fire(self, name: str, azimuth: float = 0.0, elevation: float | None = None) -> None:
-        """Fire a shot of a type, aimed as in mini-project 4.3 (4.1.2).
+        """Fire a shot of a type in the direction of two angles, as in mini-project 4.3 (4.1.2).
 
-        It starts at MUZZLE with the age 0, and with the mass, acceleration and damping of
-        SHOT_TYPES. Its speed is the length of the type's velocity. Without an elevation it has the
-        type's own, which is the angle of that velocity above the horizontal.
+        The shot starts at MUZZLE with an age of 0. SHOT_TYPES gives its mass, acceleration and
+        damping. Its speed is the length of the type's velocity. If ``elevation`` is None, use the
+        angle of that velocity above the horizontal.
 
         Raises ValueError if there is no such type, or if an angle is not finite. No shot is fired
         then.
@@ -113,12 +113,11 @@ class BallisticRange:
         raise NotImplementedError("Exercise B4.2: Fire a shot")
 
     def update(self, duration: float) -> None:
-        """Move everything by one step of a duration in s, and remove the shots that are spent
-        (4.1.2).
+        """Move everything by one step of a duration in s, and remove spent shots (4.1.2).
 
-        First the targets move. Then each shot moves and gets older, and is replaced by what_is_left
-        of it. That function needs the position of the shot before it moved. Pass a copy, because
-        integrate changes the position itself.
+        First the targets move. Then each shot moves and its age grows by the duration. After that
+        the shots that what_is_left returns for it take its place. That function needs the position
+        of the shot before the move. Pass a copy, because ``integrate`` changes the position itself.
 
         Raises ValueError if the duration is not positive and finite. Nothing has moved then.
         """

@@ -15,10 +15,10 @@ from ch04_particle_engine.fireworks import FireworksShow
 class CatherineWheel:
     """A wheel in the X-Y plane around ``center`` (m), with a ``radius`` in m, that never stops.
 
-    It rotates from X toward Y with the ``rate`` in rad/s. Sparks of one of the show's types leave
-    the rim, ``sparks_per_second`` of them. They are thrown backward, against the motion of the rim,
-    with the speed ``jet`` in m/s. ``angle`` is the angle of the nozzle from the X axis, and
-    ``thrown`` counts the sparks that have left.
+    The wheel rotates from X toward Y at ``rate`` in rad/s. In each second, ``sparks_per_second``
+    sparks of one of the show's types leave the rim. They are thrown backward, against the motion of
+    the rim, with the speed ``jet`` in m/s. ``angle`` is the angle of the nozzle from the X axis,
+    and ``thrown`` counts the sparks that have left.
 
     Raises ValueError if the show has no such type, the center is not finite, the radius or the rate
     is not positive, or another number is negative.
@@ -50,19 +50,18 @@ class CatherineWheel:
     def nozzle(self) -> Particle:
         """Mini-project 4.4: return a new particle at the nozzle, to be the parent of sparks.
 
-        It is on the rim at the wheel's angle. Its speed is that of the rim, rate times radius,
-        minus the jet, at a right angle to the spoke.
+        The particle is on the rim at the wheel's angle. Its velocity is at a right angle to the
+        spoke. Its speed is that of the rim, rate times radius, minus the jet.
         """
         raise NotImplementedError("Exercise 4.4: A Catherine wheel")
 
     def update(self, duration: float) -> None:
-        """Mini-project 4.4: rotate by one step of a duration in s, and light the sparks that are
-        due.
+        """Mini-project 4.4: rotate for a duration in s, and light the sparks that are due.
 
-        After t seconds in all, the whole part of sparks_per_second times t have left, however long
-        the steps are, except for the rounding of t. The sparks of a step leave the nozzle where it
-        is at the end of the step. They count as thrown even if the show has no room for them. The
-        show itself is updated elsewhere.
+        After a total of t seconds, the number of sparks thrown is sparks_per_second times t,
+        rounded down. Apart from the rounding of t, it does not depend on the length of the steps.
+        All sparks of a step leave from the nozzle's position at the end of the step. They count as
+        thrown even if the show has no room for them. This method does not update the show.
 
         Raises ValueError if the duration is not positive and finite. Nothing has moved then.
         """

@@ -1,8 +1,8 @@
 """The state of a particle at any time, without time steps.
 
-With a constant acceleration a and the damping d as a drag, dv/dt = a - k v with k = -ln d, position
-and velocity have a formula. A body that moves like this, such as a spark, needs no steps: one
-evaluation gives its exact state at any time. Model no more than a scene needs.
+Treat the damping d as a drag, dv/dt = a - k v, with a constant acceleration a and k = -ln d. Then
+there are formulas for the position and the velocity. A body that moves like this, such as a spark,
+needs no time steps, because a single evaluation gives its exact state at any time.
 """
 
 from __future__ import annotations
@@ -16,16 +16,16 @@ from ch03_laws_of_motion.particle import Particle
 def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
     """Return the three factors of the closed form: kept, gone and fallen.
 
-    They give v(t) = v kept + a gone and p(t) = p + v gone + a fallen, with
+    With these factors, v(t) = v kept + a gone and p(t) = p + v gone + a fallen. The factors are
 
     - kept = d^t, which has no unit,
     - gone = (1 - d^t) / k in s, the distance that a speed of 1 m/s covers,
     - fallen = (t - gone) / k in s^2, the distance that an acceleration of 1 m/s^2 covers.
 
-    As the damping approaches 1, they approach 1, t and t^2 / 2. The result must have at least 9
-    correct digits even for a damping as close to 1 as a float can be, where the formulas divide
-    almost 0 by almost 0. A damping of 0 stops everything at once: if any time passes, the factors
-    are 0, 0 and 0.
+    As the damping approaches 1, the factors approach 1, t and t^2 / 2. The result must have at
+    least 9 correct digits even for a damping as close to 1 as a float can be, where the formulas
+    divide almost 0 by almost 0. A damping of 0 stops everything at once: if any time passes, the
+    factors are 0, 0 and 0.
 
     Raises ValueError if the damping or the time is negative or not finite, and OverflowError if a
     factor does not fit in a float.
@@ -55,8 +55,8 @@ def burst_positions(
 
     All sparks start at the same position and time, with the same acceleration and damping. Only
     their speeds along the axis, in m/s, differ. So compute the factors, and the position of a spark
-    without speed, once for all of them. A screen shows two axes, and the third one need not be
-    computed.
+    without speed, only once per call. Each call handles one axis, because a screen shows only two
+    of the three.
 
     The speeds are not checked. Raises ValueError if the start or the acceleration is not finite, or
     if the damping or the time is negative or not finite, and OverflowError as drag_factors does.

@@ -1,8 +1,8 @@
 """Keep the display alive (project 4.1): a game whose rules need no screen.
 
-Rockets burn down. If the player clicks on a rocket before it burns out, it bursts, and another
-rocket of its type starts from the ground. The display lives as long as there is a rocket. A late
-click scores more, but it may come too late.
+The fuse of each rocket burns down. If the player clicks on a rocket before it burns out, the rocket
+bursts, and another one of its type starts from the ground. The display lives as long as there is a
+rocket. A late click scores more, but the player risks losing the rocket.
 """
 
 from __future__ import annotations
@@ -27,11 +27,11 @@ class Display:
 
 
 def find_rocket(display: Display, x: float, y: float) -> Firework | None:
-    """Project 4.1: return the rocket nearest to a point of the X-Y plane, or None beyond REACH.
+    """Project 4.1: return the rocket nearest to a point, or None if none is within REACH.
 
-    Rockets are the fireworks whose rule has payloads, however they were lit. A rocket without any
-    fuse left, with an age of 0 or less, cannot be saved and is not found. A rocket at exactly REACH
-    is found.
+    The point and the distances are in the X-Y plane. A rocket is any firework whose rule has
+    payloads, even if it was itself a payload. A rocket with an age of 0 or less has no fuse left
+    and cannot be saved, so it is not found. A rocket at exactly the distance REACH is found.
     """
     raise NotImplementedError("Exercise P4.1: Keep the display alive")
 
@@ -48,10 +48,10 @@ def click(display: Display, x: float, y: float) -> bool:
 
 
 def is_over(display: Display) -> bool:
-    """Project 4.1: return whether the game has ended: no rocket is left, or too many clicks missed.
+    """Project 4.1: return whether no rocket is left or too many clicks have missed.
 
     MISSES_ALLOWED clicks may miss, and the next miss ends the game. A rocket that was clicked on
-    counts until it has burst. A game begins when a firework has been launched.
+    counts as left until it has burst. A new game counts as over until a firework has been launched.
     """
     raise NotImplementedError("Exercise P4.1: Keep the display alive")
 

@@ -1,8 +1,9 @@
-"""Going further, complete: a step that is exact.
+"""Going further, complete: a time step that is exact.
 
-A film of a flight wants a place in every frame, all of them equally long. Then the three factors of
-the closed form are the same in each, and worked out once: from there on a frame is a step in plain
-numbers, which costs less than any other and is right to rounding.
+An animation of a flight needs the position in every frame. If all frames are equally long, the
+three factors of the closed form are the same in each of them and are computed only once. After
+that, each frame is a step in plain numbers. No other step costs less, and this one has no error
+except rounding.
 """
 
 from __future__ import annotations
@@ -13,11 +14,14 @@ from ch04_particle_engine.closed_form import drag_factors
 
 
 def places_in_frames(particle: Particle, frame: float, frames: int) -> list[tuple[float, float]]:
-    """Return x and y of a particle in m at the end of each of so many frames, of ``frame`` s each.
+    """Return a particle's (x, y) in m at the end of each of ``frames`` frames of ``frame`` s.
 
-    It moves under its constant acceleration and its damping, a drag that is linear in the velocity,
-    and stays as it is. An immovable one is found where it is now. Raises ValueError where the
-    frame is not positive and finite, or there is not a whole number of them, 1 or more.
+    The motion has the particle's constant acceleration, and its damping as a drag that is linear in
+    the velocity. The particle itself does not change. An immovable particle is at its present
+    position in every frame.
+
+    Raises ValueError if ``frame`` is not positive and finite, or ``frames`` is less than 1. Raises
+    TypeError if ``frames`` is not a whole number.
     """
     frames = whole("frames", frames)
     kept, gone, fallen = drag_factors(particle.damping, positive("frame", frame))
@@ -26,7 +30,7 @@ def places_in_frames(particle: Particle, frame: float, frames: int) -> list[tupl
         return [(x, y)] * frames
     vx, vy, _ = particle.velocity
     ax, ay, _ = particle.acceleration
-    # What the acceleration alone does to place and speed in a frame.
+    # The changes of position and velocity in a frame that come from the acceleration alone.
     fallen_x, fallen_y, gained_x, gained_y = ax * fallen, ay * fallen, ax * gone, ay * gone
     places = []
     for _ in range(frames):

@@ -1,6 +1,6 @@
-"""Fireworks (book 4.2): particles that burn for a while and leave others behind.
+"""Fireworks (book 4.2): particles that burn for a while and then light others.
 
-What a type of firework does is data, a rule. The show only reads the rules.
+Each type of firework is described by a rule, which is plain data. The show only reads the rules.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ POLICIES = ("keep_old", "drop_oldest")
 
 @dataclass(frozen=True)
 class Payload:
-    """What a firework leaves behind: ``count`` fireworks of a type.
+    """The ``count`` fireworks of one ``type`` that a firework lights when it burns out.
 
     Raises ValueError if the count is below 1, and TypeError if it is not a whole number.
     """
@@ -35,10 +35,10 @@ class Payload:
 
 @dataclass(frozen=True)
 class FireworkRule:
-    """What the fireworks of a type do: how long they burn, how they fly and what they leave behind.
+    """The rule of a type: how long its fireworks burn, how they fly and which payloads they light.
 
-    Ages in s and velocities in m/s are drawn between a minimum and a maximum, velocities separately
-    for each component. ``damping`` is the fraction of the velocity that is kept per second.
+    Ages in s and velocities in m/s are drawn between a minimum and a maximum, separately for each
+    component of a velocity. ``damping`` is the fraction of the velocity that is kept per second.
 
     Raises ValueError if an age or the damping is negative, a number is not finite, a velocity does
     not have three components, or a minimum is above its maximum. Raises TypeError if the payloads
@@ -88,21 +88,22 @@ class Firework:
 
 
 def make_firework(rule: FireworkRule, random: Random, parent: Particle | None = None) -> Firework:
-    """Return a new firework of a rule, with numbers drawn from ``random`` (4.2.3).
+    """Return a new firework that follows a rule, with numbers drawn from ``random`` (4.2.3).
 
-    Its age and each component of its velocity are drawn evenly between the rule's limits. With a
-    parent it starts at the parent's position, and the parent's velocity is added to the drawn one.
-    Without a parent it starts on the ground, at one of LAUNCH_PLACES. It has a mass of 1, the
-    acceleration GRAVITY and the damping of the rule.
+    The firework's age and each component of its velocity are drawn uniformly between the rule's
+    limits. If there is a parent, the firework starts at the parent's position, and the parent's
+    velocity is added to the drawn one. Otherwise it starts on the ground, at one of LAUNCH_PLACES.
+    It has a mass of 1 kg, the acceleration GRAVITY and the damping of the rule.
     """
     raise NotImplementedError("Exercise B4.4: A firework from its rule")
 
 
 def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
-    """Return the types that lead back to themselves, in ascending order. They never end.
+    """Return the types that lead back to themselves, in ascending order.
 
-    If type 1 leaves type 2 behind and type 2 leaves type 1, both lead back to themselves. A type 3
-    that leaves type 1 behind never ends either, but nothing leads back to it.
+    A show with such a type never ends. If type 1 has a payload of type 2, and type 2 has a payload
+    of type 1, both lead back to themselves. A type 3 with a payload of type 1 never ends either,
+    but nothing leads back to it, so it is not in the result.
     """
     raise NotImplementedError("Exercise B4.7: Rules without an end")
 
@@ -111,14 +112,13 @@ class FireworksShow:
     """Fireworks that burn, in the order in which they were lit, the oldest first.
 
     At most ``capacity`` burn at a time. If the show is full, "keep_old" lights no new fireworks, as
-    the book's text says, and "drop_oldest" puts out the oldest to make room, as its listing does
-    (E-20). ``dropped`` counts the fireworks that were not lit or were put out. So even rules that
-    light each other forever stay within the capacity, however many sparks they ask for. The same
-    seed gives the same show.
+    the book's text says, and "drop_oldest" puts out the oldest to make room, as the book's listing
+    does (E-20). ``dropped`` counts the fireworks that were not lit or were put out. The capacity
+    also limits rules that light each other forever. The same seed gives the same show.
 
     Raises ValueError if two rules have the same type, a payload has a type without a rule, the
-    capacity is below 1, or there is no such policy. Raises TypeError if the capacity is not a whole
-    number.
+    capacity is below 1, or ``when_full`` is neither of the two policies. Raises TypeError if the
+    capacity is not a whole number.
     """
 
     def __init__(
@@ -131,14 +131,14 @@ class FireworksShow:
         self.rules: dict[int, FireworkRule] = {}
         for rule in rules:
             if rule.type in self.rules:
-                raise ValueError(f"rules must have one rule a type, got two of type {rule.type!r}")
+                raise ValueError(f"rules must have different types, got two of type {rule.type!r}")
             self.rules[rule.type] = rule
         for rule in self.rules.values():
             for payload in rule.payloads:
                 if payload.type not in self.rules:
                     raise ValueError(
                         f"rules must have a rule for each payload, got type {rule.type!r} with "
-                        f"payload {payload.type!r} and no rule for that"
+                        f"a payload of type {payload.type!r} and no rule for it"
                     )
         if when_full not in POLICIES:
             raise ValueError(f"when_full must be one of {', '.join(POLICIES)}, got {when_full!r}")
@@ -156,12 +156,12 @@ class FireworksShow:
         raise NotImplementedError("Exercise B4.5: Slots, and what happens when they are full")
 
     def light(self, births: Sequence[tuple[int, int, Particle | None]]) -> None:
-        """Light fireworks as far as the policy allows. Each birth is a tuple (type, count, parent).
+        """Light as many fireworks as the policy allows. A birth is a tuple (type, count, parent).
 
-        New fireworks come after those that already burn, in the order of the births. If there is
-        not room for all, "keep_old" lights the first of them. "drop_oldest" lights those that would
-        be left if the oldest were put out again and again, which are the last ones. A call never
-        makes more fireworks than the capacity, whatever the counts are.
+        New fireworks come after those that already burn, in the order of the births. If there is no
+        room for all of them, "keep_old" lights only the first ones. "drop_oldest" puts out the
+        oldest fireworks to make room. If there are more births than the capacity, it lights only
+        the last ones. A call never makes more fireworks than the capacity, whatever the counts are.
 
         Raises ValueError if there is no rule for a type, or if a count is negative. Nothing is lit
         then.
@@ -169,13 +169,13 @@ class FireworksShow:
         raise NotImplementedError("Exercise B4.5: Slots, and what happens when they are full")
 
     def update(self, duration: float) -> None:
-        """Move every firework by one step of a duration in s, and light the payloads that are due
-        (4.2.3).
+        """Move every firework by one step of a duration in s, and light due payloads (4.2.3).
 
-        Each firework moves, and its age shrinks by the duration. It has burnt out if its age is
-        below 0 or if it is below the ground (y < 0). At an age of 0 it still burns. After all have
-        moved, those that have burnt out are removed. Then their payloads are lit, those of the
-        oldest first, with the particle of the burnt-out firework as the parent.
+        Each firework moves, and its age shrinks by the duration. A firework has burnt out if its
+        age is below 0 or if it is below the ground (y < 0). At an age of exactly 0 it still burns.
+        After all fireworks have moved, remove those that have burnt out. Then light their payloads,
+        starting with the oldest firework. The parent of a payload is the particle of the firework
+        that burnt out.
 
         Raises ValueError if the duration is not positive and finite. Nothing has moved then.
         """

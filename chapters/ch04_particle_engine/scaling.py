@@ -1,8 +1,8 @@
 """A bullet that is slow enough to be seen (book 4.1.1): how its mass and gravity must change.
 
 ``factor`` says how many times slower the shot is in the game. It is the real speed divided by the
-speed in the game, so 20 for 500 m/s shown as 25. The book divides one way in its text and the other
-way in its footnote (E-19).
+speed in the game: 20 for a bullet of 500 m/s that is shown at 25 m/s. The book's text and its
+footnote divide in opposite ways (E-19).
 
 Every function of this chapter raises TypeError for an argument that is not a number where a number
 is expected.
@@ -12,8 +12,9 @@ from __future__ import annotations
 
 
 def muzzle_energy(mass: float, speed: float) -> float:
-    """Return the kinetic energy of a shot in J, m v^2 / 2, with the mass in kg and the speed in
-    m/s.
+    """Return the kinetic energy m v^2 / 2 of a shot in J.
+
+    The mass is in kg and the speed in m/s.
 
     Raises ValueError if the mass is not positive and finite, or if the speed is negative or not
     finite.

@@ -1,6 +1,7 @@
 """Sparks that rotate on the screen at a constant rate: a picture without physics (4.2.3, E-35).
 
-A rotation whose rate never changes needs no step, because the angle at any time is known.
+A rotation whose rate never changes needs no time steps, because a formula gives its angle at any
+time.
 """
 
 from __future__ import annotations

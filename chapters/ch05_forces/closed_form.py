@@ -11,7 +11,7 @@ from __future__ import annotations
 def terminal_speed(weight: float, k1: float, k2: float) -> float:
     """Return the speed in m/s at which the drag on a falling body balances its weight in N.
 
-    It is the positive solution of k1 v + k2 v^2 = weight.
+    The terminal speed is the positive solution of k1 v + k2 v^2 = weight.
 
     Raises:
         ValueError: if the weight is not positive, a coefficient is negative, an argument is not
@@ -23,9 +23,9 @@ def terminal_speed(weight: float, k1: float, k2: float) -> float:
 def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple[float, float]:
     """Return the speed in m/s and the distance in m of a fall from rest with quadratic drag only.
 
-    They are u tanh x and u^2 / g ln cosh x with x = g t / u. Here u is the terminal speed, g is
-    ``gravity`` and t is ``time`` in s. Both results must also be right for very small and very
-    large x.
+    The speed is u tanh x and the distance is (u^2 / g) ln cosh x, with x = g t / u. Here u is the
+    terminal speed, g is ``gravity`` and t is ``time`` in s. Both results must also be right for
+    very small and very large x.
 
     Raises:
         ValueError: if the mass, gravity or k2 is not positive, the time is negative, or an argument
@@ -37,8 +37,8 @@ def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple
 def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float) -> float:
     """Return the speed in m/s that remains after a time in s in which only drag acts.
 
-    With s = k1 t / m it is v e^-s / (1 + k2 v (1 - e^-s) / k1). For k1 = 0, the fraction (1 - e^-s)
-    / k1 is t / m.
+    With s = k1 t / m, the speed is v e^-s / (1 + k2 v (1 - e^-s) / k1). For k1 = 0, the fraction (1
+    - e^-s) / k1 is t / m.
 
     Raises:
         ValueError: if the mass is not positive, another argument is negative, or an argument is not
@@ -48,7 +48,7 @@ def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float)
 
 
 def drag_limits(k1: float, k2: float, mass: float, speed: float) -> tuple[float, float]:
-    """Return two time steps in s, above which a step with drag alone goes wrong.
+    """Return two limits in s for the length of a time step with drag alone.
 
     If the step is longer than the first limit, drag reverses the motion. If it is longer than the
     second, the particle is faster after the step than before. The step is v' = v + (f / m) h, where

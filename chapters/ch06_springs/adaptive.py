@@ -1,9 +1,10 @@
 """Going further: an integrator that you ask for an accuracy, not for a step size.
 
 A fixed step must be short enough for the worst moment of a motion, and it is then too short for all
-the others. A comet needs short steps while it passes the sun, and long ones do for the rest of its
-orbit. `adaptive` chooses the steps by itself: it estimates the error of every step, repeats a step
-that was too long, and makes the next one longer when a step was better than it had to be.
+the others. A comet needs short steps while it passes the sun, but for the rest of its orbit long
+steps are enough. `adaptive` chooses the steps by itself. It estimates the error of every step and
+repeats a step that was too long. If a step was more accurate than necessary, it makes the next one
+longer.
 """
 
 from __future__ import annotations
@@ -43,12 +44,13 @@ def adaptive(tolerance: float) -> AdaptiveStep:
     """Return an integrator that chooses its own steps, so that each meets the tolerance.
 
     ``tolerance`` is the estimated error that one step may make: in m for every coordinate of a
-    position, and in m/s for every component of a velocity. It is absolute: choose it by the size of
-    your scene. Errors of the steps add up, and an orbit or a swing makes them larger, so the final
-    error is often ten to a few hundred times the tolerance, but it shrinks in proportion to it.
+    position, and in m/s for every component of a velocity. It is an absolute error, so choose it by
+    the size of your scene. The errors of the steps add up, and an orbit or an oscillation amplifies
+    them. The final error is therefore often ten to a few hundred times the tolerance, but it
+    shrinks in proportion to the tolerance.
 
-    Raises ValueError where the tolerance is not positive and finite, and TypeError where it is not
-    a number.
+    Raises ValueError if the tolerance is not positive and finite, and TypeError if it is not a
+    number.
     """
     return AdaptiveStep(tolerance)
 
@@ -56,22 +58,24 @@ def adaptive(tolerance: float) -> AdaptiveStep:
 class AdaptiveStep:
     """An integrator ``(particles, apply_forces, duration)`` made by `adaptive`.
 
-    A call moves the particles by exactly ``duration``, in as many steps as it needs. Each step has
-    six evaluations of the forces, and each call has one more. ``evaluations`` counts all of them.
-    You may set it to 0.
+    A call moves the particles by exactly ``duration``, in as many steps as it needs. Each step
+    evaluates the forces six times, and each call evaluates them once more. ``evaluations`` counts
+    all evaluations. You may set it to 0.
 
     Every call evaluates the forces anew at its start, so you may change particles and forces
-    between calls. All that it keeps is the length of a good step. That length is only a first
-    guess for the next call, so one integrator may also move several groups of particles in turn.
+    between calls. The integrator remembers only the length of its last good step. That length is
+    only a first guess for the next call, so one integrator may also move several groups of
+    particles in turn.
 
-    Forces by hand act for the whole call, and damping multiplies the velocity once per call, as in
-    the other integrators. ``apply_forces`` is given the duration of the call in every evaluation.
+    Forces that were added by hand act for the whole call, and damping multiplies the velocity once
+    per call, as in the other integrators. ``apply_forces`` gets the duration of the call in every
+    evaluation.
 
-    Order 5, also where forces depend on the velocity; not symplectic. A stiff spring is stable,
-    because its steps become short, but it needs no fewer of them than a fixed integrator would.
-    Source: Dormand and Prince, Journal of Computational and Applied Mathematics 6 (1980), 19. The
-    choice of the step is that of Hairer, Nørsett and Wanner, Solving Ordinary Differential
-    Equations I, II.4.
+    The method has order 5, even if forces depend on the velocity, and is not symplectic. A stiff
+    spring is stable, because its steps become short, but it needs at least as many of them as a
+    fixed integrator does. Source: Dormand and Prince, Journal of Computational and Applied
+    Mathematics 6 (1980), 19. The rule for the length of the next step is that of Hairer, Nørsett
+    and Wanner, Solving Ordinary Differential Equations I, II.4.
     """
 
     def __init__(self, tolerance: float) -> None:
@@ -87,15 +91,15 @@ class AdaptiveStep:
     ) -> None:
         """Move the particles by a duration in s.
 
-        A step whose forces raise ArithmeticError or ValueError counts as too long, and is repeated
-        with a tenth of its length. At the start of the call these errors come out. So do all other
-        errors at any time, and the particles are then somewhere on their way.
+        If the forces raise ArithmeticError or ValueError in a step, the step counts as too long,
+        and is repeated with a tenth of its length. In the first evaluation of the call, these
+        errors are passed on. All other errors are passed on at any time, and leave the particles in
+        the middle of the call.
 
-        Raises ArithmeticError where a step becomes too short to go on, as it does at a singularity,
-        or where a call needs more than MOST_STEPS steps. The particles are then where the last good
-        step has left them, without damping, and their accumulators are empty. Raises ValueError
-        where the duration is not positive and finite, and TypeError where it is not a number; all
-        is then as it was.
+        Raises ArithmeticError if a step becomes too short to continue, as at a singularity, or if a
+        call needs more than MOST_STEPS steps. The particles are then where the last good step left
+        them, without damping, and their accumulators are empty. Raises ValueError if the duration
+        is not positive and finite, and TypeError if it is not a number. Nothing has changed then.
         """
         positive("duration", duration)
         moving = _Moving(particles)
@@ -151,8 +155,8 @@ class AdaptiveStep:
 class _Moving:
     """The particles that can move, with their state as a list of numbers.
 
-    A state has position and velocity of one particle after the other, six numbers each. Its rates
-    have velocity and acceleration in the same order.
+    A state lists the position and velocity of one particle after the other, six numbers each. Its
+    rates list their velocities and accelerations in the same order.
     """
 
     def __init__(self, particles: Sequence[Particle]) -> None:
@@ -165,12 +169,12 @@ class _Moving:
         ]
 
     def state(self) -> Numbers:
-        """Return the state that the particles have."""
+        """Return the current state of the particles."""
         vectors = (vector for _, _, _, p, v in self.bodies for vector in (p, v))
         return [number for vector in vectors for number in vector]
 
     def put(self, state: Numbers) -> None:
-        """Give the particles a state, with the forces by hand and no other forces."""
+        """Set the particles to a state, with only the forces that were added by hand."""
         first = 0
         for _, _, _, p, v in self.bodies:
             p.x, p.y, p.z, v.x, v.y, v.z = state[first : first + 6]
@@ -180,7 +184,7 @@ class _Moving:
             particle.add_force(force)
 
     def rates(self) -> Numbers:
-        """Return the rates of the state, by the forces in the accumulators."""
+        """Return the rates of the current state, with the forces in the accumulators."""
         rates: Numbers = []
         for particle, m, a, _, v in self.bodies:
             f = particle.force_accumulator
@@ -188,9 +192,9 @@ class _Moving:
         return rates
 
     def finish(self, start: Numbers, duration: float) -> None:
-        """Let the mean force of the call kick the particles once, from their first velocities.
+        """Kick the particles once from their initial velocities, with the mean force of the call.
 
-        So the velocity is damped as by the other integrators, and last_acceleration is the mean.
+        This damps the velocity as the other integrators do, and last_acceleration is the mean.
         """
         self._clear()
         for i, (particle, m, a, _, v) in enumerate(self.bodies):
@@ -202,12 +206,12 @@ class _Moving:
             particle.kick(duration)
 
     def stop(self, state: Numbers) -> None:
-        """Leave the particles in a state, with empty accumulators."""
+        """Set the particles to a state, and empty their accumulators."""
         self.put(state)
         self._clear()
 
     def worst(self, errors: Numbers) -> str:
-        """Return in words where the largest error is."""
+        """Describe in words where the largest error is."""
         at = next((i for i, error in enumerate(errors) if not math.isfinite(error)), None)
         if at is not None:
             return f"the force on {self._named(at)} is not finite"
@@ -229,7 +233,7 @@ def _attempt(
 ) -> tuple[Numbers, Numbers, Numbers]:
     """Return the state after a step, the rates there, and the estimated errors of the state.
 
-    ``first`` are the rates at the start of the step.
+    ``first`` contains the rates at the start of the step.
     """
     rates = [first] * 7  # those that are not known yet have the weight 0
     end = state
@@ -240,7 +244,7 @@ def _attempt(
 
 
 def _ahead(state: Numbers, rates: list[Numbers], weights: Sequence[float], step: float) -> Numbers:
-    """Return state + step * sum(weight * rate): where the rates lead in a step."""
+    """Return state + step * sum(weight * rate), the state to which the rates lead in a step."""
     a, b, c, d, e, f, g = weights
     return [
         y + step * (a * r1 + b * r2 + c * r3 + d * r4 + e * r5 + f * r6 + g * r7)
@@ -249,5 +253,5 @@ def _ahead(state: Numbers, rates: list[Numbers], weights: Sequence[float], step:
 
 
 def _largest(errors: Numbers) -> float:
-    """Return the size of the largest error; infinity where one is not a number."""
+    """Return the magnitude of the largest error, or infinity if one is NaN."""
     return max(map(abs, errors), default=0.0) if math.isfinite(sum(errors)) else math.inf

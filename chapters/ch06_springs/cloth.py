@@ -1,6 +1,6 @@
-"""A cloth of springs between its knots, the hardest scene of this chapter for a step.
+"""A cloth whose knots are joined by springs, the most demanding scene of this chapter.
 
-This file is complete, and is used as it is by the plots, the demo and the benchmarks.
+This file is complete. The plots, the demo and the benchmarks use it.
 """
 
 from __future__ import annotations
@@ -18,16 +18,17 @@ G = 9.81  # m/s^2
 
 
 def neighbors() -> list[tuple[int, int]]:
-    """Return the pairs of knots that a spring joins: 180 for a cloth of 10 by 10."""
+    """Return the pairs of knots that a spring joins, which are 180 pairs for 10 by 10 knots."""
     along = [(i, i + 1) for i in range(KNOTS * KNOTS) if (i + 1) % KNOTS]
     across = [(i, i + KNOTS) for i in range(KNOTS * (KNOTS - 1))]
     return along + across
 
 
 def make_cloth(damping: float) -> tuple[list[Particle], ForceRegistry]:
-    """Return the knots of a level cloth, row by row, and its springs, damped in N s/m.
+    """Return the knots of a horizontal cloth, row by row, and its springs.
 
-    Two of its corners are held, those at the ends of the first row; the rest of it falls.
+    The springs have this ``damping`` in N s/m. The two corners at the ends of the first row are
+    held, and the rest of the cloth falls.
     """
     knots = [
         Particle(

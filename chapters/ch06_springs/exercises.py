@@ -1,4 +1,4 @@
-"""Exercise 6.5: how stiff may a spring be? This module measures it."""
+"""Exercise 6.5: measure how stiff a spring may be before its oscillations grow."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ SOFTEST = 1e-7  # times m / h^2: softer springs count as no spring
 
 
 def swings_wider(integrator: Integrator, stiffness: float, damping: float, duration: float) -> bool:
-    """Exercise 6.5: return whether a spring of a stiffness in N/m makes a particle swing wider and
-    wider.
+    """Exercise 6.5: return whether a particle on a spring swings wider and wider.
 
-    The particle has 1 kg and this damping. It is released at rest, START m away from the anchor of
-    a spring with a rest length of 0. There is no gravity. It makes FRAMES steps by the integrator,
-    each of a duration in s. Oscillations that keep their size are not wider.
+    The particle has a mass of 1 kg and this damping. It is released at rest, START m away from the
+    anchor of a spring with a rest length of 0 and this stiffness in N/m. There is no gravity. The
+    integrator makes FRAMES steps, each of a duration in s. Oscillations that keep their size do not
+    count as wider.
 
     The answer must be right for a stiffness that differs from the limit by at least 1 % and whose
-    oscillations take at most FRAMES / 6 steps. If the damping is 1, it need not be right for
-    oscillations of nearly 3 or nearly 4 steps, because then the steps miss the ends of the swings
-    for a long time.
+    oscillations take at most FRAMES / 6 steps. If the damping is 1, the answer need not be right
+    for oscillations of nearly 3 or nearly 4 steps. In those cases the steps miss the extremes of
+    the oscillation for a long time.
 
     >>> from ch06_springs.integrators import semi_implicit_euler
     >>> swings_wider(semi_implicit_euler, 14_000.0, 1.0, 1.0 / 60.0)
@@ -40,8 +40,8 @@ def largest_stable_stiffness(integrator: Integrator, damping: float, duration: f
 
     The error must be at most 1 % for a damping from 0.3 to 0.95 and a duration from 1/120 to 1/20
     s. For a damping closer to 1 the book's step grows so slowly that FRAMES steps are not enough.
-    If no spring is stable, the result is 0 or almost 0: nothing below SOFTEST / h^2 is tried. If
-    STIFFEST / h^2 is stable, the result is that.
+    The search covers stiffnesses from SOFTEST / h^2 to STIFFEST / h^2. If none of them is stable,
+    the result is 0 or almost 0. If all are stable, the result is STIFFEST / h^2.
 
     Raises ValueError if the damping is negative, the duration is not positive, or one of them is
     not finite.

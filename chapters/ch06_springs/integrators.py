@@ -7,13 +7,13 @@ the forces that were added by hand before the step. At the end of the step they 
 Particle.last_acceleration is the mean acceleration of the step. Each particle is in the list once.
 
 A particle's own damping d multiplies the velocity by d^h, once, at the end of the step. The orders
-below are for d = 1. For any other d the order is 1. Immovable particles do not move. The stability
-limits are for a spring without damping, with steps of h s, at d = 1. The number k h^2 / m says how
-stiff the spring is for that step.
+stated below hold for d = 1. For any other d the order is 1. Immovable particles do not move. The
+stability limits are for a spring without damping, with steps of h s, at d = 1. The number k h^2 / m
+measures how stiff the spring is for that step.
 
 Each integrator raises ValueError if the duration is not positive and finite, and TypeError if it is
-not a number. Nothing has changed then. Exceptions from apply_forces are passed on, and the
-particles are then somewhere in the middle of the step.
+not a number. Nothing has changed then. If apply_forces raises an exception, it is passed on, and
+the particles are left in the middle of the step.
 """
 
 from __future__ import annotations
@@ -32,10 +32,9 @@ def explicit_euler(
 ) -> None:
     """Drift, then kick, as the book's step does: p' = p + v h, and then v' = (v + a h) d^h.
 
-    Order 1, not symplectic, one evaluation of the forces. At d = 1 it is not stable for any
-    stiffness. For d < 1 it is stable below max_stable_stiffness. A damper c in the spring makes it
-    stable for k h < c, as long as c h / m < 2. Source: book 3.3.2, where it has another name
-    (E-17).
+    It has order 1, is not symplectic, and evaluates the forces once. At d = 1 it is not stable for
+    any stiffness. For d < 1 it is stable below max_stable_stiffness. A damper c in the spring makes
+    it stable for k h < c, as long as c h / m < 2. Source: book 3.3.2, under another name (E-17).
     """
     raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
 
@@ -45,10 +44,10 @@ def semi_implicit_euler(
 ) -> None:
     """Kick, then drift: v' = (v + a h) d^h, and then p' = p + v' h.
 
-    Order 1, one evaluation of the forces. It is symplectic at d = 1 if no force depends on the
-    velocity, so the energy does not drift. Stable for k h^2 / m < 4. With damping d the limit is k
-    h^2 / m < 2 (1 + d^h) / d^h, and with a damper c in the spring k h^2 / m + 2 c h / m < 4.
-    Source: Hairer, Lubich and Wanner, Geometric Numerical Integration, I.1.2.
+    It has order 1 and evaluates the forces once. It is symplectic at d = 1 if no force depends on
+    the velocity, so the energy does not drift. It is stable for k h^2 / m < 4. With damping d the
+    limit is k h^2 / m < 2 (1 + d^h) / d^h, and with a damper c in the spring k h^2 / m + 2 c h / m
+    < 4. Source: Hairer, Lubich and Wanner, Geometric Numerical Integration, I.1.2.
     """
     raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
 
@@ -60,11 +59,12 @@ def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration:
     forces are evaluated once, in the middle of the step, and damping acts once.
 
     The order is 2 if no force depends on the velocity. If one does, the order is 1, because that
-    force is evaluated with the old velocity. Symplectic at d = 1 in the first case.
+    force is evaluated with the old velocity. In the first case, and at d = 1, the method is
+    symplectic.
 
-    Stable for k h^2 / m < 4. With damping d, and a damper c in the spring, the limit is
-    k h^2 / m + 2 c h / m < 2 (1 + d^h) / d^h. Semi-implicit Euler has the same limits: after its
-    first half drift, leapfrog kicks and drifts in turn as semi-implicit Euler does. Source: Hairer,
+    It is stable for k h^2 / m < 4. With damping d, and a damper c in the spring, the limit is k h^2
+    / m + 2 c h / m < 2 (1 + d^h) / d^h. Semi-implicit Euler has the same limits: after its first
+    half drift, leapfrog kicks and drifts in turn as semi-implicit Euler does. Source: Hairer,
     Lubich and Wanner, Acta Numerica 12 (2003), 399.
     """
     raise NotImplementedError("Exercise B6.6b: Leapfrog")
@@ -73,14 +73,14 @@ def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration:
 def velocity_verlet(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Step by the accelerations a at the start and b at the new position.
+    """Step with the accelerations a at the start and b at the new position.
 
     p' = p + v h + a h^2 / 2, and v' = (v + (a + b) h / 2) d^h. Forces that depend on the velocity
     are evaluated for b with v + a h.
 
-    Order 2, two evaluations of the forces. It is symplectic at d = 1 if no force depends on the
-    velocity. Stable for k h^2 / m < 4, also if d < 1. A damper in the spring lowers this limit.
-    Source: Swope and others, Journal of Chemical Physics 76 (1982), 637.
+    It has order 2 and evaluates the forces twice. It is symplectic at d = 1 if no force depends on
+    the velocity. It is stable for k h^2 / m < 4, also if d < 1. A damper in the spring lowers this
+    limit. Source: Swope and others, Journal of Chemical Physics 76 (1982), 637.
     """
     raise NotImplementedError("Exercise B6.7: Velocity Verlet")
 
@@ -88,15 +88,15 @@ def velocity_verlet(
 def runge_kutta_4(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Step by the weighted mean of four rates: at the start, twice in the middle, and at the end.
+    """Step with the weighted mean of four rates: at the start, twice in the middle, and at the end.
 
-    The second and third rates count double. The first rate is taken at the start. Each of the
-    others is taken at the state to which the rate before it leads from the start: after half of the
-    step, after half of it again, and after the whole step.
+    The second and third rates count double. The first rate is that of the starting state. Each
+    other rate is that of the state reached from the start at the previous rate: after half the
+    step, after half the step again, and after the whole step.
 
-    Order 4, four evaluations of the forces. It is not symplectic, but its energy drifts very slowly
-    if the steps are short. Stable for k h^2 / m < 8, and for more if d < 1. Source: Kutta,
-    Zeitschrift für Mathematik und Physik 46 (1901), 435.
+    It has order 4 and evaluates the forces four times. It is not symplectic, but its energy drifts
+    very slowly if the steps are short. It is stable for k h^2 / m < 8, and for more if d < 1.
+    Source: Kutta, Zeitschrift für Mathematik und Physik 46 (1901), 435.
     """
     raise NotImplementedError("Exercise B6.8: Runge-Kutta of order 4")
 
@@ -106,13 +106,13 @@ def backward_euler(
 ) -> tuple[float, float]:
     """Return position in m and velocity in m/s of one linear spring after a time step.
 
-    x' = x + v' h and v' = v + a' h, both with the new values: m a' = -k x' - c v', which is solved
-    for v'. The rest position of the spring is 0. k is in N/m, c in N s/m, the mass in kg and the
+    Solve x' = x + v' h and v' = v + a' h, where the acceleration uses the new values: m a' = -k x'
+    - c v'. The rest position of the spring is 0. k is in N/m, c in N s/m, the mass in kg and the
     duration in s.
 
-    Order 1, not symplectic, no evaluations. Stable for every stiffness. The stiffer the spring, the
-    more energy it loses. Source: Hairer and Wanner, Solving Ordinary Differential Equations II,
-    IV.3.
+    It has order 1, is not symplectic, and evaluates no forces. It is stable for every stiffness.
+    The stiffer the spring, the more energy it loses. Source: Hairer and Wanner, Solving Ordinary
+    Differential Equations II, IV.3.
 
     Raises ValueError if the mass or duration is not positive, the stiffness or damping is negative,
     or an argument or result is not finite. Raises TypeError for an argument that is not a number.
@@ -125,12 +125,12 @@ def trapezoidal(
 ) -> tuple[float, float]:
     """Return position in m and velocity in m/s of one linear spring after a time step.
 
-    x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, the mean of old and new values, with m a =
-    -k x - c v, which is solved for v'. The arguments are those of backward_euler.
+    Solve x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, which use the means of old and new
+    values, with m a = -k x - c v. The arguments are those of backward_euler.
 
-    Order 2, no evaluations. It is symplectic for a spring without damping, whose energy it keeps.
-    Stable for every stiffness. Source: Hairer and Wanner, Solving Ordinary Differential Equations
-    II, IV.3.
+    It has order 2 and evaluates no forces. It is symplectic for a spring without damping, whose
+    energy it conserves. It is stable for every stiffness. Source: Hairer and Wanner, Solving
+    Ordinary Differential Equations II, IV.3.
 
     Raises ValueError and TypeError as backward_euler does.
     """
@@ -140,9 +140,9 @@ def trapezoidal(
 class SimulationDiverged(ArithmeticError):  # noqa: N818
     """Raised when a particle is faster than anything in its scene should be.
 
-    The step cannot follow the forces then. ``particle`` is the index of the particle, and ``step``
-    is the number of the step after which this was found, counted from 1. ``speed`` and ``limit``
-    are in m/s.
+    The steps are then too long for the forces. ``particle`` is the index of the particle, and
+    ``step`` is the number of the step after which it was found, counted from 1. ``speed`` and
+    ``limit`` are in m/s.
     """
 
     def __init__(self, particle: int, step: int, speed: float, limit: float) -> None:
@@ -158,8 +158,7 @@ def watched(integrator: Integrator, speed_limit: float) -> Integrator:
 
     It takes the same arguments and counts its steps. It raises SimulationDiverged for the first
     particle whose speed is above the limit in m/s or not a number. Exceptions of the integrator are
-    passed on, and such a step does not count. An integrator without a watch checks nothing and
-    costs nothing extra.
+    passed on, and such a step does not count. Only watched integrators pay for this check.
 
     Raises ValueError if the limit is not positive and finite.
     """

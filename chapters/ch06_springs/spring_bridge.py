@@ -15,8 +15,7 @@ def hang_bridge(
     stiffness: float,
     damping: float,
 ) -> None:
-    """Hang every plank on a spring of its own, and join each plank to the next one by another
-    spring.
+    """Hang every plank on a spring of its own, and join neighboring planks by springs.
 
     The anchors are straight above the planks, ``height`` m higher. The rest length of each spring
     is its current length. All springs have the same stiffness in N/m and damping in N s/m.
@@ -30,9 +29,8 @@ def hang_bridge(
 def load_bridge(planks: Sequence[Particle], x: float, weight: float) -> None:
     """Add a walker's weight in N to the two planks between which the walker stands, at x in m.
 
-    The planks are in order along x. The weight is divided between the two, and the nearer plank
-    carries more of it. Before the first plank or after the last one, that plank carries all of the
-    weight.
+    The planks are in order along x. The two planks share the weight, and the nearer one carries
+    more of it. A walker before the first plank or beyond the last one loads only that plank.
 
     Raises ValueError if there are no planks, x is not finite, or the weight is negative or not
     finite.

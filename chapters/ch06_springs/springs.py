@@ -1,8 +1,7 @@
-"""Springs: force generators that push and pull depending on a length.
+"""Springs: force generators whose push or pull depends on a length.
 
 A spring pulls its ends together if it is longer than its rest length, and pushes them apart if it
-is shorter (Eq. 6.1, 6.2). If both ends are at the same position, there is no direction, and so no
-force.
+is shorter (Eq. 6.1, 6.2). If both ends are at one position, there is no direction and no force.
 
 Lengths are in m, stiffness in N/m and damping in N s/m. Constructors check their arguments and copy
 vectors. They raise ValueError for a number that is negative or not finite, and TypeError for an
@@ -27,14 +26,14 @@ def spring_force(
 ) -> Vector3:
     """Return the force in N of a spring on one of its ends as a new vector (Eq. 6.1, 6.2).
 
-    It is -(k (l - l0) + c l') d^. ``offset`` is the position of this end relative to the other one,
-    in m. Its length is l and its direction d^. l' is the rate at which the spring gets longer,
-    which is the part of ``velocity`` along d^. The velocity is that of this end relative to the
-    other one, in m/s. If the offset is zero, there is no direction and no force. The arguments are
-    not checked here, because the constructors of the springs check them.
+    The force is -(k (l - l0) + c l') d^. ``offset`` is the position of this end relative to the
+    other one, in m. Its length is l and its direction d^. l' is the rate at which the spring gets
+    longer, which is the part of ``velocity`` along d^. The velocity is that of this end relative to
+    the other one, in m/s. If the offset is zero, there is no direction and no force. The arguments
+    are not checked here, because the constructors of the springs check them.
 
-    A spring that is shorter than its rest length pushes. The book's listing has an absolute value
-    there and would pull (E-3).
+    A spring that is shorter than its rest length pushes. The book's listing takes the absolute
+    value and would pull (E-3).
     """
     raise NotImplementedError("Exercise B6.1: Springs")
 
@@ -61,7 +60,8 @@ class Spring:
 class AnchoredSpring:
     """A spring from a particle to an anchor, a fixed position (6.2.2).
 
-    You may move ``anchor``, for example for a camera on a spring. It still counts as being at rest.
+    You may move ``anchor``, for example for a camera on a spring. The spring still treats it as
+    being at rest.
     """
 
     def __init__(
@@ -138,22 +138,21 @@ def connect(
 
 
 class FakeStiffSpring:
-    """A spring that is too stiff for the steps, faked by a force that leads to the right position
-    (6.3.2).
+    """A substitute for a spring that is too stiff for the time steps (6.3.2).
 
     Its rest length is 0, and its other end is an anchor. One constant force during the step takes
     the particle to where damped_spring_state says that a real spring would be.
 
-    It is made for semi-implicit Euler, p' = p + v' h. This lands where the formula says if the
-    particle has a damping of 1, no acceleration of its own and no other forces. Explicit Euler,
-    Particle.integrate, does not: the force is not in its p' = p + v h, so the particle arrives one
-    step too late and swings wider and wider (E-22). The printed forms of the force do not fit any
-    step (E-6).
+    It is made for semi-implicit Euler, p' = p + v' h. With it the particle lands where the formula
+    says, if it has a damping of 1, no acceleration of its own and no other forces. With explicit
+    Euler (Particle.integrate) it arrives one step too late and swings wider and wider, because p' =
+    p + v h does not include the force (E-22). The book's formulas for the force do not fit any
+    integrator (E-6).
 
     The velocity after the step is the mean velocity of the step, not that of a real spring. So with
-    short steps the spring oscillates 1.41 times as slowly, because the force is half that of a real
-    spring. Without damping, most oscillations die out all the same. They grow, by up to 13 % per
-    step, only if chi h is slightly larger than pi, 3 pi, 5 pi and so on (up to 4.06 after pi),
+    short steps the oscillation is slower by a factor of 1.41, because the force is half that of a
+    real spring. Without damping, most oscillations die out all the same. They grow, by up to 13 %
+    per step, only if chi h is slightly larger than pi, 3 pi, 5 pi and so on (up to 4.06 after pi),
     where chi is sqrt(k / m). A twentieth of the critical damping prevents that.
     """
 
@@ -176,8 +175,9 @@ class FakeStiffSpring:
 class ElasticLimitSpring:
     """Exercise 6.1: a spring that gets weaker when it is stretched beyond its elastic limit.
 
-    Up to a length of ``limit`` it is a Spring. The length beyond the limit counts with the fraction
-    ``share`` of the stiffness. It has no damping, and it exerts no force on the other particle.
+    Up to a length of ``limit`` it behaves like a Spring. Beyond the limit, only the fraction
+    ``share`` of the stiffness acts on the additional length. The spring has no damping, and it
+    exerts no force on the other particle.
 
     Raises ValueError if the limit is below the rest length, or if a number is negative or not
     finite.
@@ -195,17 +195,17 @@ class ElasticLimitSpring:
         self.share = not_negative("share", share)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.1: add the force. It does not jump at the limit."""
+        """Exercise 6.1: add the force, which changes without a jump at the limit."""
         raise NotImplementedError("Exercise 6.1: A spring with an elastic limit")
 
 
 def max_stable_stiffness(damping: float, duration: float, mass: float = 1.0) -> float:
     """Exercise 6.6b: return the stiffness in N/m above which a spring explodes: m (d^-h - 1) / h^2.
 
-    It is for a spring to an anchor, without damping of its own, under Particle.integrate with time
-    steps of a duration h in s. ``damping`` is the particle's d, and ``mass`` is in kg. For d = 1
-    and above the result is 0: no spring is stable. For d = 0, and if d^-h is too large for a float,
-    it is math.inf.
+    The limit holds for a spring to an anchor, without damping of its own, if Particle.integrate
+    makes time steps of a duration h in s. ``damping`` is the particle's d, and ``mass`` is in kg.
+    For d = 1 and above the result is 0, because no spring is stable. For d = 0, and if d^-h is too
+    large for a float, it is math.inf.
 
     Raises ValueError if the damping is negative, the duration or the mass is not positive, or one
     of them is not finite.

@@ -1,12 +1,12 @@
-"""Going further, complete: a chain of rods in a plane by its angles.
+"""Going further, complete: a chain of rods in a plane, described by its angles.
 
-Each rod leaves its outer end one way to move: along a circle around its inner end. So one angle
-for each rod describes the whole chain, as one angle describes a pendulum. No step can make a rod
-too long, and Runge-Kutta 4 steps the angles at order 4.
+The outer end of each rod can move in only one way, along a circle around the inner end. So one
+angle per rod describes the whole chain, as one angle describes a pendulum. No step can make a rod
+too long, and Runge-Kutta 4 steps the angles with order 4.
 
 The equations of motion need the tensions of the rods. Each tension accelerates the two ends of its
 rod, so it appears in the equations of three rods: its own and the two beside it. These equations
-are solved from the anchor to the tip and back, in a time that grows with the number of rods.
+are solved from the anchor to the tip and back, in a time proportional to the number of rods.
 """
 
 from __future__ import annotations

@@ -1,9 +1,10 @@
-"""Going further, complete: a pendulum by its angle, and a double pendulum by its two angles.
+"""Going further, complete: a pendulum and a double pendulum, described by their angles.
 
-In a plane, a rod leaves its mass one way to move: along a circle. So one angle describes a
-pendulum. A model with a particle and a rod would move two coordinates, and then correct them. By
-its angle, the rod is never too long, and Runge-Kutta 4 steps it at order 4 without any contacts.
-Two angles describe a double pendulum. A chain of any number of rods is in angle_chain.py.
+In a plane, a mass on a rod can move in only one way, along a circle. So one angle describes a
+pendulum. A model with a particle and a rod would move two coordinates, and then correct them. In a
+model with the angle alone, the rod is never too long, and Runge-Kutta 4 steps it with order 4 and
+without any contacts. Two angles describe a double pendulum. A chain of any number of rods is in
+angle_chain.py.
 """
 
 from __future__ import annotations
@@ -69,8 +70,8 @@ class DoublePendulum:
     in the same way, but a step takes twice the time.
 
     Raises:
-        ValueError: if there are not two of each, if a length, a mass or gravity is not positive, or
-            if a number is not finite.
+        ValueError: if a list does not have two numbers, if a length, a mass or gravity is not
+            positive, or if a number is not finite.
         TypeError: if an argument is not a number.
     """
 
@@ -117,7 +118,7 @@ class DoublePendulum:
         ratio = self.masses[1] / (self.masses[0] + self.masses[1])
 
         def gains(a: float, b: float, u: float, v: float) -> tuple[float, float]:
-            """Return the angular accelerations at two angles and angular velocities."""
+            """Return the angular accelerations for two angles and two angular velocities."""
             sine, cosine = math.sin(a - b), math.cos(a - b)
             first = -ratio * outer * v * v * sine - gravity * math.sin(a)
             second = inner * u * u * sine - gravity * math.sin(b)

@@ -1,7 +1,7 @@
 """Going further, complete: a bouncing ball, computed from its impacts instead of steps.
 
 Between two impacts the height of the ball is a parabola, so the time of the next impact is known.
-The only work is one computation per impact, and one per height that you ask for.
+The only work is one computation for each impact and one for each height that you need.
 """
 
 from __future__ import annotations

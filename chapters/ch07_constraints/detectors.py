@@ -1,12 +1,12 @@
-"""Detectors find the contacts of now, and the next impact.
+"""Detectors, which find the current contacts and predict the next impact.
 
 ``contacts()`` returns the current contacts, always in the order of the particles. Particles that
-just touch have a contact too, with a penetration of 0. ``next_impact(duration)`` looks ahead, for
-``time_division_step``.
+just touch have a contact too, with a penetration of 0. ``next_impact(duration)`` looks ahead and
+serves ``time_division_step``.
 
-Lengths are in m, times in s. A detector keeps the list of particles that it gets, which may be
-changed later. Constructors raise ValueError for a number that is negative or not finite and for a
-restitution outside 0 to 1, and TypeError for an argument of the wrong type.
+Lengths are in m, times in s. A detector keeps the list of particles that it gets, not a copy, so
+you may change the list later. Constructors raise ValueError for a number that is negative or not
+finite and for a restitution outside 0 to 1, and TypeError for an argument of the wrong type.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ Impact = tuple[float, Contact]
 
 
 class Detector(Protocol):
-    """Any object with both methods is a detector. It need not inherit from this class."""
+    """The interface of a detector. A detector need not inherit from this class."""
 
     def contacts(self) -> Iterable[Contact]:
         """Return the current contacts."""
@@ -34,8 +34,8 @@ class Detector(Protocol):
 class GroundPlane:
     """Exercise 7.5: level ground at a height, for points or for spheres of one radius.
 
-    Everything below the height is ground. So a particle that gets there in a step is in contact,
-    however fast it is.
+    Everything below the height is ground. A particle that ends a step there is therefore in
+    contact, however fast it moved.
     """
 
     def __init__(
@@ -53,21 +53,22 @@ class GroundPlane:
     def contacts(self) -> list[Contact]:
         """Exercise 7.5: return a contact for each particle that touches the ground or is below it.
 
-        The contact has no other, and its normal is (0, 1, 0). Its penetration is the depth of the
-        sphere's lowest point below the height. Immovable particles are left out.
+        The contact's ``other`` is None and its normal is (0, 1, 0). Its penetration is the depth of
+        the sphere's lowest point below the height. Immovable particles are left out.
         """
         raise NotImplementedError("Exercise 7.5: A detector for the ground")
 
     def next_impact(self, duration: float) -> Impact | None:
         """Return the time and contact of the first impact on the ground within ``duration`` s.
 
-        A particle moves by p + v t + a t^2 / 2, where a is its last_acceleration. It has an impact
-        when time_to_close says so. A particle that lies on the ground and is accelerated downward
-        has an impact at 0, again and again. Immovable particles have no impacts. Of two impacts at
-        the same time, take the particle that is first in the list.
+        A particle moves by p + v t + a t^2 / 2, where a is its last_acceleration. It hits the
+        ground at the time that time_to_close returns for its height. A particle that lies on the
+        ground and is accelerated downward always has an impact at time 0. Immovable particles have
+        no impacts. Of two impacts at the same time, take the particle that is first in the list.
 
         Returns:
-            (time, contact), where the contact has a penetration of 0, or None without an impact.
+            (time, contact), where the contact has a penetration of 0, or None if there is no
+            impact.
 
         Raises:
             ValueError: if the duration is negative or not finite.
@@ -76,7 +77,7 @@ class GroundPlane:
 
 
 class ParticlePairs:
-    """Finds contacts between pairs of spheres. All have the same ``radius``, which is positive."""
+    """Finds contacts between pairs of spheres, which all have the same positive ``radius``."""
 
     def __init__(
         self, particles: Sequence[Particle], radius: float, restitution: float = 0.0
@@ -88,9 +89,9 @@ class ParticlePairs:
     def contacts(self) -> list[Contact]:
         """Return a contact for each pair of spheres that touch or overlap.
 
-        The pairs are in list order, and the contact's particle is the one that is earlier in the
-        list. The normal points from the other to it, and is +Y if both positions are equal. Two
-        immovable particles have no contact.
+        The pairs are in list order. A contact's ``particle`` is earlier in the list than its
+        ``other``. The normal points from ``other`` to ``particle``. If both positions are equal,
+        the normal is +Y. Two immovable particles have no contact.
 
         Do not compare every pair. In a grid, for example, only particles in the same cell or in
         neighboring cells can touch.
@@ -100,16 +101,16 @@ class ParticlePairs:
     def next_impact(self, duration: float) -> Impact | None:
         """Return the time and contact of the first impact of two spheres within ``duration`` s.
 
-        Particles move by p + v t + a t^2 / 2, where a is their last_acceleration. Two particles of
-        the same acceleration therefore move along a line relative to each other. Immovable ones
-        stay where they are and have no acceleration. Two spheres have an impact when they touch or
-        overlap and close faster than VELOCITY_TOLERANCE, since an impact leaves slower rounding. If
-        they do so already, the time is 0. Of several impacts at the same time, take the first in
-        the order of contacts().
+        Particles move by p + v t + a t^2 / 2, where a is their last_acceleration. Two particles
+        with the same acceleration therefore move in a straight line relative to each other.
+        Immovable particles stay where they are and have no acceleration. Two spheres have an impact
+        when they touch or overlap and close faster than VELOCITY_TOLERANCE. Slower motion may be
+        the rounding error of an earlier impact. If they do so already, the time is 0. Of several
+        impacts at the same time, take the first in the order of contacts().
 
         Returns:
-            (time, contact), or None without an impact. The contact's normal is the one at the time
-            of the impact, and its penetration is 0.
+            (time, contact), or None if there is no impact. The contact's normal is the one at the
+            time of the impact, and its penetration is 0.
 
         Raises:
             ValueError: if the duration is negative or not finite, or if the accelerations of any
@@ -129,10 +130,10 @@ class Detectors:
         return [contact for detector in self.detectors for contact in detector.contacts()]
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Return the first impact of all. At equal times the earlier detector wins.
+        """Return the earliest impact of any detector. At equal times the first detector wins.
 
         Raises:
-            ValueError: if one of the detectors does.
+            ValueError: if one of the detectors raises it.
         """
         impacts = [detector.next_impact(duration) for detector in self.detectors]
         return min((impact for impact in impacts if impact), key=lambda i: i[0], default=None)
@@ -141,14 +142,14 @@ class Detectors:
 def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
     """Return the first time in s at which a gap is 0 or negative and still decreasing.
 
-    After t seconds the gap is gap + v t + a t^2 / 2, in m, with v in m/s and a in m/s^2. If it is 0
-    or negative at the start, the time is 0 if it is decreasing, or if v is 0 and a is negative.
-    If v is positive and a negative, the time is when the gap gets back to 0, or when v reverses if
-    the gap never becomes positive. If a is not negative, a velocity of -VELOCITY_TOLERANCE or more
-    counts as not closing.
+    After t seconds the gap is gap + v t + a t^2 / 2, in m, with v in m/s and a in m/s^2. Suppose
+    the gap is 0 or negative at the start. If v is negative, or if v is 0 and a is negative, the
+    result is 0. If v is positive and a is negative, the result is the time at which the gap returns
+    to 0, or at which v reverses if the gap never becomes positive. If a is not negative, a velocity
+    of -VELOCITY_TOLERANCE or more counts as not closing.
 
-    Return math.inf if the gap never closes, or if v reverses exactly when the gap is 0. The
-    arguments are not checked.
+    Return math.inf if the gap never closes, or if the velocity reverses exactly when the gap is 0.
+    The arguments are not checked.
     """
     raise NotImplementedError("Exercise B7.10: When does it reach the ground?")
 

@@ -1,9 +1,9 @@
-"""Going further, complete: a chain that solves for the pulls of all its rods at once.
+"""Going further, complete: a chain that solves for the tensions of all its rods at once.
 
-The pull of a rod changes three lengths: its own and those of the two rods next to it. So each
-equation for the pulls has at most three unknowns. They are solved from the anchor to the free end
-and back, which takes about as much work per rod as resolving it once. No pull has to be passed on
-from link to link, and no rod is left too long.
+The tension of a rod changes three lengths: its own and those of the two rods next to it. So each
+equation for the tensions has at most three unknowns. The equations are solved from the anchor to
+the free end and back, which takes about as much work per rod as resolving it once. No pull has to
+travel from link to link over several iterations, and no rod is left too long.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ Row = tuple[Vector3, Vector3, float, float, float, float, float, float, float]
 
 
 class DirectChain:
-    """A chain of rods that leads from an anchor through the particles, in their order.
+    """A chain of rods that starts at an anchor and joins the particles in their order.
 
-    The chain makes the steps of its particles. Each rod keeps the length in m that it has when the
-    chain is made. The last of several particles may be immovable: it holds the other end.
+    The chain steps its particles itself. Each rod keeps the length in m that it has when the chain
+    is made. If there are several particles, the last one may be immovable, to hold the other end.
 
     Raises:
         ValueError: if there are no particles, if a rod has no length, or if a particle other than
@@ -49,7 +49,7 @@ class DirectChain:
 
     @property
     def tensions(self) -> list[float]:
-        """The pull of each rod in the last step, in N. It is negative for a rod that pushed."""
+        """The tension of each rod in the last step, in N. It is negative for a rod that pushed."""
         return [pull * length for pull, length in zip(self._pulls, self.lengths, strict=False)]
 
     def step(self, duration: float) -> None:
@@ -57,12 +57,12 @@ class DirectChain:
 
         Velocities change before positions, as in semi-implicit Euler. The impulse of each rod acts
         along the rod's direction at the start of the step and gives the rod its length at the end.
-        These equations are linear except for a small square. The pulls of the last step are a good
-        estimate of that square, so one solve is enough.
+        These equations are linear except for a small quadratic term. The tensions of the last step
+        give a good estimate of that term, so one solve is enough.
 
-        The first step accelerates for only half of its time. From then on the velocities are those
-        in the middle of the previous step. The positions are of order 2 (leapfrog), as long as all
-        steps have the same duration.
+        The first step accelerates for only half of its duration. From then on the velocities are
+        those in the middle of the previous step. The positions are of order 2 (leapfrog), as long
+        as all steps have the same duration.
 
         Raises:
             ValueError: if the duration is not positive and finite. Nothing is changed then.
@@ -74,13 +74,14 @@ class DirectChain:
         self._pulls = self._pull_and_drift(self._kick_and_eliminate(duration, time), duration)
 
     def _kick_and_eliminate(self, duration: float, time: float) -> list[Row]:
-        """Kick the particles for a time, and return the rods' equations with one unknown less.
+        """Kick the particles for a time, and return the rods' equations with one unknown fewer.
 
-        With the pulls of the last step, the kicked velocities say where each rod will be at the end
-        of this step. Equation i says how changes of the pulls i - 1, i and i + 1 give rod i its
-        length there. Change i - 1 is eliminated from it at once (Thomas, 1949).
+        With the tensions of the last step, the kicked velocities determine where each rod will be
+        at the end of this step. Equation i relates changes of the tensions i - 1, i and i + 1 to
+        the length of rod i at that time. Change i - 1 is eliminated from it at once (Thomas, 1949).
 
-        Everything is a plain float: with vectors, or in separate passes, a step takes longer.
+        All numbers are plain floats, because a step with vectors, or in separate passes, takes
+        longer.
         """
         rows: list[Row] = []
         half = 0.5 / duration
@@ -128,9 +129,10 @@ class DirectChain:
         return rows
 
     def _pull_and_drift(self, rows: list[Row], duration: float) -> list[float]:
-        """Go back from the last rod: find its pull, let it pull at its far end, drift that end.
+        """Find the tension of each rod, from the last to the first, and drift its far end.
 
-        Return the pulls in N/m, in the order of the rods.
+        Each tension pulls on the far end before that end drifts. Return the tensions divided by the
+        lengths, in N/m, in the order of the rods.
         """
         pulls = []
         change = next_x = next_y = next_z = 0.0

@@ -1,7 +1,7 @@
 """Read the measured drops of exercise 7.1 from a CSV file with one drop per line.
 
-The columns are material, initial_height and bounce_height. The heights are in m, measured from
-where the ball lies on the ground.
+The columns are material, initial_height and bounce_height. The heights are in m, measured from the
+ball's position when it lies on the ground.
 """
 
 from __future__ import annotations
@@ -16,10 +16,11 @@ COLUMNS = ["material", "initial_height", "bounce_height"]
 
 
 def read_drops(path: Path) -> list[tuple[str, float, float]]:
-    """Return the drops in a file, in their order. Empty lines are skipped.
+    """Return the drops in a file, in the order of its lines. Empty lines are skipped.
 
     Raises:
-        ValueError: if a line lacks a column or a height is not a number. It names the line.
+        ValueError: if a line lacks a column or a height is not a number. The message names the
+            line.
     """
     drops = []
     with path.open(encoding="utf-8-sig", newline="") as file:

@@ -13,8 +13,9 @@ def restitution_of_drop(initial_height: float, bounce_height: float) -> float:
     """Exercise 7.1: return the restitution of a ball from the heights of its drop and bounce.
 
     The restitution is the ratio of the speeds after and before the bounce. Speeds grow with the
-    square root of the height, so it is the square root of bounce_height / initial_height. Both
-    heights are in m, measured from where the ball is when it touches the ground.
+    square root of the height, so the restitution is the square root of bounce_height /
+    initial_height. Both heights are in m, measured from the ball's position when it touches the
+    ground.
 
     >>> restitution_of_drop(1.0, 0.64)
     0.8
@@ -30,13 +31,13 @@ def restitution_of_drop(initial_height: float, bounce_height: float) -> float:
 def table_of_drops(drops: Sequence[Drop]) -> list[tuple[str, int, float, float | None]]:
     """Exercise 7.1: return a row (material, number of drops, mean, standard error) per material.
 
-    A drop is a tuple of material, initial height and bounce height, in m. The mean is the mean of
-    the drops' restitutions. Its standard error is s / sqrt(n), where s is the standard deviation
-    of the n restitutions, computed with n - 1. For a single drop it is None. The rows are in the
-    order in which the materials first appear.
+    A drop is a tuple of material, initial height and bounce height, in m. The mean is that of the
+    drops' restitutions. Its standard error is s / sqrt(n), where s is the standard deviation of the
+    n restitutions, computed with n - 1. For a single drop it is None. The rows are in the order in
+    which the materials first appear.
 
     Raises:
-        ValueError, TypeError: as restitution_of_drop does.
+        ValueError, TypeError: for the same reasons as restitution_of_drop.
     """
     raise NotImplementedError("Exercise 7.1: Measure some bounces")
 
@@ -52,9 +53,9 @@ def top_ball_speed(
     """Exercise 7.3: return the upward velocity in m/s of the upper of two balls after a drop.
 
     Both balls are dropped from a height in m, the upper one almost touching the lower one. Gravity
-    is in m/s^2, masses are in kg. The lower ball bounces off the ground first. At the same height
-    it then hits the upper ball, which is still falling. The result is negative if the upper ball
-    keeps moving down.
+    is in m/s^2 and masses are in kg. The lower ball bounces off the ground first. Before it rises
+    noticeably, it hits the upper ball, which is still falling. The result is negative if the upper
+    ball keeps moving down.
 
     Raises:
         ValueError: if height or gravity is negative, a mass is not positive, a restitution is not
@@ -65,7 +66,7 @@ def top_ball_speed(
 
 
 def force_for_frame(force: Vector3, contact_time: float, frame: float) -> Vector3:
-    """Exercise 7.4: return the force in N that has the same effect when it acts for a whole frame.
+    """Exercise 7.4: return the force in N that has the same effect if it acts for a whole frame.
 
     ``force`` acts for only ``contact_time`` s of a frame of ``frame`` s. The engine applies a force
     for the whole frame, so return a smaller force with the same impulse, as a new vector.

@@ -1,16 +1,17 @@
-"""Going further, complete: a resolver that does not compare all contacts after each resolution.
+"""Going further, complete: a resolver that finds the worst contact without comparing all of them.
 
-A resolution changes two particles, so it changes only the contacts of these two. A list for each
-particle finds them, and a heap finds the worst contact. Of several equally bad contacts it takes
-the first, as ContactResolver does. So both resolve the same contacts in the same order and give the
-same results, apart from rounding: where many contacts are equally bad, the last digit may decide.
+A resolution changes two particles, so it changes only the contacts of these two. A list per
+particle finds these contacts, and a heap finds the worst one of all. Of several equally bad
+contacts, the resolver takes the first, as ContactResolver does. So both resolve the same contacts
+in the same order and give the same results, apart from rounding. If many contacts are equally bad,
+the last digit may decide which one is resolved first.
 
 For each resolution the plain scan compares all n contacts. The heap updates the few that changed,
 and goes through about log n of its entries. The scan is good enough for ten contacts. For 300 the
 heap is many times faster (`make bench`).
 
-To be that fast it works in plain floats on the particles' own vectors, and computes everything that
-does not change during a step only once.
+To be that fast, the resolver works in plain floats on the particles' own vectors. It computes
+everything that does not change during a step only once.
 """
 
 from __future__ import annotations
@@ -32,8 +33,8 @@ Plan = tuple[float, float, float, float, list[Row]]
 class HeapResolver(ContactResolver):
     """A ContactResolver with the same results, whose cost grows with n log n instead of n^2.
 
-    It contains the formulas of Contact. So a subclass of Contact with methods of its own is still
-    resolved like a plain Contact.
+    The resolver contains a copy of Contact's formulas and does not call its methods. A subclass of
+    Contact with methods of its own is therefore resolved like a plain Contact.
     """
 
     def resolve_velocities(self, contacts: list[Contact], limit: int, duration: float) -> int:

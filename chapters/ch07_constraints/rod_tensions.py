@@ -1,11 +1,11 @@
 """Going further, complete: rods as forces, so that any integrator of chapter 6 can step a chain.
 
 A resolver corrects a rod after a step has broken it. This module prevents that: it finds the
-tensions with which the rods keep their lengths, and adds them as forces. An integrator then steps
-a chain of rods at its own order. Runge-Kutta 4 steps it at order 4, where a resolver has order 1
-and DirectChain has order 2.
+tensions with which the rods keep their lengths, and adds them as forces. An integrator then steps a
+chain of rods with the integrator's own order: Runge-Kutta 4 has order 4, while a resolver has order
+1 and DirectChain has order 2.
 
-The idea: if a rod keeps its length, the acceleration of its ends along the rod is known. Each
+If a rod keeps its length, the relative acceleration of its ends along the rod is known. Each
 tension accelerates the two ends of its rod, so it appears in the equations of three rods: its own
 and the two beside it. These equations are solved from the anchor to the tip and back.
 """
@@ -23,14 +23,14 @@ from ch05_forces.particle import Particle
 class RodTensions:
     """The tensions in a chain of rods that runs from an anchor through particles, in their order.
 
-    Each rod keeps the length in m that it has when the chain is made. The last of several
-    particles may be immovable: it holds the other end.
+    Each rod keeps the length in m that it has when the chain is made. If there are several
+    particles, the last one may be immovable, to hold the other end.
 
     ``correction`` is in 1/s. It says how fast a rod that has become too long or too short returns
-    to its length. Every integrator makes such errors in each step. With 0 they add up, and with 5
-    they stay small. Values near the step rate make the chain stiff and lower the order of the
-    integrator. Source: J. Baumgarte, Computer Methods in Applied Mechanics and Engineering 1
-    (1972), pp. 1-16.
+    to its length. Every integrator makes such errors in each step. If ``correction`` is 0, they add
+    up. If it is 5, they stay small. Values near the number of steps per second make the chain stiff
+    and lower the order of the integrator. Source: J. Baumgarte, Computer Methods in Applied
+    Mechanics and Engineering 1 (1972), pp. 1-16.
 
     Raises:
         ValueError: if a rod has no length, if a particle other than the last is immovable, or if
@@ -55,7 +55,8 @@ class RodTensions:
         """Add the tensions to the accumulators of the particles.
 
         Call it after all other forces have been added, since the tensions depend on them. Without
-        other forces, pass this method to an integrator as ``apply_forces``. The duration is unused.
+        other forces, pass this method to an integrator as ``apply_forces``. The duration is not
+        used.
 
         Raises:
             ArithmeticError: if the tensions have no unique solution, as in a straight chain between

@@ -37,13 +37,13 @@ def time_division_step(
 
     The acceleration of a particle is constant during the step: its own acceleration plus f / m,
     where f is the sum of the forces added before the step. The step uses up the forces, as
-    Particle.integrate does. From its start on, last_acceleration is this acceleration, which
-    detectors use to look ahead.
+    Particle.integrate does. From the start of the step, last_acceleration returns this
+    acceleration. Detectors use it to look ahead.
 
     Between impacts the motion is exact: p + v t + a t^2 / 2. At each impact that ``detector`` finds
     in the rest of the step, resolve the velocity of its contact with a duration of 0. Penetrations
-    are not resolved. At the end multiply each velocity by d^h once, where d is the damping.
-    Immovable particles do not move.
+    are not resolved. At the end of the step, multiply each velocity by d^h once, where d is the
+    particle's damping. Immovable particles do not move.
 
     Impacts at the same time are resolved one after the other, in the detector's order. So a ball
     that hits a row of touching balls passes its motion on to the last one. If two balls hit a third
@@ -55,6 +55,7 @@ def time_division_step(
         ValueError: if the duration is not positive and finite, or ``max_impacts`` is less than 1.
         TypeError: if ``max_impacts`` is not a whole number. Nothing is changed in these two cases.
         TooManyImpacts: if there is another impact after ``max_impacts`` of them. The particles are
-            then at its time, with that impact unresolved and no damping applied.
+            then where they are at the time of this impact. It is not resolved, and no damping is
+            applied.
     """
     raise NotImplementedError("Exercise B7.12: From impact to impact")

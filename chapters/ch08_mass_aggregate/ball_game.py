@@ -28,8 +28,8 @@ TOUCH = 1e-6  # m: a ball this close to the ground touches it, whatever the roun
 class Rules:
     """The rules of the game: the ``score``, the ``lives`` and the ``visited`` rows.
 
-    The rules do not know about particles. The game tells them what happened. ``rows`` is the number
-    of rows.
+    The rules do not know about particles. The game reports to them what happened. ``rows`` is the
+    number of rows.
 
     Raises:
         ValueError: if rows is less than 1.
@@ -44,20 +44,20 @@ class Rules:
 
     @property
     def won(self) -> bool:
-        """Whether every row has been landed on (P8.1a)."""
+        """True once the ball has landed on every row (P8.1a)."""
         raise NotImplementedError("Exercise P8.1a: A ball game: the rules")
 
     @property
     def over(self) -> bool:
-        """Whether the game is won or lost. Nothing counts any more then."""
+        """True if the game is won or lost. After that, nothing changes the score or the lives."""
         raise NotImplementedError("Exercise P8.1a: A ball game: the rules")
 
     def landed(self, row: int) -> None:
-        """Count a landing on a row, the first time it is visited.
+        """Count the first landing on a row.
 
-        A new row gives POINTS. If it wins the game, each life that is left gives BONUS in addition.
-        A row that was visited before changes nothing, and neither does any row after the game is
-        over.
+        A row that was not visited before gives POINTS. If it wins the game, each life that is left
+        gives BONUS in addition. A landing on a visited row changes nothing, and neither does a
+        landing after the game is over.
 
         Raises:
             ValueError: if the row does not exist. Rows are numbered from 0.
@@ -73,7 +73,7 @@ class Landings:
     """A contact generator that passes on a deck's contacts and notes which row the ball lands on.
 
     ``row`` is the row nearest to the ball if the ball touched the deck on its way down in the last
-    step, and None otherwise. The world calls contacts once per step.
+    step, and None otherwise. The world calls ``contacts`` once per step.
     """
 
     def __init__(self, deck: Deck) -> None:
@@ -81,7 +81,7 @@ class Landings:
         self.row: int | None = None
 
     def contacts(self) -> list[Contact]:
-        """Return the deck's contacts, and set row."""
+        """Return the deck's contacts, and update ``row``."""
         raise NotImplementedError("Exercise P8.1b: A ball game: the play")
 
 
@@ -113,9 +113,9 @@ class BallGame:
         """Make one time step of this duration in s. Do nothing if the game is over.
 
         The ball is pushed in the player's direction with an acceleration of PUSH. If it lands on a
-        row, report this to the rules and set its vertical velocity to JUMP; its velocity along X
-        stays. Otherwise, if its lowest point is at most TOUCH above the ground, it loses a life and
-        starts again, unless that was the last life.
+        row, report this to the rules and set the ball's vertical velocity to JUMP. Its velocity
+        along X stays the same. Otherwise, if its lowest point is at most TOUCH above the ground, it
+        loses a life and starts again, unless that was the last life.
 
         Raises:
             ValueError: if the duration is not positive and finite. Nothing has changed then.

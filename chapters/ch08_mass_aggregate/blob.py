@@ -27,11 +27,11 @@ GRAVITY = Vector3(0.0, -9.81, 0.0)
 class Bond:
     """A soft spring between two particles that has an elastic limit, breaks and heals.
 
-    Up to the length ``limit`` it is a spring of ``stiffness`` in N/m. Extra extension beyond the
-    limit counts with the fraction ``share`` of the stiffness (exercise 6.1). A bond that is longer
-    than ``break_length`` breaks: it exerts no force until its ends are ``rest_length`` or less
-    apart. Then it holds again. ``holds`` says whether it does. Lengths are in m. Register the bond
-    for both particles.
+    Up to the length ``limit`` it is a spring of ``stiffness`` in N/m. Beyond the limit, only the
+    fraction ``share`` of the stiffness acts on the additional length (exercise 6.1). A bond that is
+    longer than ``break_length`` breaks: it exerts no force until its ends are ``rest_length`` or
+    less apart. Then it heals. ``holds`` is False while the bond is broken. Lengths are in m.
+    Register the bond for both particles.
 
     Raises:
         ValueError: if rest_length <= limit <= break_length does not hold, or ElasticLimitSpring
@@ -61,7 +61,8 @@ class Bond:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Break or heal the bond according to its length, and pull on the particle if it holds.
 
-        The bond is checked first, so a change has an effect at once, whichever end the particle is.
+        The bond is checked before the force is computed, so breaking and healing take effect at
+        once, whichever end the particle is.
         """
         raise NotImplementedError("Exercise B8.8: Bonds that break and heal")
 
@@ -80,9 +81,9 @@ def spread(particles: Sequence[Particle]) -> float:
 class Blob:
     """A blob that falls on the ground: ``particles``, ``bonds`` between every two, and a ``world``.
 
-    It is flat, with all particles at z = 0, and its middle starts at this height in m. With
-    ``cables``, a cable keeps each bond from getting longer than its break_length. Without them the
-    blob can break. ``push`` is a force in N on each particle, as a vector.
+    The blob is flat, with all particles at z = 0, and its middle starts at ``height`` in m. If
+    ``cables`` is True, a cable keeps each bond from getting longer than its break_length. Without
+    cables the blob can break. ``push`` is a vector, the force in N on each particle.
 
     Raises:
         ValueError: if the height is not finite, or is less than RADIUS, which would be in the

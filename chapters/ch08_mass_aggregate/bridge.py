@@ -21,7 +21,7 @@ ITERATIONS = 200
 
 
 def links_of(rows: Sequence[Row]) -> list[ContactGenerator]:
-    """Return the links that hold the rows of planks, which are at their start positions.
+    """Return the links that hold the rows of planks, given at their start positions.
 
     - A Rod of length WIDTH joins the two ends of each row.
     - A Cable of CABLE_LENGTH joins each end to the end of the next row on the same side.
@@ -54,19 +54,19 @@ class Deck:
         """Return the index of the row nearest to the ball along X, and the height of the deck in m.
 
         The position of a row is the midpoint of its two ends. The deck runs in straight lines from
-        row to row, and its height is taken below the ball. Before the first row and after the last
-        one, the deck is level. If two rows are equally near, the first one counts. Return None if
-        the ball is more than half a SPACING beyond the first or last row.
+        row to row, and its height is that of the point below the ball. Before the first row and
+        after the last one, the deck is level. If two rows are equally near, the first one counts.
+        Return None if the ball is more than half a SPACING beyond the first or last row.
         """
         raise NotImplementedError("Exercise B8.5: A ball on planks")
 
     def contacts(self) -> list[Contact]:
         """Return the ball's contacts with both ends of the nearest row, if it touches the deck.
 
-        The ball is the particle of the contact, the end of the row is the other, and the normal is
+        A contact's ``particle`` is the ball, its ``other`` is the end of the row, and its normal is
         +Y. The penetration is the depth of the ball's lowest point below the deck. Return an empty
         list if the ball is above the deck or beyond the bridge, or if its penetration is more than
-        its diameter, because it has fallen through then.
+        its diameter. A ball that deep has fallen through the deck.
         """
         raise NotImplementedError("Exercise B8.5: A ball on planks")
 

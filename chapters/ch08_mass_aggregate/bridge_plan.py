@@ -1,7 +1,8 @@
 """The plan of the rope bridge: the number, size and position of its planks. This file is complete.
 
-The bridge runs along X, and up is Y. Its numbers are close to those of the book's demo: planks with
-1 kg at each end, 2 m apart, and cables that are too short at first (8.2).
+The bridge runs along X, and up is Y. Its numbers are close to those of the book's demo. The planks
+have 1 kg at each end, the ends of a plank are 2 m apart, and the cables are too short at first
+(8.2).
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ def support_length(row: int) -> float:
 
 
 def anchor_of(plank: Particle) -> Vector3:
-    """Return the anchor from which the end of a plank hangs, given the end at its start position.
+    """Return the anchor from which an end of a plank hangs, given that end's start position.
 
     The anchor is 10 % farther from the middle of the bridge along X, and 20 % nearer to it along Z.
     """

@@ -1,4 +1,4 @@
-"""Finds out which particles of a world hold on to each other. This file is complete.
+"""Find out which particles of a world are connected to each other. This file is complete.
 
 A contact names its particles. A force generator names the particles that its force depends on by
 public attributes. The generators of chapters 6 and 8 already do: they store such particles under

@@ -35,14 +35,14 @@ def rods_of(particles: Sequence[Particle]) -> list[Rod]:
     """Return rods between the particles that let the platform tilt, but not move in any other way.
 
     The particles are in the order of PLACES. The first two, the pivot, are immovable. Each rod is
-    as long as the current distance between its ends. You choose the rods, and more than necessary
-    are fine.
+    as long as the current distance between its ends. You choose the rods, and may use more than
+    necessary.
     """
     raise NotImplementedError("Exercise B8.6: A platform that can only tilt")
 
 
 def balancing_mass(masses: Sequence[float], places: Sequence[float], x: float) -> float:
-    """Return the mass in kg that balances the others on a pivot at 0 if it is placed at x.
+    """Return the mass in kg that, placed at x, balances the others on a pivot at 0.
 
     ``masses`` are in kg, and ``places`` are their positions in m along the platform, negative on
     the left of the pivot. Each mass turns the platform with a torque proportional to mass times
@@ -77,13 +77,13 @@ class TiltingPlatform:
         """Free the pivot: give its two particles MASS, so that they only stand on the ground (8.1).
 
         The platform must stay rigid. If no rod joins the two particles of the pivot yet, add one to
-        self.rods and to the generators of the world. There is no friction. This is called only
-        once.
+        self.rods and to the generators of the world. There is no friction. The method is called
+        only once.
         """
         raise NotImplementedError("Exercise 8.1: Free the pivot")
 
     def put_weight(self, mass: float, x: float) -> None:
-        """Put a weight of this mass in kg at x, from LEFT to RIGHT, in place of the old weight.
+        """Replace the weight by one of this mass in kg at x, which is from LEFT to RIGHT.
 
         The two ends carry the weight, divided between them so that their torque about the pivot is
         that of the weight at x. Each of the two particles of an end carries half of the end's part,

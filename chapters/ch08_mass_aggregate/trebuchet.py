@@ -31,7 +31,7 @@ MOST_WEIGHT, LONGEST_BEAM = 400.0, 5.0  # kg, and m for both arms: the limits of
 
 @dataclass(frozen=True)
 class Design:
-    """The choices in the design of a trebuchet, in kg, m and degrees.
+    """The numbers that a designer chooses for a trebuchet, in kg, m and degrees.
 
     The sling lets go when the projectile flies forward at ``release_angle`` above the horizontal,
     or lower.
@@ -60,11 +60,11 @@ class Design:
 
 @dataclass(frozen=True)
 class Throw:
-    """The result of a throw: the range in m, measured from the pivot, and the share of the energy.
+    """The result of a throw: the range in m, measured from the pivot, and the energy share.
 
     The share is the energy that the projectile gained (kinetic and potential), divided by the
-    potential energy that the counterweight lost, both until the sling let go. Both numbers are 0 if
-    the sling never let go.
+    potential energy that the counterweight lost, both until the sling let go. If the sling never
+    let go, both numbers are 0.
     """
 
     range: float
@@ -72,7 +72,7 @@ class Throw:
 
 
 def my_design() -> Design:
-    """Return a trebuchet of your own (P8.2b).
+    """Return a trebuchet design of your own (P8.2b).
 
     The counterweight may be at most MOST_WEIGHT, and the two arms together at most LONGEST_BEAM.
     The design is graded for its range and for the share of the energy that reaches the projectile,
@@ -108,14 +108,15 @@ class Trebuchet:
     def beam(self) -> list[ContactGenerator]:
         """Return rods that make pivot, counterweight and tip a rigid beam as they are now.
 
-        Every set of rods that does this is right.
+        Any set of rods that does this is right.
         """
         raise NotImplementedError("Exercise P8.2a: A trebuchet")
 
     def lets_go(self) -> bool:
         """Return whether the projectile flies forward at the release angle or lower.
 
-        It must also be above the pivot, because it swings forward once before it is thrown.
+        The projectile must also be above the pivot, because it swings forward below the pivot once
+        before the throw.
         """
         raise NotImplementedError("Exercise P8.2a: A trebuchet")
 

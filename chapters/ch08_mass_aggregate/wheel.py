@@ -57,7 +57,7 @@ def spin(hub: Particle, rim: Sequence[Particle]) -> float:
 
 
 def deformation(rods: Sequence[Rod]) -> float:
-    """Return by what fraction of its length the worst of the rods is too long or too short (8.3c).
+    """Return the largest error in length of a rod, as a fraction of the rod's length (8.3c).
 
     Return 0 if there are no rods.
     """

@@ -1,7 +1,7 @@
 """Angular velocity and acceleration, and a step of an orientation (book 9.3 and 9.4.11).
 
-An angular velocity is a vector in world axes, in rad/s. Its direction is the axis, and its length
-is the speed of the rotation. The functions raise TypeError for an argument of the wrong type.
+An angular velocity is a vector in world axes, in rad/s. Its direction is the axis of rotation, and
+its length is the angular speed. The functions raise TypeError for an argument of the wrong type.
 """
 
 from __future__ import annotations
@@ -49,9 +49,9 @@ def first_order_drift(angular_speed: float, duration: float, steps: int) -> tupl
 
     A unit quaternion rotates about one axis at ``angular_speed`` in rad/s for ``duration`` in s, in
     ``steps`` equal steps of ``Quaternion.add_scaled``, without normalizing. The first result is its
-    length afterwards. The second is angular_speed times duration minus the angle that it has really
-    rotated by, in radians, and is negative for a negative speed. Normalizing corrects the length
-    (E-31) but not the angle.
+    length afterwards. The second is angular_speed times duration minus the angle by which it
+    actually rotated, in radians, and is negative for a negative speed. Normalizing corrects the
+    length (E-31) but not the angle.
 
     >>> length, angle = first_order_drift(2 * math.pi, 1.0, 60)  # a turn a second, 60 frames
     >>> round(length, 4), round(math.degrees(angle), 4)

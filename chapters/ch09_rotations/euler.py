@@ -1,9 +1,10 @@
 """Euler angles, and why they fail (book 9.2.1).
 
 The three angles are rotations in radians about world axes: first by x about X, then by y about Y,
-then by z about Z. They can describe every orientation (E-33). But if y is a quarter turn, it takes
-X to Z or -Z. The first and the last rotation are then about the same axis, and one way to rotate is
-lost. This is gimbal lock, and the reason why engines store orientations as quaternions.
+then by z about Z. They can describe every orientation (E-33). But if y is a quarter turn, it
+rotates X onto Z or -Z. The first and the last rotation are then about the same axis, and one way to
+rotate is lost. This is called gimbal lock. It is the reason why engines store orientations as
+quaternions.
 
 The functions raise ValueError for a number that is not finite, and TypeError for an argument of the
 wrong type.
@@ -17,7 +18,7 @@ from ch09_rotations.quaternion import Quaternion
 
 
 def euler_to_quaternion(x: float, y: float, z: float) -> Quaternion:
-    """Return the orientation of three angles as a unit quaternion."""
+    """Return the orientation that three Euler angles describe, as a unit quaternion."""
     raise NotImplementedError("Exercise B9.17: Euler angles, and where they fail")
 
 
@@ -38,8 +39,8 @@ def euler_rates(x: float, y: float, z: float, angular_velocity: Vector3) -> Vect
 
     Raises:
         ValueError: in gimbal lock, that is, unless |cos y|, the determinant of the rate map, is
-            greater than SINGULAR of matrix3.py. No rates rotate about the lost axis.
-            Matrix3.inverse does not refuse all of these maps: at z = 0 a row is as small as the
-            determinant.
+            greater than SINGULAR of matrix3.py. In gimbal lock no rates give a rotation about the
+            lost axis. Matrix3.inverse does not reject all such maps: at z = 0 a row is as small as
+            the determinant.
     """
     raise NotImplementedError("Exercise B9.17: Euler angles, and where they fail")

@@ -1,4 +1,4 @@
-"""The exercises of the book's chapter 9, as functions of their data.
+"""The exercises of the book's chapter 9, each as a function.
 
 The functions do not change their arguments. Angles are in radians unless a docstring says degrees.
 An argument of the wrong type raises TypeError.
@@ -27,11 +27,11 @@ def two_other_turns() -> tuple[float, float]:
 
 
 def back_to_reference(orientation: Quaternion) -> tuple[Vector3, float]:
-    """Exercise 9.2: return the rotation, axis and angle, from an orientation to (1, 0, 0, 0).
+    """Exercise 9.2: return the rotation that takes an orientation to the reference (1, 0, 0, 0).
 
-    The axis is a new unit vector in world axes, and the angle is in radians, from -pi to pi. The
-    opposite axis with the opposite angle is right too. If the orientation is the reference already,
-    the angle is 0 about any axis.
+    The rotation is an axis, a new unit vector in world axes, and an angle in radians, from -pi to
+    pi. The opposite axis with the opposite angle is right too. If the orientation is already the
+    reference, the angle is 0 and the axis may be any unit vector.
 
     >>> axis, angle = back_to_reference(Quaternion(0.5, 0.5, 0.5, 0.5))
     >>> round(angle, 6), [round(component, 6) for component in axis]  # 120 degrees
@@ -44,7 +44,7 @@ def back_to_reference(orientation: Quaternion) -> tuple[Vector3, float]:
 
 
 def product_without_j_and_k(a: Quaternion, b: Quaternion) -> Quaternion:
-    """Exercise 9.3a: return a b in four multiplications, for quaternions whose j and k are zero.
+    """Exercise 9.3a: return a * b in four multiplications, for quaternions whose j and k are zero.
 
     >>> product_without_j_and_k(Quaternion(2, 3, 0, 0), Quaternion(4, -1, 0, 0))
     Quaternion(11.0, 10.0, 0.0, 0.0)
@@ -70,10 +70,10 @@ def turned_by_sense(orientation: Quaternion, rate: float, duration: float) -> Qu
 def turned_by_steps(
     orientation: Quaternion, rate: float, duration: float, steps: int = 1
 ) -> tuple[Quaternion, float]:
-    """Exercise 9.4: return the same orientation by equal steps of Eq. 9.5, and its error.
+    """Exercise 9.4: return the same orientation, computed by equal steps of Eq. 9.5, and its error.
 
     The orientation is a new quaternion, normalized after the last step. The error is the angle,
-    from 0 to pi, of the rotation from it to the result of turned_by_sense.
+    from 0 to pi, of the rotation from this orientation to the result of turned_by_sense.
 
     >>> q, error = turned_by_steps(Quaternion(0.5, 0.5, 0.5, 0.5), 0.5, 2.0)
     >>> [round(component, 6) for component in q], round(error, 6)  # 4.2 degrees
@@ -103,8 +103,8 @@ def easy_inverse(matrix: Matrix4) -> Matrix4:
     """Exercise 9.6: return the inverse of a rotation and a translation, without any division.
 
     The rotation becomes its transpose, and the translation is rotated back and negated. For other
-    matrices the result is not the inverse. It is not checked, since that would cost most of the
-    time that is saved.
+    matrices the result is not the inverse. The matrix is not checked, because a check would cost
+    most of the time that this method saves.
     """
     raise NotImplementedError("Exercise 9.6: The inverse, the easy way")
 
@@ -112,11 +112,11 @@ def easy_inverse(matrix: Matrix4) -> Matrix4:
 def center_of_stones(stones: Sequence[Stone]) -> Point:
     """Exercise 9.7: return the center of mass (x, y) of a box with stones, in m.
 
-    A stone is a tuple of its name, its mass in kg, and the x and y of its center in m. The empty
-    box is one of them, unless its mass is negligible.
+    A stone is a tuple of its name, its mass in kg, and the x and y of its center in m. Include the
+    empty box as one of the stones, unless its mass is negligible.
 
     Raises:
-        ValueError, TypeError: as center_of_mass does.
+        ValueError, TypeError: for the same reasons as center_of_mass.
     """
     raise NotImplementedError("Exercise 9.7: A box with stones")
 
@@ -128,19 +128,21 @@ def balance_offset(stones: Sequence[Stone], angle: float) -> float:
     x = y = 0 of the box, measured to the left, in the direction (-sin, cos).
 
     Raises:
-        ValueError, TypeError: as center_of_stones does. Also if the angle is not finite.
+        ValueError, TypeError: for the same reasons as center_of_stones, or if the angle is not
+            finite.
     """
     raise NotImplementedError("Exercise 9.7: A box with stones")
 
 
 def masses_beside(stones: Sequence[Stone], angle: float) -> tuple[float, float]:
-    """Exercise 9.7: return the masses on the left and on the right of that edge, in kg.
+    """Exercise 9.7: return the masses in kg to the left and to the right of the balance edge.
 
-    The two may differ although the box balances, because a small mass far from the edge balances a
-    large one near it. The book says that they are equal (E-32). A stone counts on the side of its
-    center. If its center is within 1e-9 m of the edge, it counts on neither side.
+    The edge is the one of balance_offset. The two masses may differ although the box balances,
+    because a small mass far from the edge balances a large one near it. The book says that they are
+    equal (E-32). A stone counts on the side of its center. If its center is within 1e-9 m of the
+    edge, it counts on neither side.
 
     Raises:
-        ValueError, TypeError: as balance_offset does.
+        ValueError, TypeError: for the same reasons as balance_offset.
     """
     raise NotImplementedError("Exercise 9.7: A box with stones")

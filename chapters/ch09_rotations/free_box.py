@@ -2,8 +2,8 @@
 
 No torque acts on the box, so its angular momentum is constant, but its angular velocity is not. A
 body has three principal axes, with a moment of inertia about each of them. A spin about the axis of
-the largest or the smallest moment is stable. A spin about the axis in between is not: after any
-disturbance the body flips over again and again, like a book that you throw into the air.
+the largest or the smallest moment is stable. A spin about the intermediate axis is unstable. After
+any disturbance the body flips over again and again, like a book that you throw into the air.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class FreeBox:
         )
 
     def own_velocity(self) -> Vector3:
-        """Return the angular velocity in rad/s in the box's own axes, momentum / moment."""
+        """Return the angular velocity in rad/s in the box's own axes: angular momentum / moment."""
         own = self.orientation.conjugate().rotate(self.angular_momentum)
         moments = self.inertia
         return Vector3(own.x / moments.x, own.y / moments.y, own.z / moments.z)
@@ -53,7 +53,7 @@ class FreeBox:
 
         The rotation is split into five rotations, each about one principal axis. A rotation about
         such an axis keeps the momentum along it, so each of the five is exact. This symmetric
-        splitting is of order 2, and its error in the energy stays small forever.
+        splitting is of order 2, and its error in the energy stays bounded.
 
         Raises:
             ValueError: if the duration is not positive and finite.

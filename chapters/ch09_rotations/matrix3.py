@@ -1,8 +1,8 @@
 """Matrices that rotate and scale vectors (book 9.2.3, 9.4.1 to 9.4.4).
 
 Vectors are columns, on the right of a matrix: ``m @ v``. The product ``a @ b`` applies b first and
-then a. Matrices do not change, and every method returns a new object. The methods raise TypeError
-for an argument of the wrong type. The components of a vector are not checked.
+then a. A matrix never changes: every method returns a new object. The methods raise TypeError for
+an argument of the wrong type. The components of a vector are not checked.
 """
 
 from __future__ import annotations
@@ -25,7 +25,8 @@ ROTATION_TOLERANCE = 1e-5
 class Matrix3:
     """A 3x3 matrix of nine numbers, row by row. It keeps the origin where it is.
 
-    ``m[row, column]`` reads one number, both indices from 0 to 2. ``entries`` is the tuple of all.
+    ``m[row, column]`` reads one number, with both indices from 0 to 2. ``entries`` is the tuple of
+    all nine.
     """
 
     __slots__ = ("entries",)
@@ -69,37 +70,38 @@ class Matrix3:
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 
     def product(self, m: Matrix3) -> Matrix3:
-        """Return the product self m: m first, then self. Also written self @ m (9.4.2)."""
+        """Return the matrix product self @ m, which applies m first and then self (9.4.2)."""
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 
     def transpose(self) -> Matrix3:
-        """Return the matrix with rows and columns swapped: the inverse of a rotation (9.4.3)."""
+        """Return the matrix with rows and columns swapped. It inverts a rotation (9.4.3)."""
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 
     def determinant(self) -> float:
-        """Return the factor by which volumes change, negative for a mirror image (9.4.3)."""
+        """Return the factor by which volumes change. It is negative for a mirror image (9.4.3)."""
         raise NotImplementedError("Exercise B9.5: Determinant and inverse")
 
     def inverse(self) -> Matrix3:
-        """Return the inverse (9.4.3).
+        """Return the inverse as a new matrix (9.4.3).
 
         Raises:
-            ValueError: if a number is not finite, or unless |determinant| is greater than SINGULAR
-                (1e-13) times the product of the rows' lengths. It names both.
+            ValueError: if an entry is not finite, or if |determinant| is not greater than SINGULAR
+                (1e-13) times the product of the rows' lengths. The message shows the determinant,
+                and its ratio to that product.
         """
         raise NotImplementedError("Exercise B9.5: Determinant and inverse")
 
     def is_rotation(self) -> bool:
-        """Return whether this is a rotation, without scaling, shear or mirroring.
+        """Return whether the matrix is a pure rotation, without scaling, shear or mirroring.
 
-        The product of each row with itself must be 1 and with each other row 0, both within
-        ROTATION_TOLERANCE, and the determinant positive. Otherwise, and for NaN, return False.
+        The dot product of each row with itself must be 1, and with each other row 0, both within
+        ROTATION_TOLERANCE. The determinant must be positive. Otherwise, and for NaN, return False.
         """
         raise NotImplementedError("Exercise B9.6: Is it a rotation?")
 
     @staticmethod
     def from_quaternion(q: Quaternion) -> Matrix3:
-        """Return the rotation of a quaternion. Its columns are the rotated axes.
+        """Return the rotation matrix of a quaternion. Its columns are the rotated axes.
 
         The book prints the transpose, which rotates in the opposite direction (E-11).
 
@@ -109,10 +111,11 @@ class Matrix3:
         raise NotImplementedError("Exercise B9.12: From a quaternion to a matrix")
 
     def to_quaternion(self) -> Quaternion:
-        """Return the quaternion of this rotation, with length 1. Both q and -q are right.
+        """Return the unit quaternion of this rotation. Both q and -q are right.
 
-        Four sums of the diagonal give 4 r^2, 4 i^2, 4 j^2 and 4 k^2. Compute the others from the
-        largest, which is at least 1. A smaller one may be rounding, as r is in a half-turn.
+        Four sums of the diagonal give 4 r^2, 4 i^2, 4 j^2 and 4 k^2. Choose the largest of them,
+        which is at least 1, and compute the other components from it. A smaller one may be only
+        rounding error, as 4 r^2 is in a half-turn.
 
         Raises:
             ValueError: if this is not a rotation (is_rotation).

@@ -17,11 +17,11 @@ COLUMNS = ("what", "mass", "x", "y")
 
 
 def read_stones(path: Path) -> list[tuple[str, float, float, float]]:
-    """Return the stones in a file, in their order. Empty lines are skipped.
+    """Return the stones in a file, in the order of its lines. Empty lines are skipped.
 
     Raises:
         ValueError: if the first line is not the heading, or a line is not a name, a mass and a
-            position. It names the line.
+            position. The message names the line.
     """
     stones = []
     with path.open(encoding="utf-8-sig", newline="") as file:

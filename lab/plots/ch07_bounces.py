@@ -79,7 +79,7 @@ def bounce_heights() -> Picture:
 
 
 def resting_jitter() -> Picture:
-    """Draw a ball at rest with and without the resting rule, and a rule that goes too far."""
+    """Draw a ball at rest with the resting rule, without it, and with a rule that is too strict."""
     figure, panels = pyplot.subplots(1, 3, figsize=(16, 5.4), layout="constrained")
     rows: list[Sequence[object]] = []
     rules = {"resting rule": None, "no rule": without_rule}

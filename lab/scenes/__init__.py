@@ -1,1 +1,1 @@
-"""The scenes, a module a chapter."""
+"""The scenes of the lab, in modules named after their chapters."""

@@ -47,7 +47,7 @@ class Sniper(Scene):
         self.begin()
 
     def begin(self) -> None:
-        """Begin a round with different winds than in the last round."""
+        """Begin a round with winds that differ from those of the last round."""
         self.seed += 1
         self.range = SniperRange(self.seed)
         self.aim = (0.0, 0.0)

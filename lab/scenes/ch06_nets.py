@@ -157,5 +157,5 @@ SCENES = (SpringBridge, Cloth)
 
 
 def oblique(place: Vector3) -> tuple[float, float]:
-    """Return where a position appears in a view from the side and from above."""
+    """Return the drawn position of a point, in a view from the side and slightly from above."""
     return place.x + place.z / 3.0, place.y + place.z / 3.0

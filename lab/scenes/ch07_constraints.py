@@ -27,7 +27,7 @@ def no_forces(duration: float) -> None:
 
 
 def rises(scene: Bounce) -> int:
-    """Return which option describes the last bounces: about as high, higher or lower."""
+    """Return the index of the option that describes the last bounces: as high, higher or lower."""
     share = max(y for _, y in scene.path) / scene.HEIGHT
     return 1 if share > 1.02 else 2 if share < 0.98 else 0
 

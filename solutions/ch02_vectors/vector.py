@@ -23,11 +23,11 @@ class Vector3:
     """Three components along X, Y and Z, in the unit of whatever the vector describes.
 
     A component can be any float, including infinities and NaN. Classes that give the numbers a
-    meaning, such as a particle, refuse values that make no sense.
+    meaning, such as a particle, reject values that make no sense.
 
     Raises:
         TypeError: if a component is not something that float() accepts.
-        ValueError: if a component is a text that does not spell a number.
+        ValueError: if a component is a string that does not contain a number.
     """
 
     __slots__ = ("x", "y", "z")
@@ -82,7 +82,7 @@ class Vector3:
         return math.hypot(self.x, self.y, self.z)
 
     def squared_magnitude(self) -> float:
-        """Return |v|^2. It needs no square root and is enough to compare lengths (2.1)."""
+        """Return |v|^2, which is enough to compare lengths and needs no square root (2.1)."""
         return self.x * self.x + self.y * self.y + self.z * self.z
 
     def __mul__(self, scale: float) -> Vector3:
@@ -141,7 +141,10 @@ class Vector3:
         self.z /= length
 
     def normalized(self) -> Vector3:
-        """Return a new vector of length 1 in the same direction. Zero gives zero."""
+        """Return a new vector of length 1 in the same direction.
+
+        The zero vector gives a new zero vector.
+        """
         length = self.magnitude()
         if length == 0.0:
             return Vector3()
@@ -180,8 +183,8 @@ class Vector3:
     def add_scaled(self, v: Vector3, scale: float) -> None:
         """Add v * scale, in place (2.1.4).
 
-        Every update p' = p + v h is a call of this method. It also works if v is this very vector.
-        Raises TypeError if v is not a vector.
+        The engine uses this method for every update of the form p' = p + v h. It also works if v is
+        the vector itself. Raises TypeError if v is not a vector.
         """
         if not isinstance(v, Vector3):
             raise TypeError(_NOT_A_VECTOR.format(v))
@@ -219,7 +222,7 @@ class Vector3:
         return self.x * v.x + self.y * v.y + self.z * v.z
 
     def __matmul__(self, v: Vector3) -> float:
-        """Return the same as dot."""
+        """Return the scalar product, as ``dot`` does."""
         if not isinstance(v, Vector3):
             return NotImplemented
         return self.dot(v)
@@ -227,8 +230,8 @@ class Vector3:
     def cross(self, v: Vector3) -> Vector3:
         """Return the vector product a x b as a new vector (Eq. 2.6).
 
-        It is perpendicular to both vectors and has the length |a| |b| sin t. Swapping the factors
-        reverses it: b x a = -(a x b). Raises TypeError if v is not a vector.
+        The product is perpendicular to both vectors and has the length |a| |b| sin t. Swapping the
+        factors reverses its direction: b x a = -(a x b). Raises TypeError if v is not a vector.
         """
         if not isinstance(v, Vector3):
             raise TypeError(_NOT_A_VECTOR.format(v))
@@ -249,13 +252,13 @@ class Vector3:
 def make_orthonormal_basis(a: Vector3, b: Vector3) -> tuple[Vector3, Vector3, Vector3]:
     """Return three new unit vectors that are perpendicular and right-handed: a x b = c (2.1.9).
 
-    The first has the direction of ``a``. The third is perpendicular to the plane of ``a`` and
-    ``b``. The second lies in that plane, as close to ``b`` as possible. The lengths of ``a`` and
-    ``b`` do not matter, and neither vector changes.
+    The first vector has the direction of ``a``. The third one is perpendicular to the plane of
+    ``a`` and ``b``. The second one lies in that plane, as close to ``b`` as possible. The lengths
+    of ``a`` and ``b`` do not matter, and neither vector changes.
 
     Raises:
         ValueError: if ``a`` or ``b`` is zero or not finite, or if they are parallel, which means
-            that the sine of their angle is below 1e-12. Then there is no plane and no basis.
+            that the sine of their angle is below 1e-12. Such vectors do not determine a basis.
     """
     first = a.normalized()
     third = first.cross(b.normalized())

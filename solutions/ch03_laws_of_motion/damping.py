@@ -2,8 +2,9 @@
 
 Both return the velocity after a step as a new vector and change nothing. The velocity is in m/s,
 the acceleration in m/s^2 and the duration in s. The damping d is the fraction of the velocity that
-is kept. In one equation d belongs to each step, however long the step is. In the other it belongs
-to each second. Both raise TypeError for a damping or a duration that is not a number.
+is kept. Eq. 3.5 keeps this fraction in each step, however long the step is. Eq. 3.6 keeps it in
+each second of simulated time. Both raise TypeError for a damping or a duration that is not a
+number.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ def damp_per_second(
 ) -> Vector3:
     """Return v' = v d^h + a h, where d is the fraction kept per second (Eq. 3.6).
 
-    Particle.kick uses the form of the book's listing instead, (v + a h) d^h (E-16).
+    Particle.kick uses the form of the book's listing, (v + a h) d^h, instead (E-16).
 
     Raises ValueError if the damping is negative or not finite, or if the duration is not positive
     and finite.

@@ -1,7 +1,7 @@
 """The nine types of firework of the show, and two of your own.
 
-The first three have the numbers of the book's table. The other numbers are ours. Types 1, 2, 4, 6
-and 8 are rockets, which leave others behind.
+The first three have the numbers of the book's table. The other numbers are not from the book. Types
+1, 2, 4, 6 and 8 are rockets: when they burn out, they light other fireworks.
 """
 
 from __future__ import annotations
@@ -37,10 +37,10 @@ FIREWORK_TYPES = (
 def own_types() -> list[FireworkRule]:
     """Mini-project 4.2: return the rules of two firework types of your own, 10 and 11.
 
-    They differ from each other and from the nine in more than their type. At least one of them
-    leaves fireworks of types 1 to 11 behind, and none of the eleven types leads back to itself, so
-    every show with them ends. Each burns for at least 0.1 s. At most 40 s after it was lit,
-    everything that came from it is dark.
+    The two rules must differ from each other and from the nine in more than their type. At least
+    one of them has payloads, of types 1 to 11. None of the eleven types may lead back to itself, so
+    that every show with them ends. Each of the two types burns for at least 0.1 s. At most 40 s
+    after it was lit, everything that came from it must have burnt out.
     """
     palm = FireworkRule(
         10, 1.0, 1.1, (-1, 24, -1), (1, 26, 1), damping=0.6, payloads=(Payload(11, 9),)

@@ -1,6 +1,6 @@
-"""What makes a grenade (mini-project 4.1): it bounces, and it bursts when its fuse has burnt down.
+"""What a grenade does (mini-project 4.1): it bounces, and it bursts when its fuse has burnt down.
 
-The bounce here is a rule of this one shot. Chapter 7 makes contacts that any particle can have.
+The bounce here is a rule for this one type of shot. Chapter 7 adds contacts for any particle.
 """
 
 from __future__ import annotations
@@ -41,11 +41,12 @@ def bounce(particle: Particle) -> None:
 
 
 def fragments(particle: Particle) -> list[Particle]:
-    """Mini-project 4.1: return the FRAGMENTS pieces into which a grenade bursts, at its position.
+    """Mini-project 4.1: return the pieces into which a grenade bursts, at its position.
 
-    They have equal masses that add up to the grenade's mass, and its acceleration and damping.
-    Relative to the grenade, each flies with FRAGMENT_SPEED in a different direction. The directions
-    add up to zero, so together the pieces have the grenade's momentum. The grenade does not change.
+    There are FRAGMENTS pieces. They have equal masses that add up to the grenade's mass, and the
+    same acceleration and damping as the grenade. Relative to the grenade, each piece flies at
+    FRAGMENT_SPEED in a different direction. The directions add up to zero, so together the pieces
+    have the grenade's momentum. The grenade does not change.
     """
     pieces = []
     for direction in _CORNERS:

@@ -69,12 +69,13 @@ def hit_fraction(start: Vector3, end: Vector3, block: TargetBlock) -> float | No
 def strike_first(
     start: Vector3, particle: Particle, targets: Sequence[TargetBlock]
 ) -> TargetBlock | None:
-    """Exercise 4.3c: let a shot hit the first target on its path, and return it, or None for a
-    miss.
+    """Exercise 4.3c: let a shot hit the first target on its path, and return that target.
 
-    The shot moved from ``start`` to the position of ``particle``. The target gets the momentum that
-    the particle has now along X and Z (the ground takes the part along Y), and counts the hit. If
-    two targets are touched at once, the earlier one in the list is hit.
+    Return None if the shot misses every target.
+
+    The shot moved from ``start`` to the position of ``particle``. The target takes up the
+    particle's present momentum along X and Z, and its ``hits`` grows by 1. The ground takes up the
+    momentum along Y. If two targets are touched at once, the earlier one in the list is hit.
     """
     first, earliest = None, math.inf
     for target in targets:

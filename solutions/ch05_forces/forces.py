@@ -17,7 +17,10 @@ from ch05_forces.particle import Particle
 
 
 class ForceGenerator(Protocol):
-    """Any object with this method is a force generator. No class has to inherit from this one."""
+    """The interface of a force generator: any object with this method is one.
+
+    A generator's class need not inherit from this class.
+    """
 
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add this generator's force to a particle, for a time step of a duration in s (5.2.1)."""
@@ -68,9 +71,9 @@ class ForceRegistry:
     def update_forces(self, duration: float) -> None:
         """Let every generator add its force to its particle, for a time step of this duration in s.
 
-        Immovable particles are skipped. A generator may add and remove pairs during the call, which
-        has an effect from the next call on. If a generator raises an exception, it is passed on,
-        and the pairs after it are not updated.
+        Immovable particles are skipped. A generator may add and remove pairs during the call. The
+        change takes effect in the next call. If a generator raises an exception, the exception is
+        passed on, and the pairs after that generator are not updated.
 
         Raises:
             ValueError: if the duration is not positive and finite. No generator is called then.
@@ -84,21 +87,21 @@ class ForceRegistry:
 class Gravity:
     """The weight of a particle, m g (Eq. 3.4). The acceleration g is a vector in m/s^2.
 
-    If g is the same everywhere and always, Particle.acceleration does the same at a lower cost
-    (5.3).
+    If g is the same everywhere and at all times, Particle.acceleration has the same effect at a
+    lower cost (5.3).
     """
 
     def __init__(self, acceleration: Vector3) -> None:
         self.acceleration = finite_vector("acceleration", acceleration)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add m g, unless the particle is immovable. Its weight would be infinite (5.2.3)."""
+        """Add the force m g. Skip an immovable particle: its weight would be infinite (5.2.3)."""
         if particle.has_finite_mass:
             particle.add_force(self.acceleration * particle.mass)
 
 
 class Drag:
-    """Drag against the motion (Eq. 5.1). One part grows with the speed, the other with its square.
+    """Drag, a force against the motion that grows with the speed and with its square (Eq. 5.1).
 
     k1 is in N s/m and k2 in N s^2/m^2.
 
@@ -111,15 +114,15 @@ class Drag:
         self.k2 = not_negative("k2", k2)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the drag_force at the particle's velocity."""
+        """Add the result of drag_force for the particle's velocity."""
         particle.add_force(drag_force(particle.velocity, self.k1, self.k2))
 
 
 def drag_force(velocity: Vector3, k1: float, k2: float) -> Vector3:
     """Return the drag in N at a velocity in m/s as a new vector (Eq. 5.1).
 
-    It is -v^ (k1 |v| + k2 |v|^2), where v^ is the unit vector along the velocity. At rest there is
-    no drag. k1 is in N s/m and k2 in N s^2/m^2.
+    The drag is -v^ (k1 |v| + k2 |v|^2), where v^ is the unit vector along the velocity. At rest
+    there is no drag. k1 is in N s/m and k2 in N s^2/m^2.
     """
     return velocity * -(k1 + k2 * velocity.magnitude())
 
@@ -142,7 +145,8 @@ class Uplift:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Exercise 5.1: add the force if the particle is inside the column, at any height.
 
-        It is inside if its distance from the origin in X and Z is at most the radius.
+        The particle is inside if its horizontal distance (in X and Z) from the origin is at most
+        the radius.
         """
         place = particle.position
         if math.hypot(place.x - self.origin.x, place.z - self.origin.z) <= self.radius:
@@ -168,9 +172,9 @@ class Airbrake:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Exercise 5.2: if the brake is on, add -k v, but never so much that the motion reverses.
 
-        In a time step, a force f changes the velocity by f h / m. So the brake alone takes at most
-        the fraction FULL of the velocity, however large k is and however long the step. It does not
-        stop an immovable particle, which is not an error.
+        In a time step, a force f changes the velocity by f h / m. Limit the force so that the brake
+        alone removes at most the fraction FULL of the velocity, however large k is and however long
+        the step. The brake has no effect on an immovable particle, and raises no error for it.
 
         Raises:
             ValueError: if the duration is not positive and finite.
@@ -223,8 +227,8 @@ class InverseSquareGravity:
         Skip an immovable particle.
 
         Raises:
-            ArithmeticError: at the center, and so close to it that the force is not finite. No
-                force is added then.
+            ArithmeticError: if the particle is at the center, or so close to it that the force is
+                not finite. No force is added then.
         """
         if not particle.has_finite_mass:
             return

@@ -40,7 +40,7 @@ class Particle(particle.Particle):
         self._forces = [None, None]
 
     def __copy__(self) -> Particle:
-        """Return a copy with the same forces. They change independently of the original's."""
+        """Return a copy with the same forces. Later forces on one do not affect the other."""
         other = Particle(self.position, self.velocity, self.acceleration, damping=self.damping)
         other.inverse_mass = self.inverse_mass
         other._forces = [*self._forces]
@@ -49,8 +49,8 @@ class Particle(particle.Particle):
     def take_forces(self) -> Numbers:
         """Return the sum of the forces in N as three numbers, and clear it.
 
-        It is for integrators that evaluate the forces several times in a step. It does the same as
-        force_accumulator and clear_forces in a third of the time.
+        Integrators that evaluate the forces several times in a step use it. It does the same as
+        force_accumulator followed by clear_forces, in a third of the time.
         """
         forces = self._forces
         force = forces[0]
@@ -60,8 +60,8 @@ class Particle(particle.Particle):
     def add_force_pair(self, other: Particle, x: float, y: float, z: float) -> None:
         """Add a force in N to this particle, and the opposite force to another one.
 
-        This is Newton's third law for a force with the components x, y and z. It does the same as
-        two calls of add_force in half the time, which a cloth with hundreds of springs needs.
+        This is Newton's third law for a force with the components x, y and z. The method takes half
+        the time of two calls of add_force, which matters for a cloth with hundreds of springs.
 
         Raises:
             ValueError: if a component, or one of the two sums, is not finite. Both sums stay as
@@ -87,7 +87,7 @@ class Particle(particle.Particle):
     def force_accumulator(self) -> Vector3:
         """The sum of the forces in N since the last step, as a new vector.
 
-        Only add_force changes the sum.
+        Changing the returned vector does not change the sum.
         """
         return Vector3(*(self._forces[0] or ()))
 
@@ -134,8 +134,8 @@ class Particle(particle.Particle):
 
         Here a is the constant acceleration plus f / m, where f is the sum of the forces since the
         last kick. The kick clears the sum, also for an immovable particle, and remembers it for
-        last_acceleration. integrate needs no new body: chapter 3's integrate drifts and then calls
-        this kick.
+        last_acceleration. You need not write ``integrate`` again: chapter 3's version drifts and
+        then calls this kick.
 
         As in chapter 3, the duration is not checked.
         """

@@ -30,7 +30,7 @@ SHOTS = 10
 
 @dataclass(frozen=True)
 class Target:
-    """A disc that faces the rifle: its center in m, and a factor for the points of its rings."""
+    """A disc that faces the rifle: its center in m, and a factor for the points of a ring."""
 
     x: float
     y: float
@@ -72,9 +72,10 @@ class Wind:
         self.velocity = Vector3()
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Project 4.2: add the drag_force at the particle's velocity relative to the air.
+        """Project 4.2: add the drag_force for the particle's velocity relative to the air.
 
-        A particle that moves with the air feels no force. In still air this is Drag.
+        A particle that moves with the air feels no force. In still air the force is the same as
+        that of Drag.
         """
         particle.add_force(drag_force(particle.velocity - self.velocity, self.k1, self.k2))
 
@@ -136,11 +137,11 @@ class SniperRange:
     def update(self, duration: float) -> None:
         """Project 4.2: let a time step of a duration in s pass for the bullet in flight.
 
-        If there is none, do nothing. Update the forces, move the bullet, and use hit_on_the_way to
-        find out whether it has passed through a target. A hit adds the hole to holes and its points
-        to the score. The shot has landed after a hit, or when the bullet is below the ground (y <
-        0) or beyond END_OF_RANGE in z. Then no force is registered any more, bullet is None, and
-        the wind changes.
+        If no bullet is in flight, do nothing. Otherwise update the forces, move the bullet, and use
+        hit_on_the_way to find out whether it has passed through a target. A hit adds the hole to
+        holes and its points to the score. The shot has landed after a hit, or when the bullet is
+        below the ground (y < 0) or beyond END_OF_RANGE in z. Then clear the registered forces, set
+        ``bullet`` to None, and change the wind.
 
         Raises:
             ValueError: if the duration is not positive and finite. Nothing has moved then.
@@ -165,8 +166,9 @@ class SniperRange:
 def hit_on_the_way(start: Vector3, end: Vector3) -> Hole | None:
     """Project 4.2: return the first hole that the straight path from start to end makes, or None.
 
-    The path crosses the plane of a target if start.z < distance <= end.z. It makes a hole there if
-    the point where it crosses earns any points: the ring's points times the target's factor.
+    The path crosses the plane of a target if start.z < distance <= end.z. If the crossing point
+    lies inside a ring, the path makes a hole there. The hole earns the ring's points times the
+    target's factor.
     """
     for target in TARGETS:  # the nearest comes first
         if start.z < target.distance <= end.z:

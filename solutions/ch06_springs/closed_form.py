@@ -10,13 +10,13 @@ from ch02_vectors.arguments import finite, not_negative, positive
 def damped_spring_state(
     x0: float, v0: float, stiffness: float, damping: float, mass: float, time: float
 ) -> tuple[float, float]:
-    """Return position in m and velocity in m/s after a time in s: m x'' = -k x - c x' (6.3.2).
+    """Return the position in m and velocity in m/s of a damped spring after a time in s (6.3.2).
 
-    The spring starts at x0 with the velocity v0, and its rest position is 0. ``stiffness`` k is in
-    N/m, ``damping`` c in N s/m and ``mass`` m in kg. If c^2 < 4 k m, it oscillates through 0
-    (under-damped). If both are equal, it comes to rest the soonest (critically damped). Above that
-    it creeps back (over-damped). The book has only the first case (E-23). Without stiffness the
-    body coasts.
+    The equation of motion is m x'' = -k x - c x'. The spring starts at x0 with the velocity v0, and
+    its rest position is 0. ``stiffness`` k is in N/m, ``damping`` c in N s/m and ``mass`` m in kg.
+    If c^2 < 4 k m, it oscillates through 0 (under-damped). If c^2 = 4 k m, it comes to rest the
+    soonest (critically damped). If c^2 > 4 k m, it creeps back (over-damped). The book covers only
+    the first case (E-23). If the stiffness is 0, the body coasts.
 
     Raises ValueError if the mass is not positive, the stiffness, damping or time is negative, or if
     an argument, k / m, c / m, the angle of the oscillation or a result is not finite. Raises

@@ -1,7 +1,7 @@
 """Forces that depend on the position of a particle: water, a balloon, a crowd and a homing bullet.
 
-Units and the checks of arguments are as in springs.py. You can import these classes from either
-module.
+The units and the checks of arguments are those of springs.py. You can import these classes from
+either module.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ class Buoyancy:
 
     ``max_depth`` in m is the depth of the body's center at which it is just submerged, and the
     height at which it is just out of the water. ``volume`` is in m^3, ``liquid_density`` in kg/m^3
-    (1000 for fresh water, 1020 to 1030 for the sea) and ``gravity`` in m/s^2. The lift is in N. In
-    the book's text some examples are a thousand times too large (E-21).
+    (1000 for fresh water, 1020 to 1030 for the sea) and ``gravity`` in m/s^2. The lift is in N.
+    Some numbers in the book's text are too large by a factor of 1000 (E-21).
 
     Raises ValueError if ``max_depth``, ``volume`` or ``liquid_density`` is not positive,
     ``gravity`` is negative, or one of them is not finite.
@@ -40,12 +40,12 @@ class Buoyancy:
         self.gravity = not_negative("gravity", gravity)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the weight of the displaced water, upward.
+        """Add an upward force equal to the weight of the displaced water.
 
         It is rho V g times the submerged fraction of the body, (y_w + s - y) / (2 s), limited to
         the range from 0 to 1. Here s is ``max_depth``, y_w is the height of the water and y is that
-        of the particle. The book's formula has another sign, and its listing lacks brackets and g
-        (E-5).
+        of the particle. The book's formula has the wrong sign, and its listing lacks parentheses
+        and the factor g (E-5).
         """
         depth = self.water_height + self.max_depth - particle.position.y
         share = min(max(depth / (2.0 * self.max_depth), 0.0), 1.0)
@@ -57,7 +57,8 @@ class LighterThanAir:
     """Exercise 6.2: the lift of a balloon, which decreases with the height: F e^(-y / H).
 
     F is ``max_lift`` in N, the lift at the ground, where y is 0. H is ``scale_height`` in m, over
-    which the lift falls to 1 / e of its value. Below the ground the lift is that at the ground.
+    which the lift falls to 1 / e of its value. Below the ground the lift is the same as at the
+    ground.
 
     Raises ValueError if ``max_lift`` is negative, ``scale_height`` is not positive, or one of them
     is not finite.
@@ -77,8 +78,9 @@ class LighterThanAir:
 class Overcrowding:
     """Exercise 6.3: particles that are too close push each other apart, like a compressed spring.
 
-    ``particles`` is the crowd. The list is kept and may be changed later, and it may contain the
-    particle itself. ``distance`` in m is how close two particles may be without a push.
+    ``particles`` is the crowd. The generator keeps this list itself, not a copy, so you may change
+    it later. It may contain the particle that is pushed. ``distance`` in m is how close two
+    particles may be without a push.
     """
 
     def __init__(self, particles: list[Particle], distance: float, stiffness: float) -> None:
@@ -91,10 +93,11 @@ class Overcrowding:
         self.stiffness = not_negative("stiffness", stiffness)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.3: for each other particle closer than the distance, add k (distance - l) away
-        from it.
+        """Exercise 6.3: push the particle away from each other particle that is too close.
 
-        If another particle is at the very same position, there is no direction, and it does not
+        A particle at a distance l below ``distance`` adds a force of k (``distance`` - l).
+
+        If another particle is at exactly the same position, there is no direction, and it does not
         push.
         """
         for other in self.particles:
@@ -105,10 +108,11 @@ class Overcrowding:
 
 
 class HomingBullet:
-    """Exercise 6.4: a force toward where bullet and target will be after ``look_ahead`` s.
+    """Exercise 6.4: a force that steers a bullet toward the future position of its target.
 
-    Both are assumed to keep their velocities. The force is that of a spring of rest length 0 from
-    the future position of the bullet to that of the target.
+    The bullet looks ``look_ahead`` s ahead, and assumes that it and the target keep their
+    velocities. The force is that of a spring of rest length 0 from the bullet's future position to
+    the target's.
     """
 
     def __init__(self, target: Particle, stiffness: float, look_ahead: float) -> None:
@@ -117,8 +121,9 @@ class HomingBullet:
         self.look_ahead = not_negative("look_ahead", look_ahead)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.4: add k times the displacement between the two positions, and nothing to the
-        target.
+        """Exercise 6.4: add k times the displacement between the two future positions.
+
+        The target feels no force.
         """
         way = self.target.position - particle.position
         way.add_scaled(self.target.velocity - particle.velocity, self.look_ahead)

@@ -22,9 +22,9 @@ def my_step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: 
     difference.
 
     It is graded on one revolution of an orbit of eccentricity 0.5 in 60 frames, by the number of
-    evaluations and by the largest distance from the true orbit after a frame, in units of the half
-    axis. An error of 1e-3 with at most 500 evaluations is good, and 1e-4 is better. After 5000
-    evaluations it is stopped.
+    evaluations and by the largest distance from the true orbit after a frame, in units of the
+    semi-major axis. An error of 1e-3 with at most 500 evaluations is good, and 1e-4 is better. The
+    run is stopped after 5000 evaluations.
     """
     # Drifts and kicks alternate, with fractions of the step that are symmetric:
     # Blanes and Moan, Journal of Computational and Applied Mathematics 142 (2002), 313, their S6.

@@ -1,9 +1,9 @@
 """Contacts between two particles or a particle and the world, and the resolver for them.
 
-A contact describes two things that touch: the normal, how deep they overlap, and how much of their
-speed a bounce returns. Resolving it applies an impulse, a change of momentum in N s (E-24), and
-pushes the two apart. Impulses conserve momentum at every restitution, but kinetic energy only at
-restitution 1 (E-7).
+A contact describes two bodies that touch: the contact normal, how deep they overlap, and how much
+of their speed a bounce returns. Resolving the contact applies an impulse, a change of momentum in N
+s (E-24), and pushes the two bodies apart. Impulses conserve momentum at every restitution, but
+kinetic energy only at restitution 1 (E-7).
 
 Lengths are in m, velocities in m/s.
 """
@@ -26,11 +26,11 @@ DEPTH_TOLERANCE = 1e-9  # m: a smaller depth counts as touching
 class Contact:
     """A contact of a particle with another one, or with the immovable world if ``other`` is None.
 
-    ``normal`` is the unit vector that points from the other to the particle. For two balls it is
+    ``normal`` is the unit vector that points from ``other`` to ``particle``. For two balls it is
     the direction of pa - pb, and on the ground it is (0, 1, 0) (Eq. 7.2, 7.4). It is copied.
     ``restitution`` is the ratio of the separating speed after a bounce to the closing speed before
     it. ``penetration`` is the depth of the overlap. It is 0 when the two just touch, and negative
-    when there is a gap. The attributes may be changed later, and are not checked then.
+    when there is a gap. You may change the attributes later. They are not checked then.
 
     Raises:
         ValueError: if the length of the normal differs from 1 by more than 1e-6, the restitution
@@ -69,9 +69,9 @@ class Contact:
         self.penetration = penetration
 
     def separating_velocity(self) -> float:
-        """Return the separating velocity (va - vb) . n in m/s. It is negative while the two close.
+        """Return the separating velocity (va - vb) . n in m/s, negative for a closing contact.
 
-        Without an other, vb is zero. Book 7.1.1, Eq. 7.2.
+        If ``other`` is None, vb is zero. Book 7.1.1, Eq. 7.2.
         """
         velocity = self.particle.velocity
         if self.other is not None:
@@ -81,16 +81,16 @@ class Contact:
     def velocity_after(self, duration: float = 0.0) -> float:
         """Return the separating velocity in m/s that the contact must have after it is resolved.
 
-        A contact with a separating velocity v_s >= 0 keeps it. A contact that closes (v_s < 0)
-        bounces with the restitution c: the result is -c v_s (Eq. 7.3).
+        If the separating velocity v_s is 0 or positive, the result is v_s. A closing contact (v_s <
+        0) bounces with the restitution c, so the result is -c v_s (Eq. 7.3).
 
-        A body at rest on the ground closes too, because gravity has just accelerated it for one
-        time step. If that bounced, the body would jitter. So if the acceleration closes the
-        contact, (aa - ab) . n < 0, return c (-v_s + (aa - ab) . n h) instead, but never less than
-        0. Here h is the duration of the time step in s, and aa and ab are the last_acceleration of
-        the particles, which includes forces. Use 0 for an immovable or missing particle. The book
-        counts only the constant acceleration, so a body under a gravity generator would jitter
-        (7.2.3, E-26).
+        The contact of a body at rest on the ground is closing too, because gravity has just
+        accelerated the body for one time step. If it bounced, it would jitter. So if the
+        acceleration closes the contact, (aa - ab) . n < 0, return c (-v_s + (aa - ab) . n h)
+        instead, but never less than 0. Here h is the duration of the time step in s, and aa and ab
+        are the last_acceleration of the particles, which includes forces. For an immovable or
+        missing particle use 0. The book counts only the constant acceleration, so a body under a
+        gravity generator would jitter (7.2.3, E-26).
 
         A duration of 0 stands for an impact at one instant, before which no step has accelerated
         the particles.
@@ -114,8 +114,8 @@ class Contact:
     def resolve_velocity(self, duration: float = 0.0) -> None:
         """Apply the impulse that changes the separating velocity to velocity_after(duration).
 
-        The impulse g in N s acts along the normal n, and with the opposite sign on the other:
-        va' = va + n g / ma and vb' = vb - n g / mb. This conserves momentum. Nothing changes if the
+        The impulse g in N s acts along the normal n, and with the opposite sign on ``other``: va' =
+        va + n g / ma and vb' = vb - n g / mb. This conserves momentum. Nothing changes if the
         contact is not closing, or if neither particle can move. Book 7.1.4 and 7.2.1.
 
         Raises:
@@ -134,14 +134,14 @@ class Contact:
     def resolve_penetration(self) -> tuple[Vector3, Vector3]:
         """Move the two particles apart along the normal until they touch, and return both moves.
 
-        The depth d is divided by inverse mass. The particle moves by n d mb / (ma + mb) and the
-        other by -n d ma / (ma + mb). If one of them cannot move, the other one moves by the whole
-        depth. Afterwards the penetration is 0. If the penetration is 0 or negative, or neither
-        particle can move, nothing changes. Book 7.2.2.
+        The depth d is divided in the ratio of the inverse masses. ``particle`` moves by n d mb /
+        (ma + mb) and ``other`` by -n d ma / (ma + mb). If one of them is immovable, the second one
+        moves by the whole depth. Afterwards the penetration is 0. If the penetration is 0 or
+        negative, or neither particle can move, nothing changes. Book 7.2.2.
 
         Returns:
-            The moves of the particle and of the other in m, as two new vectors. The move of a
-            particle that did not move is zero, so no earlier move is applied again (E-27).
+            The displacements of ``particle`` and ``other`` in m, as two new vectors. For a particle
+            that did not move it is zero, so that no earlier displacement is applied again (E-27).
         """
         move, other_move = Vector3(), Vector3()
         total = self._total_inverse_mass()
@@ -173,7 +173,7 @@ class Contact:
 
 
 class ContactGenerator(Protocol):
-    """Any object with this method generates contacts. It need not inherit from this class."""
+    """The interface of a contact generator. A generator need not inherit from this class."""
 
     def contacts(self) -> Iterable[Contact]:
         """Return the current contacts."""
@@ -182,10 +182,10 @@ class ContactGenerator(Protocol):
 class ContactResolver:
     """Resolves the contacts of a time step in two phases: velocities, then penetrations (7.3.1).
 
-    Each phase resolves the worst contact first, and the first of several equally bad ones. This can
-    make other contacts better or worse, so each phase compares all contacts again after every
-    resolution. ``iterations`` limits the resolutions of each phase; None means twice the number of
-    contacts. ``iterations_used`` is the number that both phases used in the last step.
+    Each phase resolves the worst contact first, and the first of several equally bad ones. Each
+    resolution can make other contacts better or worse, so all contacts are compared again after it.
+    ``iterations`` limits the resolutions of each phase; None means twice the number of contacts.
+    ``iterations_used`` is the number that both phases used in the last step.
 
     Raises:
         ValueError: if ``iterations`` is less than 1.
@@ -246,9 +246,9 @@ class ContactResolver:
     def resolve_penetrations(self, contacts: list[Contact], limit: int) -> int:
         """Repeatedly resolve the penetration of the deepest contact.
 
-        Every resolution moves particles, so update the penetration of their other contacts.
-        Subtract the distance that a contact's particle moved along the contact's normal, and add
-        the distance that its other moved along it. The book's listing omits this (E-8).
+        Every resolution moves particles, so update the penetrations of all their contacts. From
+        each, subtract the distance that the contact's ``particle`` moved along its normal, and add
+        the distance that its ``other`` moved along the normal. The book's listing omits this (E-8).
 
         Stop after ``limit`` resolutions, or when no contact is deeper than DEPTH_TOLERANCE. Of
         several equally deep contacts take the first. In every contact at least one particle can

@@ -4,8 +4,8 @@ A link is a contact generator. ``contacts()`` returns a contact for each limit o
 reached, and resolving the contact restores the length. Within its limits a link has no contact.
 
 Lengths are in m. Constructors raise ValueError for a length that is not positive, a restitution
-outside 0 to 1 and anything that is not finite, and TypeError for an argument of the wrong type.
-Attributes may be changed later, as a winch does, and are not checked then.
+outside 0 to 1 and anything that is not finite, and TypeError for an argument of the wrong type. You
+may change the attributes later, as a winch does. They are not checked then.
 """
 
 from __future__ import annotations
@@ -32,8 +32,8 @@ class Cable:
     def contacts(self) -> list[Contact]:
         """Return a contact if the cable is taut, that is, ``max_length`` long or longer.
 
-        Its particle is a and its other b. Its normal points from a to b, and its penetration is
-        the length beyond ``max_length``.
+        The contact's ``particle`` is a and its ``other`` is b. Its normal points from a to b, and
+        its penetration is the length beyond ``max_length``.
         """
         return _of_cable(self, self.a, self.b, self.b.position)
 
@@ -50,7 +50,10 @@ class AnchoredCable:
         self.restitution = a_restitution("restitution", restitution)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact if the cable is taut, without an other. Its normal is to the anchor."""
+        """Return a contact if the cable is taut.
+
+        The contact's ``other`` is None, and its normal points to the anchor.
+        """
         return _of_cable(self, self.particle, None, self.anchor)
 
 
@@ -64,10 +67,11 @@ class Rod:
     def contacts(self) -> list[Contact]:
         """Return a contact if the rod is too long or too short, and no contact otherwise.
 
-        Its particle is a and its other b. Its normal points from a to b if the rod is too long, and
-        away from b if it is too short. Its penetration is the difference from ``length``, always
-        positive, and its restitution is 0. If both ends coincide, +Y is the direction from a to b.
-        The book's text uses two contacts per rod, but the one of its listing is enough (E-9).
+        The contact's ``particle`` is a and its ``other`` is b. Its normal points from a to b if the
+        rod is too long, and away from b if the rod is too short. Its penetration is the difference
+        from ``length``, always positive, and its restitution is 0. If both ends coincide, use +Y as
+        the direction from a to b. The book's text uses two contacts per rod, but one is enough, as
+        in its listing (E-9).
         """
         return _of_rod(self, self.a, self.b, self.b.position)
 
@@ -81,15 +85,16 @@ class AnchoredRod:
         self.length = positive("length", length)
 
     def contacts(self) -> list[Contact]:
-        """Return the contact of a Rod, with the anchor in place of b and without an other."""
+        """Return the contact that a Rod would have, with the anchor as b and None as ``other``."""
         return _of_rod(self, self.particle, None, self.anchor)
 
 
 class Limits:
-    """Exercise 7.6: keeps the distance of two particles from ``min_length`` to ``max_length``.
+    """Exercise 7.6: keeps the distance between two particles within two limits.
 
-    A ``min_length`` of 0 means that there is no lower limit. The constructor also raises ValueError
-    if ``min_length`` is negative or greater than ``max_length``.
+    The distance may be from ``min_length`` to ``max_length``. A ``min_length`` of 0 means that
+    there is no lower limit. The constructor also raises ValueError if ``min_length`` is negative or
+    greater than ``max_length``.
     """
 
     def __init__(
@@ -111,10 +116,10 @@ class Limits:
     def contacts(self) -> list[Contact]:
         """Exercise 7.6: return a contact for each limit that is reached or passed.
 
-        At ``max_length`` or above it is the contact of a cable. At ``min_length`` or below the
-        normal points away from b, and the penetration is ``min_length`` minus the distance. If both
-        limits are reached, return both contacts. If both ends coincide, +Y is the direction from a
-        to b. Each contact has the link's restitution.
+        At ``max_length`` or above, it is the contact of a Cable. At ``min_length`` or below, its
+        normal points away from b, and its penetration is ``min_length`` minus the distance. If both
+        limits are reached, return both contacts in this order. If both ends coincide, use +Y as the
+        direction from a to b. Each contact has the link's restitution.
         """
         offset = self.b.position - self.a.position
         length = offset.magnitude()
@@ -133,17 +138,17 @@ class TwoSidedRod(Rod):
     """Going further, G7.1: a rod that both pulls and pushes, whatever its length is.
 
     A Rod that has the right length, or is a little too short, has no contact that pulls. If its
-    ends fly apart, it lets them go for one step. In a chain, correcting one rod makes the next one
-    wrong. So a pull travels only about one link per step, however many iterations there are.
+    ends fly apart, nothing stops them for one step. In a chain, correcting one rod makes the next
+    one wrong. So a pull travels only about one link per step, however many iterations there are.
     """
 
     def contacts(self) -> list[Contact]:
         """G7.1: return two contacts in every case: one that pulls, then one that pushes.
 
-        The first is the contact of a cable, with the normal from a to b and the length beyond
-        ``length`` as its penetration, which may be negative. The second has the opposite normal and
+        The first is like the contact of a Cable: its normal points from a to b. Its penetration is
+        the distance minus ``length`` and may be negative. The second has the opposite normal and
         the opposite penetration. The velocity phase then stops the ends in both directions. If both
-        ends coincide, +Y is the direction from a to b.
+        ends coincide, use +Y as the direction from a to b.
         """
         offset = self.b.position - self.a.position
         excess = offset.magnitude() - self.length
@@ -157,7 +162,7 @@ class TwoSidedRod(Rod):
 def _of_cable(
     cable: Cable | AnchoredCable, particle: Particle, other: Particle | None, end: Vector3
 ) -> list[Contact]:
-    """Return the contact of a cable from a particle to an end, the position of other or anchor."""
+    """Return the contact of a cable. ``end`` is the position of ``other`` or of the anchor."""
     offset = end - particle.position
     excess = offset.magnitude() - cable.max_length
     if excess < 0.0:
@@ -168,7 +173,7 @@ def _of_cable(
 def _of_rod(
     rod: Rod | AnchoredRod, particle: Particle, other: Particle | None, end: Vector3
 ) -> list[Contact]:
-    """Return the contact of a rod from a particle to an end, the position of other or anchor."""
+    """Return the contact of a rod. ``end`` is the position of ``other`` or of the anchor."""
     offset = end - particle.position
     excess = offset.magnitude() - rod.length
     if excess == 0.0:
@@ -180,7 +185,7 @@ def _of_rod(
 
 
 def two_particles(a: Particle, b: Particle) -> tuple[Particle, Particle]:
-    """Return both ends. Raise TypeError for other types, ValueError if both are the same."""
+    """Return both ends. Raise TypeError for a wrong type, ValueError if both are the same."""
     instance_of("a", a, Particle)
     if instance_of("b", b, Particle) is a:
         raise ValueError(f"a and b must be two different particles, got {b!r} twice")

@@ -21,8 +21,8 @@ def fewest_rods(count: int) -> int:
     """Return the smallest number of rods that can make ``count`` particles in space rigid (8.2).
 
     Each particle can move in three independent ways. A rigid body can move in six: along three axes
-    and about them. Two particles with a rod have only five, because rotating about the rod changes
-    nothing, and a single particle has three.
+    and about them. Two particles joined by a rod can move in only five, because a rotation about
+    the rod changes nothing. A single particle can move in only three.
 
     Raises:
         ValueError: if count is less than 1.
@@ -35,9 +35,9 @@ def fewest_rods(count: int) -> int:
 def cube_rods() -> list[tuple[int, int]]:
     """Return rods that make the cube rigid, as pairs of indices of CORNERS (8.2).
 
-    Every set of rods is right that allows no motion except that of a rigid body. You need at least
-    as many as fewest_rods(8), but that number alone is not enough: the rods must also be in the
-    right places.
+    Any set of rods is right if it allows only the motions of a rigid body. You need at least
+    fewest_rods(8) rods, but the number alone is not enough. The rods must also join the right
+    corners.
     """
     edges = [(i, i | bit) for i in range(8) for bit in (1, 2, 4) if not i & bit]
     # One diagonal per face, here between corners 0, 3, 5 and 6, which form a tetrahedron.
@@ -48,8 +48,8 @@ def cube_rods() -> list[tuple[int, int]]:
 class Cube:
     """A cube that falls on one of its corners: its ``particles``, ``rods`` and ``world``.
 
-    It starts at rest, slightly rotated, with its lowest corner at this height in m. ``rods`` are
-    pairs of indices of its corners. None stands for cube_rods().
+    The cube starts at rest, slightly rotated, with its lowest corner at ``height`` in m. ``rods``
+    are pairs of indices of its corners. If it is None, the cube has the rods of cube_rods().
 
     Raises:
         ValueError: if the height is not positive and finite, or a rod joins a corner to itself.

@@ -2,8 +2,8 @@
 
 One picture may take 5 ms and the next half a second, for example while the disk is busy. With time
 steps of those lengths, bodies would pass through each other or the simulation would explode. A
-fixed time step prevents this, and it gives the same run on every machine. Arguments of the wrong
-type raise TypeError.
+fixed time step prevents this, and makes a run come out the same on every machine. Arguments of the
+wrong type raise TypeError.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ class FixedStep:
     s that has passed but has not been simulated yet. It is less than one step, and never negative
     except for rounding.
 
-    A machine that is too slow for its own steps would fall further and further behind.
-    ``max_steps`` limits the steps of one call of advance, and ``dropped`` is the total time in s
-    that was skipped because of it. None means no limit.
+    A machine that is too slow for the steps would fall further and further behind. ``max_steps``
+    therefore limits the steps in one call of ``advance``. None means no limit. ``dropped`` is the
+    total time in s that was skipped because of the limit.
 
     Raises:
         ValueError: if the duration is not positive and finite, or max_steps is less than 1.
@@ -50,13 +50,13 @@ class FixedStep:
     def advance(self, elapsed: float) -> int:
         """Let ``elapsed`` seconds pass: make the steps that are due, and return how many were made.
 
-        Time that is too short for a step is kept in left for the next call. If only SHARE of a step
-        or less is missing, the step is due, so that sixty frames of 1/60 s make exactly sixty
-        steps. If more than max_steps are due, the steps beyond the limit are not made. Their time
-        is subtracted from left and added to dropped.
+        Time that is too short for a step stays in ``left`` until the next call. A step is also due
+        if at most the fraction SHARE of it is missing. Because of that, sixty frames of 1/60 s make
+        exactly sixty steps. If more than ``max_steps`` steps are due, skip the steps beyond the
+        limit: subtract their time from ``left`` and add it to ``dropped``.
 
-        If a step raises an exception, it is passed on. The time of that step has not been
-        subtracted from left, so the next call makes it again.
+        If a step raises an exception, the exception is passed on. The time of that step stays in
+        ``left``, so the next call makes the step again.
 
         Raises:
             ValueError: if elapsed is negative or not finite. Nothing has changed then.

@@ -28,7 +28,7 @@ SAME = 0.01  # a change of the acceleration by this fraction or less wakes nothi
 
 @dataclass(frozen=True)
 class Sleep:
-    """What a particle gets back when it wakes, and what must not change until then."""
+    """What a sleeping particle gets back when it wakes, and the state that must not change."""
 
     inverse_mass: float  # 1/kg
     place: tuple[float, float, float]  # m
@@ -37,12 +37,12 @@ class Sleep:
 
 
 class SleepingWorld(ParticleWorld):
-    """A ParticleWorld in which particles at rest fall asleep, together with all that they touch.
+    """A ParticleWorld in which particles at rest fall asleep, together with what they touch.
 
-    A particle is slow if its kinetic energy per kg of its mass is ``sleep_energy`` in J/kg or less
-    at the end of a step. It is tired after ``sleep_frames`` slow steps in a row. A sleeping
-    particle has no velocity and a mass of math.inf. ``asleep`` is a dict from each sleeping
-    particle to its Sleep.
+    A particle is slow if its kinetic energy per kg of mass is at most ``sleep_energy`` in J/kg at
+    the end of a step. It is tired after ``sleep_frames`` slow steps in a row. A sleeping particle
+    has no velocity and a mass of math.inf. ``asleep`` is a dict from each sleeping particle to its
+    Sleep.
 
     Wake a sleeping particle yourself before you move the ground or an anchor under it, join
     something new to it, or make it immovable.
@@ -103,9 +103,9 @@ class SleepingWorld(ParticleWorld):
         """Wake the sleeping particles whose force generators push in a new way.
 
         The acceleration now is a + f / m, where f is the sum of the generators' forces. Compare it
-        with the acceleration when the particle fell asleep. If the change is more than SAME times
-        the size of what acts, the particle wakes. This size is |a| + |f / m| now, or the magnitude
-        of the old acceleration if that is larger.
+        with the acceleration when the particle fell asleep. The particle wakes if the change is
+        more than SAME times the larger of two sizes: |a| + |f / m| now, and the magnitude of the
+        old acceleration.
 
         Only generators that are registered for sleeping particles are called, and each particle has
         its own mass during the call. The accumulators of sleeping particles are empty before and
@@ -134,13 +134,13 @@ class SleepingWorld(ParticleWorld):
         return woken
 
     def fall_asleep(self, contacts: Iterable[Contact]) -> None:
-        """Count one step, and put every group to sleep in which all particles are tired.
+        """Count one step, and put to sleep every group in which all particles are tired.
 
         Two particles are in the same group if they were in contact in one of the last sleep_frames
         steps, or if a generator of the registry joins them, directly or through other particles. A
         group falls asleep as a whole or not at all. Immovable particles join nothing and never
-        sleep. A particle that falls asleep is added to asleep, and its velocity and inverse_mass
-        become 0.
+        sleep. A particle that falls asleep is added to ``asleep``, and its ``velocity`` and
+        ``inverse_mass`` become 0.
         """
         awake = [particle for particle in self.particles if particle.inverse_mass]
         self._count_slow_frames(awake)
@@ -161,7 +161,7 @@ class SleepingWorld(ParticleWorld):
           that are pushed in a new way.
         - If all particles sleep, nothing else is done.
         - Call the integrator with the particles that are awake, and no others.
-        - Find the contacts. As long as they wake a sleeping particle, find them again.
+        - Find the contacts. If they wake a sleeping particle, find them again, until none wakes.
         - Resolve the contacts, and then let tired groups fall asleep.
 
         Raises:

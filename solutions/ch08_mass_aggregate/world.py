@@ -1,4 +1,4 @@
-"""The particle world, which runs forces, integrator and contacts in the right order (book 8.1).
+"""The particle world, which applies forces, integrates and resolves contacts in order (book 8.1).
 
 Lengths are in m, masses in kg, times in s, energies in J. Arguments of the wrong type raise
 TypeError.
@@ -19,11 +19,11 @@ from ch07_constraints.detectors import some_particles
 class ParticleWorld:
     """A set of particles with the forces, the integrator and the contacts that move them.
 
-    ``particles`` and ``contact_generators`` are copied into new lists, to which you may append
-    later. A particle may be listed only once. ``registry`` is an empty ForceRegistry,
-    ``integrator`` can be any integrator of chapter 6, and ``resolver`` is a ContactResolver with
-    this number of ``iterations``. The number of contacts in a step is not limited. The book's world
-    has a maximum and silently drops the contacts beyond it.
+    ``particles`` and ``contact_generators`` are copied into new lists, which you may extend later.
+    A particle may be listed only once. ``registry`` is an empty ForceRegistry, ``integrator`` can
+    be any integrator of chapter 6, and ``resolver`` is a ContactResolver with the limit
+    ``iterations``. The number of contacts in a step is not limited. The book's world has a maximum
+    and silently drops the contacts beyond it.
 
     Raises:
         ValueError: if a particle is listed twice, or the resolver rejects iterations.
@@ -73,10 +73,10 @@ class ParticleWorld:
     def run_physics(self, duration: float) -> None:
         """Move the world forward by one time step of this duration in s.
 
-        First the integrator moves the particles. The forces on them are those of the registry and
-        those that were added by hand since start_frame. Then every generator is asked once for the
-        contacts at the new positions, and the resolver gets all contacts in one call. If there are
-        no contacts, the resolver is not called. Book 8.1.
+        First the integrator moves the particles. The forces on them come from the registry and from
+        calls of add_force since start_frame. Then every generator is asked once for the contacts at
+        the new positions, and the resolver gets all contacts in one call. If there are no contacts,
+        the resolver is not called. Book 8.1.
 
         Raises:
             ValueError: if the duration is not positive and finite. Nothing has changed then.

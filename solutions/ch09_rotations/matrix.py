@@ -1,6 +1,7 @@
 """Matrices that rotate, scale and move points, and a change of basis (book 9.4.2 to 9.4.6).
 
-Columns, products and errors are as in matrix3.py. You can import Matrix3 from here, too.
+The conventions for columns, products and errors are those of matrix3.py. You can import Matrix3
+from here, too.
 """
 
 from __future__ import annotations
@@ -18,10 +19,10 @@ M = TypeVar("M", "Matrix3", "Matrix4")
 
 
 class Matrix4:
-    """A 3x4 matrix of twelve numbers, row by row: a Matrix3 and, as last column, a translation.
+    """A 3x4 matrix of twelve numbers, row by row: a Matrix3 with a translation as fourth column.
 
     ``m[row, column]`` reads one number, with rows from 0 to 2 and columns from 0 to 3. ``entries``
-    is the tuple of all.
+    is the tuple of all twelve.
     """
 
     __slots__ = ("entries",)
@@ -61,7 +62,10 @@ class Matrix4:
         return self.product(other) if isinstance(other, Matrix4) else NotImplemented
 
     def transform(self, v: Vector3) -> Vector3:
-        """Return a point transformed, translation included, as a new vector. Also m @ v (9.4.2)."""
+        """Return the transformed point, with the translation added, as a new vector (9.4.2).
+
+        It can also be written m @ v.
+        """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
         x, y, z = v.x, v.y, v.z
@@ -71,28 +75,30 @@ class Matrix4:
         )
 
     def product(self, m: Matrix4) -> Matrix4:
-        """Return the product self m: m first, then self. Also written self @ m (9.4.2)."""
+        """Return the matrix product self @ m, which applies m first and then self (9.4.2)."""
         if not isinstance(m, Matrix4):
             raise TypeError(f"m must be a Matrix4, got {m!r}")
         linear = _linear(self).product(_linear(m))
         return _joined(linear, self.transform(_translation(m)))
 
     def determinant(self) -> float:
-        """Return the determinant without the translation. The book has a wrong sign (E-28)."""
+        """Return the determinant of the 3x3 part. The book's listing has a wrong sign (E-28)."""
         return _linear(self).determinant()
 
     def inverse(self) -> Matrix4:
-        """Return the inverse (9.4.3, E-13, E-29, E-30).
+        """Return the inverse as a new matrix (9.4.3).
+
+        The book's listings contain errors (E-13, E-29, E-30).
 
         Raises:
-            ValueError: if Matrix3.inverse refuses the nine numbers without the translation.
+            ValueError: if Matrix3.inverse rejects the nine numbers without the translation.
         """
         back = _linear(self).inverse()
         return _joined(back, -back.transform(_translation(self)))
 
     @staticmethod
     def from_orientation_and_position(q: Quaternion, p: Vector3) -> Matrix4:
-        """Return the matrix from object coordinates to world coordinates: rotate by q, add p.
+        """Return the matrix from object to world coordinates, which rotates by q and then adds p.
 
         Raises:
             ValueError: if the quaternion's length is not 1 (is_unit).
@@ -102,9 +108,10 @@ class Matrix4:
         return _joined(Matrix3.from_quaternion(q), p)
 
     def transform_inverse(self, v: Vector3) -> Vector3:
-        """Return the point that transform() takes to v: subtract the translation, rotate back.
+        """Return the point that transform() maps to v, as a new vector (9.4.5).
 
-        It rotates back by the transpose, which is right only for a rotation (9.4.5).
+        Subtract the translation, then multiply by the transpose. The transpose rotates back, so
+        this is right only if the 3x3 part is a rotation.
         """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
@@ -130,9 +137,9 @@ class Matrix4:
 
 
 def change_basis(m: M, basis: M) -> M:
-    """Return m expressed in other axes, basis m basis^-1 (9.4.6).
+    """Return m expressed in other axes: the product basis * m * basis^-1 (9.4.6).
 
-    ``basis`` takes coordinates in the old axes, those of ``m``, to coordinates in the new ones.
+    ``basis`` converts coordinates in the old axes, those of ``m``, to coordinates in the new axes.
 
     Raises:
         ValueError: if the basis has no inverse.
@@ -144,13 +151,13 @@ def change_basis(m: M, basis: M) -> M:
 
 
 def _linear(m: Matrix4) -> Matrix3:
-    """Return the matrix without the translation."""
+    """Return the 3x3 part of a matrix, without the translation."""
     a, b, c, _, d, e, f, _, g, h, i, _ = m.entries
     return Matrix3(a, b, c, d, e, f, g, h, i)
 
 
 def _translation(m: Matrix4) -> Vector3:
-    """Return the translation."""
+    """Return the translation of a matrix as a vector."""
     return Vector3(m.entries[3], m.entries[7], m.entries[11])
 
 

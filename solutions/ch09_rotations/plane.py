@@ -16,7 +16,7 @@ Point = tuple[float, float]
 
 
 def wrap_angle(angle: float) -> float:
-    """Return the angle above -pi and up to pi that has the same direction (9.1.1).
+    """Return the angle in the range -pi < angle <= pi that has the same direction (9.1.1).
 
     Angles that differ by 2 pi have the same direction. For both pi and -pi the result is pi.
     """
@@ -31,10 +31,10 @@ def angle_to_vector(angle: float) -> Point:
 
 
 def rotate_point(point: Point, angle: float, origin: Point) -> Point:
-    """Return the position in the world of a point of an object (Eq. 9.2).
+    """Return the world position of a point of an object (Eq. 9.2).
 
-    ``point`` is relative to the object. ``angle`` is the object's orientation in the world and
-    ``origin`` its position. Rotate the point first, then add origin.
+    ``point`` is relative to the object. ``angle`` is the object's orientation in the world, and
+    ``origin`` is its position. Rotate the point first, then add ``origin``.
 
     >>> x, y = rotate_point((1.5, -0.75), 3 * math.pi / 8, (4, 3.85))  # a headlight of a car
     >>> round(x, 2), round(y, 2)
@@ -52,8 +52,8 @@ def center_of_mass(masses: Sequence[float], positions: Sequence[Point]) -> Point
     Masses are in kg and positions in m, one position per mass, in the same order.
 
     Raises:
-        ValueError: also if there are no masses, if the numbers of masses and positions differ, or
-            if a mass is not positive.
+        ValueError: also if there are no masses, if the number of masses is not that of positions,
+            or if a mass is not positive.
     """
     if not masses or len(masses) != len(positions):
         raise ValueError(

@@ -1,8 +1,9 @@
 """Orientations in space as quaternions (book 9.2.4 and 9.4.7 to 9.4.11).
 
-A quaternion of length 1 stands for an orientation. A rotation by ``angle`` about the unit vector
-``axis`` is (cos(angle/2), axis sin(angle/2)), and q and -q are the same orientation. Rotations are
-right-handed, and about world axes, as in the book: ``b * a`` rotates by a first and then by b.
+A quaternion of length 1 represents an orientation. A rotation by ``angle`` about the unit vector
+``axis`` is (cos(angle/2), axis sin(angle/2)), and q and -q represent the same orientation.
+Rotations are right-handed and about world axes, as in the book: ``b * a`` rotates by a first and
+then by b.
 
 The methods raise TypeError for an argument of the wrong type. A vector that is rotated may have any
 components, even NaN.
@@ -24,8 +25,8 @@ UNIT_TOLERANCE = 1e-6
 class Quaternion:
     """Four components: the scalar r, and i, j and k along X, Y and Z (Eq. 9.4).
 
-    Any components are allowed until the quaternion has to rotate something. They are converted by
-    float(). Quaternion() is the reference orientation, which rotates nothing.
+    The components are converted by float() and may have any values until the quaternion has to
+    rotate something. Quaternion() is the reference orientation, which rotates nothing.
     """
 
     __slots__ = ("i", "j", "k", "r")
@@ -51,7 +52,7 @@ class Quaternion:
         yield self.k
 
     def __eq__(self, other: object) -> bool:
-        """Compare exactly. q and -q differ, although they are the same orientation."""
+        """Compare exactly. q and -q differ, although they represent the same orientation."""
         if not isinstance(other, Quaternion):
             return NotImplemented
         return [*self] == [*other]
@@ -63,7 +64,7 @@ class Quaternion:
     def magnitude(self) -> float:
         """Return the length, sqrt(r^2 + i^2 + j^2 + k^2). It is 1 for an orientation.
 
-        It must be right for components as large as 1e200 and as small as 1e-200 too.
+        The result must also be right for components as large as 1e200 and as small as 1e-200.
         """
         return math.hypot(self.r, self.i, self.j, self.k)
 
@@ -72,9 +73,9 @@ class Quaternion:
         return abs(self.magnitude() - 1.0) <= UNIT_TOLERANCE
 
     def normalize(self) -> None:
-        """Divide all components by the length, in place. Zero becomes (1, 0, 0, 0) (9.4.8).
+        """Divide all components by the length, in place (9.4.8). Zero becomes (1, 0, 0, 0).
 
-        It must be right for components as large as 1e200 and as small as 1e-200 too.
+        The result must also be right for components as large as 1e200 and as small as 1e-200.
         """
         length = self.magnitude()
         if length == 0.0:
@@ -86,11 +87,11 @@ class Quaternion:
         self.k /= length
 
     def conjugate(self) -> Quaternion:
-        """Return a new quaternion (r, -i, -j, -k), the opposite rotation if the length is 1."""
+        """Return the new quaternion (r, -i, -j, -k). For a unit quaternion, it rotates back."""
         return Quaternion(self.r, -self.i, -self.j, -self.k)
 
     def __mul__(self, q: Quaternion) -> Quaternion:
-        """Return the product self q as a new quaternion: q first, then self (9.4.9)."""
+        """Return the new quaternion self * q, which rotates by q first and then by self (9.4.9)."""
         if not isinstance(q, Quaternion):
             return NotImplemented
         return Quaternion(
@@ -119,8 +120,8 @@ class Quaternion:
     def to_axis_angle(self) -> tuple[Vector3, float]:
         """Return the axis, a new unit vector, and the angle in radians, from 0 to pi.
 
-        q and -q give the same rotation. A half-turn may have either of its two axes. For an angle
-        of 0 the axis is X. Angles as small as 1e-200 must be right too.
+        q and -q give the same rotation. For a half-turn, the axis and its opposite are both right.
+        For an angle of 0 the axis is X. The result must be right for angles as small as 1e-200 too.
 
         Raises:
             ValueError: if the length is not 1 (is_unit).
@@ -138,7 +139,8 @@ class Quaternion:
         """Return the rotated vector q (0, v) q* as a new vector.
 
         Raises:
-            ValueError: if the quaternion's length is not 1 (is_unit), since it would scale v.
+            ValueError: if the quaternion's length is not 1 (is_unit), because it would then scale
+                v.
         """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
@@ -152,11 +154,11 @@ class Quaternion:
         return turned
 
     def rotate_by(self, vector: Vector3) -> None:
-        """Rotate about the direction of a vector by its length in radians, in place.
+        """Rotate in place about the direction of a vector, by the vector's length in radians.
 
-        The axis is in world axes, and a zero vector rotates nothing. The result is
-        exp((0, vector)/2) q, of which Eq. 9.9 is the first-order approximation. The book's listing
-        multiplies by (0, vector), which is not a rotation, and on the wrong side (E-12).
+        The vector is in world axes, and a zero vector rotates nothing. The result is exp((0,
+        vector)/2) q, of which Eq. 9.9 is a first-order approximation. The book's listing multiplies
+        by (0, vector), which is not a rotation, and on the wrong side (E-12).
 
         Raises:
             ValueError: if the vector is not finite.
@@ -169,8 +171,9 @@ class Quaternion:
     def add_scaled(self, vector: Vector3, scale: float) -> None:
         """Add scale/2 times (0, vector) q to q, in place (Eq. 9.5).
 
-        With an angular velocity and a duration this is the book's step, which is accurate to first
-        order. It makes the length grow (E-31). Do not normalize here, so that this can be measured.
+        If the vector is an angular velocity and the scale a duration, this is the book's step. The
+        step is accurate only to first order, and it increases the quaternion's length (E-31). Do
+        not normalize here, so that this error can be measured.
 
         Raises:
             ValueError: if the vector or the scale is not finite. Nothing is changed then.

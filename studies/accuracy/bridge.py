@@ -139,7 +139,7 @@ def hanging(extra: float = 0.0) -> list[Place]:
 
 
 def two_sided(rows: list[Row]) -> list[ContactGenerator]:
-    """Return rods that pull and push in place of all links. This works as all cables are taut."""
+    """Return two-sided rods in place of all links, which works because all cables are taut."""
     found: list[ContactGenerator] = []
     for link in links_of(rows):
         if isinstance(link, AnchoredCable):

@@ -173,7 +173,7 @@ def said(found: Row) -> str:
 
 
 def told(side: Side) -> str:
-    """Describe one side of a row: its model and time, or why there is none.
+    """Describe one side of a row: its model and time, or the reason why it has none.
 
     A time that is extrapolated is marked with its order of convergence.
     """
@@ -184,9 +184,9 @@ def told(side: Side) -> str:
 
 
 def told_ratio(found: Row) -> str:
-    """Describe how many times as long pymunk takes: a number, a bound, or nothing.
+    """Return pymunk's time as a multiple of ours, as text: a number, a bound, or an empty string.
 
-    A number that is based on an extrapolated time begins with ~.
+    A number that is based on an extrapolated time begins with "~".
     """
     low, high = found.bounds
     if found.ratio:
@@ -202,7 +202,7 @@ def _number(value: float) -> str:
 
 
 def styles_of(points: Sequence[Point]) -> dict[str, dict[str, Any]]:
-    """Return the style of each model: pymunk's are black and gray, and the book's are red.
+    """Return the style of each model: pymunk's models are black and gray, and the book's are red.
 
     The integrators of chapter 6 have their own colors. The other models get the remaining colors.
     """

@@ -44,7 +44,7 @@ class Row:
 
     @property
     def ratio(self) -> float | None:
-        """How many times as long pymunk takes, or None if a time is unknown."""
+        """Pymunk's time as a multiple of ours, or None if a time is unknown."""
         if self.ours.time is None or self.pymunk.time is None:
             return None
         return self.pymunk.time / self.ours.time

@@ -1,8 +1,9 @@
-"""What the charts compare: a scene, its exact solution, and the models that run it.
+"""The subject of a chart: a scene, its exact solution, and the models that run it.
 
 A model returns the positions at the end of every frame, at 60 frames per second, and may make any
 number of steps in between. Its error is the largest deviation of any coordinate from the exact
-solution at any of these times, in units of the scene's scale. A single good moment does not count.
+solution at any of these times, in units of the scene's scale. Being right at a single moment is
+therefore not enough.
 """
 
 from __future__ import annotations

@@ -97,7 +97,7 @@ def by_direct_solve(rate: int) -> tuple[float, float]:
 
 
 def by_pymunk(rate: int) -> tuple[float, float]:
-    """Return the same for pymunk's pin joints, with the default of 10 iterations."""
+    """Return the tip's position for pymunk's pin joints, with the default of 10 iterations."""
     space = pymunk.Space()
     space.gravity = (0.0, -GRAVITY)
     before = space.static_body

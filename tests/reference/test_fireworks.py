@@ -211,12 +211,12 @@ def test_a_seed_gives_the_same_show_to_the_last_bit() -> None:
         (
             lambda: FireworksShow([simple(1), simple(1)], 5, 1),
             ValueError,
-            "rules must have one rule a type, got two of type 1",
+            "rules must have different types, got two of type 1",
         ),
         (
             lambda: FireworksShow([simple(1, 1.0, Payload(7, 1))], 5, 1),
             ValueError,
-            "got type 1 with payload 7 and no rule for that",
+            "got type 1 with a payload of type 7 and no rule for it",
         ),
         (lambda: FireworksShow([simple(1)], 0, 1), ValueError, "capacity must be 1 or more, got 0"),
         (

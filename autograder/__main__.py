@@ -85,7 +85,7 @@ def run_check(arguments: argparse.Namespace) -> bool:
         chapter, exercise = find_exercise(arguments.exercise, chapters)
         chapters = [chapter]
     elif arguments.only:
-        raise ValueError("--only goes with --exercise")
+        raise ValueError("--only requires --exercise")
     engine = find_engine(arguments.engine)
     given, chapters = split_given(chapters, arguments.given)
     return not check(chapters, exercise, engine, arguments.seed, given, only=arguments.only)

@@ -1,4 +1,4 @@
-"""Find the functions that a module defines, by the names that manifests use."""
+"""Find the functions that a module defines, under the names that manifests use."""
 
 from __future__ import annotations
 

@@ -43,7 +43,7 @@ class Result:
 
     @property
     def on_chart(self) -> Point | None:
-        """The work's position on the exercise's chart, or None if no check reported one."""
+        """The submission's position on the exercise's chart, or None if no check reported one."""
         return next((check.on_chart for check in self.checks if check.on_chart), None)
 
 

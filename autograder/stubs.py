@@ -117,7 +117,7 @@ def complete_hashes(root: Path = ROOT) -> dict[str, str]:
 def _read(file: Path) -> str | None:
     """Return the text of a file, or None if there is no file.
 
-    Invalid UTF-8 is replaced, so that such a file counts as edited.
+    Invalid UTF-8 is replaced, so that a file with any counts as edited.
     """
     return file.read_text(encoding="utf-8", errors="replace") if file.exists() else None
 
@@ -163,7 +163,7 @@ def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
 def _helpers_of(
     defined: dict[str, ast.FunctionDef], messages: dict[str, str], gone: set[str]
 ) -> dict[str, str]:
-    """Return the functions that only removed bodies use, each with the message of its first user.
+    """Return the functions that only removed bodies use, each with its first user's message.
 
     If several functions share a short name, such as the methods of a Protocol, a use may refer to
     any of them, so none is returned.

@@ -26,7 +26,7 @@ def exercise_table(chapter: Chapter) -> str:
 
 
 def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
-    """Return each file with the functions to write in it, and the files of data.
+    """Return each file with the functions to write in it, and the data files.
 
     A method is named with its class if several classes of the file have a method of that name.
     """

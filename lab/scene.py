@@ -111,7 +111,7 @@ class Scene:
         self.time += duration
 
     def error(self) -> float | None:
-        """Return the largest deviation of a coordinate from its exact value, or None if unknown."""
+        """Return the largest error of a coordinate, or None if the exact values are unknown."""
         exact = self.exact(self.time)
         if exact is None:
             return None

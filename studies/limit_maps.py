@@ -167,9 +167,9 @@ def _draw_errors(axes: Axes, losses: Sequence[Loss]) -> None:
     """Draw the relative difference between the simulated and the predicted number of steps.
 
     An oscillation from rest is the sum of two eigenvectors. Near a limit the two are almost equal,
-    so the growing part may be much larger than the sum, or half of it. Then the oscillation is a
-    million times as large sooner or later than predicted. Far outside the limit, rounding to whole
-    steps makes a difference.
+    so the growing part may be much larger than the sum, or half of it. The oscillation then reaches
+    a million times its size sooner or later than predicted. Far outside the limit, rounding to
+    whole steps makes a difference.
     """
     for name in LOST:
         own = [row[2:] for row in losses if row[0] == name]

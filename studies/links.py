@@ -1,4 +1,4 @@
-"""The positions of a link's ends, and the excess length of the worst cable."""
+"""Measure links: the positions of their ends, and the excess length of the worst cable."""
 
 from __future__ import annotations
 

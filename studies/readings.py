@@ -50,7 +50,7 @@ def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
 def numbers(v: Any) -> Numbers:
     """Return the components of an engine's vector, with NaN for anything that is not a number.
 
-    A plot of a wrong engine then lacks a curve, but it does not crash.
+    The plot of a wrong engine then lacks a curve, but drawing it does not fail.
     """
     return (
         number(getattr(v, "x", None)),

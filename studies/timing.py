@@ -2,7 +2,8 @@
 
 A ratio is similar on all machines, but seconds are not. The two times of a ratio are measured
 directly one after the other. The rounds of all lines are mixed, so that a slow minute of the
-machine does not spoil a single line. A line reports the median and the quartiles of its rounds.
+machine affects all lines a little instead of one line a lot. A line reports the median and the
+quartiles of its rounds.
 """
 
 from __future__ import annotations
@@ -96,7 +97,7 @@ def both(first: Timer, second: Timer) -> tuple[float, float]:
 def warm(timed: Timer) -> float:
     """Return a time. If it is below LEAST, return the mean of several further runs.
 
-    The first run finds other data in the caches, which would dominate a short time.
+    The first run finds the caches filled with other data, and would dominate a short time.
     """
     taken = timed()
     if taken >= LEAST:

@@ -2,8 +2,8 @@
 
 Where work is graded, a sandbox refuses all of this. Here, Python's audit events announce most such
 operations before they happen, and this module refuses them with the same errors. It does not
-withstand hostile code as the sandbox does. Its purpose is that students find out at home. An
-operation without an audit event, such as os.pipe, is carried out.
+withstand hostile code as the sandbox does. Its purpose is that students learn at home what grading
+will refuse. An operation without an audit event, such as os.pipe, is carried out.
 """
 
 from __future__ import annotations

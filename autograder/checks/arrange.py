@@ -16,9 +16,10 @@ class Behind:
     """How untrusted code is confined: it runs in workers, inside a sandbox.
 
     ``level`` names the layers of the sandbox (a sandbox.Level as a dict). ``fresh`` starts a new
-    interpreter for each check. ``missing`` gives, for each module that was not taken, the reason.
+    interpreter for each check. ``missing`` maps each module that was not taken to the reason.
     ``hidden`` is a folder of additional checks, of which students see only the rationale.
-    ``for_instructor`` shows their full messages, since only an instructor reads them.
+    ``for_instructor`` shows the full messages of hidden checks, because only an instructor reads
+    them.
     """
 
     level: dict[str, bool]
@@ -64,9 +65,8 @@ class Arranged:
 class Config:
     """The configuration of a check process: its files, its settings and the remaining checks.
 
-    ``apart`` runs the checks of each exercise in a copy of the process. ``broken`` gives, for each
-    module that cannot be imported, the reason. ``done`` names the checks that already have a
-    verdict.
+    ``apart`` runs the checks of each exercise in a copy of the process. ``broken`` maps each module
+    that cannot be imported to the reason. ``done`` names the checks that already have a verdict.
     """
 
     arranged: Arranged
@@ -154,7 +154,7 @@ def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) 
 def _modules(
     chapter: Chapter, chapters: list[Chapter], engine: list[Path], root: Path
 ) -> list[str]:
-    """Return the modules to import one by one before the checks, so that a bad one stops no other.
+    """Return the modules to import before the checks, one by one, so that each can fail alone.
 
     Earlier chapters that have no manifest here, as in some hand-outs, are included with all files.
     """

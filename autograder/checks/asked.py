@@ -15,7 +15,7 @@ Returned = TypeVar("Returned")
 
 
 class Words(TypedDict, total=False):
-    """The context of one expectation, in place of the check's own. ``then`` follows the call."""
+    """The context of one expectation, which replaces the check's. ``then`` is added to the call."""
 
     call: str
     then: str
@@ -24,9 +24,10 @@ class Words(TypedDict, total=False):
 
 
 class About:
-    """The context of the running check. Calling it changes the parts that are given.
+    """The context of the running check: call, cause and reading.
 
-    A part may also be assigned: about.call += "; v.x".
+    Calling the object sets the parts that are passed and keeps the others. A part may also be
+    assigned: about.call += "; v.x".
     """
 
     def __init__(self) -> None:
@@ -40,7 +41,7 @@ class About:
         self.read = self.read if read is None else read
 
     def but(self, words: Words) -> tuple[str, str, str]:
-        """Return call, cause and reading, with ``words`` in place of the check's own."""
+        """Return call, cause and reading, with ``words`` in place of the check's parts."""
         call = words.get("call", self.call) + words.get("then", "")
         return call, words.get("cause", self.cause), words.get("read", self.read)
 

@@ -21,7 +21,7 @@ OPERATORS = {  # as checks write them in their calls
 
 
 def calls(expression: str, name: str) -> bool:
-    """Return whether the expression of a check calls the body with this name."""
+    """Return whether the expression of a check calls the function with this manifest name."""
     short = own_name(name)
     pattern = rf"\b{short}\(|\.{short}\b(?! =)"  # a function, a method or a property
     if short in OPERATORS:
@@ -33,6 +33,6 @@ def calls(expression: str, name: str) -> bool:
 
 
 def names_class(expression: str, name: str) -> bool:
-    """Return whether the expression constructs the class of a method; True for a function."""
+    """Return whether the expression constructs the class of a method. A function counts as True."""
     _, *path = name.split(".")
     return len(path) == 1 or re.search(rf"\b{path[0]}\(", expression) is not None

@@ -58,8 +58,8 @@ def run_on_given(
 ) -> list[Verdict]:
     """Return the verdicts of a second run, on the reference's chapters ``below``.
 
-    There is no second run, and so no verdicts, if the reference is not available, if nothing is
-    lost except for bodies that are not written yet, or if this chapter has an endless loop.
+    There is no second run, and the result is empty, if the reference is not available, if only
+    bodies that are not written yet lose checks, or if this chapter has an endless loop.
 
     Raises:
         GraderError: The checks cannot be run.
@@ -102,7 +102,7 @@ def suspects(
     """Return the earlier chapters that fail checks of their own, for use without a second run.
 
     Without a second run, it is unknown which failures are inherited. But students should know that
-    some may be.
+    an earlier chapter may be the cause.
     """
     lost = [verdict for verdict in verdicts if verdict.status in LOST]
     if all(_is_unwritten(verdict) for verdict in lost):

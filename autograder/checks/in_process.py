@@ -55,7 +55,7 @@ class InProcess:
         self.depth = Depth()
 
     def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
-        """Import the student's modules before the checks do, so that a bad one stops no other."""
+        """Import the student's modules before the checks do, so that each can fail alone."""
         self.surround()
         for module, message in broken.items():
             sys.modules[module] = broken_module(module, message)

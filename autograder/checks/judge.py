@@ -181,7 +181,7 @@ def _kill(process: subprocess.Popen[str]) -> None:
 
 
 def environment() -> dict[str, str]:
-    """Return the environment of a check process: our own, without automatic pytest plugins."""
+    """Return the environment of a check process: this one's, without automatic pytest plugins."""
     path = os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH", "")]))
     return os.environ | {
         "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",

@@ -40,7 +40,7 @@ class MissingNameError(CheckEnded):
 
 
 def does_not_define(module: str, name: str, *, is_empty: bool = False) -> str:
-    """Return a sentence that says that a module does not define a name."""
+    """Return a sentence that reports that a module does not define a name."""
     empty = " is empty and" if is_empty else ""
     return f"{file_of(module)}{empty} does not define {name}"
 

@@ -1,7 +1,7 @@
 """Run a chapter's checks in a separate process, with a time limit for each, and give verdicts.
 
-A check that hangs or ends its process affects only itself: the others run in a new process. Without
-a sandbox, nothing here needs POSIX.
+If a check hangs or ends its process, the other checks still run, in a new process. Without a
+sandbox, nothing here needs POSIX.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # of an object; it differs in every
 
 @dataclass(frozen=True)
 class Limits:
-    """Time limits in seconds: for one check, which takes milliseconds, and for a whole run."""
+    """Time limits in seconds: one for a check, which takes milliseconds, and one for a whole run."""
 
     check: float = 3.0
     run: float = 90.0
@@ -246,7 +246,7 @@ class Run:
         self.finished = True
 
     def _note_hang(self, exercise: str) -> None:
-        """Give up an exercise after one hang if an exercise that it builds on hangs as well.
+        """Give up an exercise after its first hang if an exercise that it builds on hangs as well.
 
         Its other checks would probably hang in the same loop, each for the whole time limit.
         """

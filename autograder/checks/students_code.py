@@ -24,9 +24,9 @@ def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
 class StudentsCode:
     """The code in the folders of an engine.
 
-    ``graded`` lists, for each chapter's folder, the files that exist where work is graded. A folder
-    that it does not list is taken whole. ``ours`` lists files that the student did not write, such
-    as ch06_springs/cloth.py.
+    ``graded`` lists, for each chapter's folder, the files that exist where work is graded. In a
+    folder that it does not list, all files count. ``ours`` lists files that the student did not
+    write, such as ch06_springs/cloth.py.
     """
 
     def __init__(
@@ -50,7 +50,7 @@ class StudentsCode:
         self._known: dict[str, bool | None] = {}
 
     def is_calling(self) -> bool:
-        """Return whether the student's code made the call that the caller has to judge.
+        """Return whether the student's code made the call that is being checked.
 
         The innermost function on the stack that does not belong to Python's library decides. The
         steps that Python itself takes to import a module do not count as calls of the student's

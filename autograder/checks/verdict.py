@@ -45,7 +45,7 @@ def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
 
 
 def mark_blocked(chapter: Chapter, verdicts: list[Verdict]) -> list[Verdict]:
-    """Change failed to blocked for an exercise that builds on a failing one.
+    """Change failed verdicts to blocked in each exercise that builds on a failing one.
 
     Only a failure in the physics of an exercise blocks others, never one in its robust checks. A
     check that passes anyway keeps its verdict and earns its points.

@@ -161,7 +161,7 @@ class Recorder:
         return report
 
     def _without_folders(self, text: str) -> str:
-        """Return a text without the engine's folders, which are elsewhere in grading."""
+        """Return a text without the paths of the engine's folders, which differ in grading."""
         for folder in self.engine.engine:
             text = text.replace(f"{folder}{os.sep}", "")
         return text

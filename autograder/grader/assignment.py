@@ -47,7 +47,7 @@ class Assignment:
     ) -> list[Verdict]:
         """Run a chapter's checks on an engine.
 
-        ``missing`` gives, for each module that was not taken, the reason.
+        ``missing`` maps each module that was not taken to the reason.
 
         Raises:
             GraderError: The checks cannot be run.

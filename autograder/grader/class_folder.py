@@ -61,7 +61,7 @@ def temporary_files_in(out: Path) -> Iterator[None]:
 def put_others_aside(out: Path, students: list[str]) -> int:
     """Move away the reports of students who are not in this class; return how many students.
 
-    They belong to another class, or to somebody who has withdrawn.
+    Such a report belongs to another class, or to a student who has withdrawn.
     """
     names = {file_name(student) for student in students}
     others = set()

@@ -34,8 +34,8 @@ class ClassOptions:
     ``given`` chapters are taken from the reference, whatever is handed in. Without a ``seed``, a
     stopped run resumes with its own seed, and a new run draws a new one. ``hidden`` is a folder of
     additional checks, chNN_name/test_*.py. ``unsafe`` accepts a machine without a sandbox. ``jobs``
-    submissions are graded at a time, by default one per core. If ``cluster`` names the address of a
-    scheduler, its workers grade instead.
+    submissions are graded at a time, by default one per core. If ``cluster`` is the address of a
+    scheduler, the workers of that cluster grade instead.
     """
 
     given: Sequence[Chapter] = ()

@@ -121,10 +121,10 @@ def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
 def _chart(
     assignment: Assignment, once: OnceForAll, chapter: Chapter, result: Result
 ) -> Chart | None:
-    """Return the positions of a work and of the reference on the exercise's chart, or None.
+    """Return the positions of a submission and of the reference on the chart, or None.
 
-    A work that fails because of an earlier chapter is not on the chart, since the run on given
-    chapters reports nothing but the checks that pass.
+    A submission that fails because of an earlier chapter is not on the chart, since the run on
+    given chapters reports nothing but the checks that pass.
     """
     if result.on_chart is None:
         return None

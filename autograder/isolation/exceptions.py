@@ -1,6 +1,7 @@
 """Rebuild an exception of a worker, so that it can be raised in the process of the checks.
 
-A worker can send anything. Data that do not have the form of an exception break the protocol.
+A worker can send anything. Data without the form of an exception count as a violation of the
+protocol.
 """
 
 from __future__ import annotations

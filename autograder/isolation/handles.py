@@ -1,8 +1,8 @@
 """Handles: how trusted checks refer to the student's objects, which live in a worker.
 
 Using a handle sends a request to the worker. A handle cannot be compared, converted or tested for
-truth. A check has to read plain numbers and compare those, so that an object that lies about itself
-gains nothing.
+truth. A check has to read plain numbers and compare those. An object with a dishonest ``__eq__``
+therefore gains nothing.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class WorkerFailure(CheckEnded):
 class Session:
     """A conversation with one worker, from its start to its end.
 
-    ``broken`` gives, for each module that cannot be imported, the reason.
+    ``broken`` maps each module that cannot be imported to the reason.
     """
 
     def __init__(

@@ -1,7 +1,8 @@
 """Run the checks in this process, and the student's code in a worker, a fresh one for each check.
 
-Imports of chapters provide names. When a check uses a name, it sends a request to the worker that
-is running at that moment. So the checks' imports, which happen only once, serve all workers.
+An import of a chapter provides only names. When a check uses a name, the name sends a request to
+the worker that is running at that moment. The checks' imports happen only once and serve all
+workers.
 """
 
 from __future__ import annotations
@@ -74,7 +75,7 @@ class InWorker:
         self.send = send
 
     def after_collection(self) -> None:
-        """Find out which modules can be imported, so that a bad one takes no time from a check."""
+        """Find out which modules can be imported, so that no check loses time on a broken one."""
         for folder in [*self.engine, self.probes]:
             for file in sorted(folder.glob("ch??_*/*.py")):
                 self._compile(f"{file.parent.name}.{file.stem}", file)

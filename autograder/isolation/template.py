@@ -87,7 +87,7 @@ class Template:
     ) -> Session:
         """Return a session with an unused worker, and order the next worker in advance.
 
-        ``broken`` gives, for each module that cannot be imported, the reason.
+        ``broken`` maps each module that cannot be imported to the reason.
 
         Raises:
             TemplateError: The worker did not start.
@@ -169,11 +169,11 @@ class Template:
         return os.pread(self._worker.stack, 8000, 0).decode("utf-8", errors="replace")
 
     def how_it_ended(self) -> str:
-        """Return a sentence on how a worker ended that has closed its wire.
+        """Return a sentence about how a worker that has closed its wire ended.
 
         Raises:
-            TemplateError: It was killed from outside, for example because the machine has no memory
-                left. The sandbox keeps the worker from causing this itself.
+            TemplateError: The worker was killed from outside, for example because the machine has
+                no memory left. The sandbox keeps a worker from causing this itself.
         """
         assert self._control is not None
         assert self._worker is not None

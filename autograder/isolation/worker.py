@@ -38,7 +38,7 @@ PRELOADED = "math random dataclasses typing collections.abc functools itertools 
 
 
 def main(text: str) -> None:
-    """Be the template: fork a worker for each "start", until the control socket is closed."""
+    """Run the template: fork a worker for each "start", until the control socket is closed."""
     config = json.loads(text)
     sys.argv[:], sys.orig_argv[:] = [""], []  # these reveal where files are
     level = sandbox.Level(**config["level"])
@@ -117,7 +117,7 @@ def work(
     log: int,
     stack: int,
 ) -> None:
-    """Be a worker: enter the sandbox, report readiness, and serve until the wire is closed.
+    """Run a worker: enter the sandbox, report readiness, and serve until the wire is closed.
 
     What the worker prints goes to ``log``. On request, it writes its stack to ``stack``. Each
     worker has its own two files, so that its output is never attributed to another worker.

@@ -1,4 +1,4 @@
-"""Make a hand-out with a workflow by which GitHub Classroom grades each push."""
+"""Make a hand-out with a workflow that lets GitHub Classroom grade each push."""
 
 from __future__ import annotations
 

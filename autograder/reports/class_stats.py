@@ -1,4 +1,4 @@
-"""Statistics of a graded class: who passes what, and how the scores are distributed."""
+"""Statistics of a graded class: pass rates of the exercises, and the distribution of the scores."""
 
 from __future__ import annotations
 

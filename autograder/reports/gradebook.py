@@ -22,7 +22,7 @@ FORMULA = re.compile(r"(^|;)(\s*)(?=[=+\-@＝＋－＠])")  # noqa: RUF001
 def write_gradebook(out: Path, chapters: list[Chapter], reports: Sequence[StudentReport]) -> Path:
     """Write gradebook.csv with the points possible in its second row, and return its path.
 
-    An empty cell is not graded: an answer waits for a person, or the grader failed.
+    An empty cell means that there is no grade: an answer waits for a person, or the grader failed.
     """
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     written = sum(exercise.points for exercise in exercises if exercise.kind == "written")

@@ -27,7 +27,7 @@ class CheckReport:
 
 @dataclass(frozen=True)
 class Chart:
-    """The positions of a work and of the reference on the chart of an open exercise.
+    """The positions of a submission and of the reference on the chart of an open exercise.
 
     ``axes`` names the two coordinates, cost and error.
     """

@@ -1,4 +1,4 @@
-"""Lay out the chart of an open exercise: the cost of each work against its error.
+"""Lay out the chart of an open exercise: the cost of each submission against its error.
 
 Both axes are logarithmic. scatter.svg draws this layout in its own units.
 """
@@ -18,7 +18,7 @@ Point = Sequence[float]  # cost and error
 
 @dataclass(frozen=True)
 class Dot:
-    """One point on the chart: its owner, its numbers, and where it is drawn."""
+    """One point on the chart: its owner, its numbers, and its drawn position."""
 
     name: str
     cost: float

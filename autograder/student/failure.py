@@ -93,7 +93,7 @@ def print_failure(console: Console, chapter: Chapter, result: Result, engine: li
 
 
 def few_printed(printed: str, lines: int, characters: int) -> list[Row]:
-    """Return a row with the first lines that the student's code printed, or no row if none."""
+    """Return a row with the first lines that the student's code printed, or no row without any."""
     return _printed(few_lines(printed, lines, characters)) if printed else []
 
 

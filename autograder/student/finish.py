@@ -93,7 +93,7 @@ def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> li
 
 
 def play_words(report: Report, result: Result, engine: list[Path], given: list[Chapter]) -> str:
-    """Return a sentence on the scenes that this exercise makes playable.
+    """Return a sentence that names the scenes that this exercise makes playable.
 
     Return an empty string if this exercise or an earlier one is open, or if an earlier chapter is
     broken.

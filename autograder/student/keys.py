@@ -19,7 +19,7 @@ def available() -> bool:
 
 @contextmanager
 def single_keys() -> Iterator[None]:
-    """Deliver every key at once and do not show it; restore the terminal at the end."""
+    """Deliver each key immediately and without echo, and restore the terminal at the end."""
     if not available() or sys.platform == "win32":
         yield
         return

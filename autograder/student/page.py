@@ -1,4 +1,4 @@
-"""The page that watch shows. It fits on the terminal, with its heading and keys in sight."""
+"""The page that watch shows. It fits on the terminal, so that its heading and keys stay visible."""
 
 from __future__ import annotations
 

@@ -17,9 +17,9 @@ FOLDER = re.compile(r"ch\d\d_\w+")  # the name of a chapter's folder
 def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
     """Return where to look: the line that the message names, or the body that the check called.
 
-    A line does not count if it is in a body of another exercise, which may well be right, or in a
-    complete file, which students do not edit. A check of the student's own data leads to the data
-    file.
+    A line in a body of another exercise does not count, because that body may be right. A line in a
+    complete file does not count either, because students do not edit it. A check of the student's
+    own data leads to the data file.
     """
     complete = {(other.name, file) for other in load_chapters() for file in other.complete}
     called, where = failed.message.called, failed.message.where

@@ -1,7 +1,7 @@
 """The student's screen: every exercise with its state, one failure in full, and the next step.
 
-rich is imported only when it is needed. By then the checks run in their own process, so nobody has
-to wait for it.
+rich is imported only when it is needed. By then the checks are running in their own process, so the
+import costs no waiting time.
 """
 
 from __future__ import annotations
@@ -202,13 +202,13 @@ def extra_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
 
 
 def passing(checks: Sequence[Verdict]) -> str:
-    """Return how many checks of a tier pass, such as 3/4, or nothing if it has no checks."""
+    """Return how many checks of a tier pass, such as 3/4, or "" if it has no checks."""
     passed = sum(check.status == "passed" for check in checks)
     return f"{passed}/{len(checks)}" if checks else ""
 
 
 def bar(part: float, whole: float) -> str:
-    """Return a bar that shows a part of a whole."""
+    """Return a progress bar that shows ``part`` of ``whole``."""
     filled = int(BAR * part / whole) if whole else 0
     return f"[{'#' * filled}{'.' * (BAR - filled)}]"
 
@@ -223,7 +223,7 @@ def print_inherited(
 
 
 def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path]) -> list[str]:
-    """Return notes on earlier chapters that may cause failures here."""
+    """Return notes on earlier chapters that may cause failures in this one."""
     chapter, notes = report.chapter, []
     lost = sum(check.status == "inherited" for result in report.results for check in result.checks)
     if lost:

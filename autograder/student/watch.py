@@ -84,7 +84,7 @@ class Keyboard:
         self.session.console.print(words, style=style, markup=False, soft_wrap=True)
 
     def hint(self) -> None:
-        """Show the exercise's next hint; after the last one, show that again."""
+        """Show the exercise's next hint, or the last one again if all have been shown."""
         if not self.session.current:
             return
         exercise = self.session.current[1]

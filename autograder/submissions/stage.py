@@ -21,9 +21,9 @@ LARGEST_FILE = 1_000_000  # bytes; a chapter's longest module has about ten thou
 class Staged:
     """The outcome of copying a submission.
 
-    ``missing`` gives, for a module such as ch02_vectors.vector, the reason why its file was not
-    taken although it was handed in. ``notes`` are for the instructor. ``digest`` depends on
-    everything that was taken or refused: submissions with equal digests are graded alike.
+    ``missing`` maps a module such as ch02_vectors.vector to the reason why its file was not taken
+    although it was handed in. ``notes`` are for the instructor. ``digest`` depends on everything
+    that was taken or refused: submissions with equal digests are graded alike.
     """
 
     missing: dict[str, str]

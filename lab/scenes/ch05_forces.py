@@ -16,7 +16,7 @@ G = 9.81  # m/s^2
 
 
 def lands_first(scene: FallInAir) -> int:
-    """Return which ball lands first, the one with the higher terminal speed.
+    """Return the index of the ball that lands first, which has the higher terminal speed.
 
     0 is the left ball, 1 the right ball, and 2 means that they land together.
     """
@@ -97,7 +97,7 @@ class FallInAir(Scene):
         return [ball.position.y for ball in self.fallers]
 
     def exact(self, time: float) -> list[float]:
-        """Return the exact heights. Once a ball has landed, it no longer counts as an error."""
+        """Return the exact heights. A ball that has landed no longer contributes to the error."""
         heights = []
         for ball, landed, (mass, k2, _) in zip(
             self.fallers, self.landed, self.balls(), strict=True

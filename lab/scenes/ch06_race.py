@@ -29,7 +29,7 @@ FAR = 3.0  # m; a ball farther out is not drawn
 
 
 class IntegratorRace(Scene):
-    """Balls on identical springs. In the plane that is drawn, the exact motion is a circle."""
+    """Balls on identical springs. In the drawn plane, the exact motion is a circle."""
 
     chapter = 6
     title = "Energy of seven integrators"

@@ -1,4 +1,4 @@
-"""The cost of grading untrusted code in workers, compared with running it beside the checks."""
+"""The cost of running untrusted code in workers instead of in the process of the checks."""
 
 from __future__ import annotations
 

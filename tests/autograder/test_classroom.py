@@ -123,4 +123,4 @@ def test_only_takes_an_exercise() -> None:
     command = [sys.executable, "-m", "autograder", "check", "--only"]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
     assert done.returncode == 2
-    assert done.stderr.strip() == "check: --only goes with --exercise"
+    assert done.stderr.strip() == "check: --only requires --exercise"

@@ -12,8 +12,8 @@ from typing import Any
 import pytest
 from tornado.httpclient import AsyncHTTPClient, HTTPRequest, HTTPResponse
 
-from autograder.marking.answers import LONGEST, collect_tasks
 from autograder.manifest import ROOT, select_chapters
+from autograder.marking.answers import LONGEST, collect_tasks
 from autograder.submissions.find import find_submissions
 from graded import SHOUT
 from served import marking

@@ -1,4 +1,4 @@
-"""The page for marking in a real browser: keys, saving, two pages at a time, and a screen reader."""
+"""The page for marking in a real browser: keys, saving, and two pages at a time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""marks.csv is changed mark by mark: nothing that somebody wrote is lost, and nothing half written."""
+"""marks.csv is changed mark by mark, and nothing that somebody wrote there is lost."""
 
 from __future__ import annotations
 
@@ -35,8 +35,10 @@ FILES = {
     "plain": f'{HEADER}bob,2.3,1,"by ""hand"""\nada,2.3,2,\n',
     "no end": f"{HEADER}bob,2.3,1,by hand\nada,2.3,2,",
     "excel": f"\ufeff{HEADER}bob,2.3,1,by hand\nada,2.3,2,\n".replace("\n", "\r\n"),
-    "european": "student;exercise;points;comment\r\nbob;2.3;1,50;by hand;;\r\n;;;\r\nada;2.3;2;\r\n",
-    "untidy": 'Student, Exercise ,Points,Comment,,\n\n bob , 2.3 ,1.0,"two\n\nlines",,\n\nada,2.3,2,',
+    "european": (HEADER.replace(",", ";") + "bob;2.3;1,50;by hand;;\n;;;\nada;2.3;2;\n").replace(
+        "\n", "\r\n"
+    ),
+    "untidy": 'Student, Exercise ,Points,Comment,,\n\n bob ,2.3,1.0,"two\n\nlines",,\n\nada,2.3,2,',
 }
 
 

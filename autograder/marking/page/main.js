@@ -144,13 +144,15 @@ async function store() {
   }
   const saved = savedMark(question.id, answer.code);
   if (result.changed) {
-    const theirs = saved ? `It gives ${saved.points} points${saved.comment ? ` and says: ${saved.comment}` : ""}.` : "It has removed the mark.";
+    const theirs = saved ? `It gives ${saved.points} points. ${saved.comment && `Its comment: ${saved.comment}`}` : "It has removed the mark.";
+    say("This is not saved.");
     trouble(`${result.why} ${theirs}`, {
       "Keep the other": () => (discard(question.id, answer.code), trouble(), showMark()),
       "Save mine": () => (trouble(), store()),
     });
   } else if (result.why) {
-    trouble(`This is not saved. ${result.why}`, {"Try again": () => (trouble(), store())});
+    say("This is not saved.");
+    trouble(result.why, {"Try again": () => (trouble(), store())});
   } else {
     trouble();
     say(saved ? `Saved: ${saved.points} of ${question.points}.` : "This answer has no mark yet.");

@@ -37,7 +37,7 @@ def pendulum() -> Scene:
         places = in_frames(bob.step, lambda: (bob.position.x, bob.position.y), chain.frames, steps)
         return Outcome(places, 4 * chain.frames * steps)
 
-    by_particles = models_of(chain)[1:]  # without the angles of a chain: this is one of one rod
+    by_particles = models_of(chain)[2:]  # without the angles of a chain: this is one of one rod
     models = [Model("by its angle, Runge-Kutta 4", by_angle), *by_particles]
     return Scene("pendulum from horizontal", chain.frames, 1.0, truth, models, COUNTED)
 

@@ -28,9 +28,12 @@ from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.direct_chain import DirectChain
 from ch07_constraints.links import AnchoredRod, Rod
 from ch07_constraints.rod_tensions import RodTensions
-from studies.accuracy.scene import MANY, STEPS, Model, Outcome, Place, in_frames, solved
+from ch07_constraints.smooth_net import hermite
+from studies.accuracy.scene import MANY, RATE, STEPS, Model, Outcome, Place, in_frames, solved
 from studies.constraints import resolving
 
+LONG = 12  # frames, in which long steps are counted
+LONG_STEPS = (1, 2, 3, 4, 6, 8, 9, 10)
 COUNTED = "contacts resolved, or rods solved for"
 
 
@@ -97,6 +100,7 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
     """Return the models for any chain, with these numbers of steps per frame. Pymunk's are last."""
     return [
         Model("by its angles, Runge-Kutta 4", partial(by_angles, chain), steps),
+        Model("by its angles in long steps", partial(by_long_steps, chain), LONG_STEPS),
         Model("rods as forces, Runge-Kutta 4", partial(by_tensions, chain), steps),
         Model("direct chain", partial(by_direct_chain, chain), steps),
         *(
@@ -121,6 +125,28 @@ def by_angles(chain: Chain, steps: int) -> Outcome:
     angles = AngleChain(*chain.angles(), gravity=chain.gravity)
     places = in_frames(angles.step, lambda: flat(angles.positions), chain.frames, steps)
     return Outcome(places, 4 * chain.frames * steps * len(chain.masses))
+
+
+def by_long_steps(chain: Chain, steps: int) -> Outcome:
+    """Step the angles so many times in LONG frames, and read cubics between the steps' ends."""
+    angles = AngleChain(*chain.angles(), gravity=chain.gravity)
+    length, places, made = LONG / steps, [], 0  # frames of a step
+    old, fast = [*angles.angles], [*angles.angular_velocities]
+    for frame in range(1, chain.frames + 1):
+        while made * length < frame - 1e-9:
+            old, fast = [*angles.angles], [*angles.angular_velocities]
+            angles.step(length / RATE)
+            made += 1
+        share = 1.0 - (made * length - frame) / length
+        new, later = angles.angles, angles.angular_velocities
+        turned = hermite(old, fast, new, later, length / RATE, share)
+        place, x, y = [], 0.0, 0.0
+        for angle in turned:
+            x += chain.length * math.sin(angle)
+            y -= chain.length * math.cos(angle)
+            place += [x, y]
+        places.append(tuple(place))
+    return Outcome(places, 4 * made * len(chain.masses))
 
 
 def by_tensions(chain: Chain, steps: int) -> Outcome:

@@ -37,7 +37,7 @@ def pendulum() -> Scene:
         places = in_frames(bob.step, lambda: (bob.position.x, bob.position.y), chain.frames, steps)
         return Outcome(places, 4 * chain.frames * steps)
 
-    by_particles = models_of(chain)[1:]  # the first model would be the same as by_angle
+    by_particles = models_of(chain)[2:]  # without the models by angles, which by_angle replaces
     models = [Model("by its angle, Runge-Kutta 4", by_angle), *by_particles]
     return Scene("pendulum from horizontal", chain.frames, 1.0, truth, models, COUNTED)
 

@@ -33,8 +33,11 @@ class Wrong:
 def read_wrong(chapter: Chapter) -> list[Wrong]:
     """Return the wrong submissions of a chapter."""
     text = (ROOT / "tests" / chapter.name / "wrong.toml").read_text(encoding="utf-8")
-    bodies = tomllib.loads(text).items()
-    return [Wrong(edit, **entry) for edit, entries in bodies for entry in entries]
+    return [
+        Wrong(edit, mistake, **entry)
+        for edit, mistakes in tomllib.loads(text).items()
+        for mistake, entry in mistakes.items()
+    ]
 
 
 def write_wrong(chapter: Chapter, wrongs: Iterable[Wrong], engine: Path) -> None:

@@ -71,19 +71,16 @@ def test_halfway_is_the_mean_of_both_points(rng: Random) -> None:
     expect_close(got, [number / 2.0 for number in total])
 '''
 WRONG = """
-[["exercises.halfway"]]
-mistake = "the sum is not halved"
+["exercises.halfway"."the sum is not halved"]
 caught_by = "test_halfway_is_the_mean_of_both_points"
 says = "This is the sum."
 body = "return a + b"
 
-[["exercises.halfway"]]
-mistake = "half of the difference"
+["exercises.halfway"."half of the difference"]
 caught_by = "test_halfway_is_the_mean_of_both_points"
 replace = ["a + b", "b - a"]
 
-[["exercises.halfway"]]
-mistake = "only b is halved"
+["exercises.halfway"."only b is halved"]
 caught_by = "test_halfway_is_the_mean_of_both_points"
 replace = ["(a + b)", "a + b"]
 """

@@ -44,8 +44,7 @@ class Arranged:
 
     ``known`` lists the exercises of the chapter, and ``edits`` the bodies that students write for
     each. ``modules`` are imported before the checks. ``complete`` lists the files that students
-    only call. ``graded`` lists, for each chapter's folder, the files that exist where work is
-    graded.
+    only call. ``graded`` lists, for each chapter's folder, the files that exist in the grader.
     """
 
     root: str
@@ -154,7 +153,7 @@ def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) 
 def _modules(
     chapter: Chapter, chapters: list[Chapter], engine: list[Path], root: Path
 ) -> list[str]:
-    """Return the modules to import one by one before the checks, so that a bad one stops no other.
+    """Return the modules to import one by one, so that a broken module does not stop the others.
 
     Earlier chapters that have no manifest here, as in some hand-outs, are included with all files.
     """

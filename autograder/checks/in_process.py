@@ -1,7 +1,7 @@
 """Run the checks and the student's code in one process, which is fast but not secure.
 
-Students run the checks in this way. Even so, the code may import and do only what is allowed where
-work is graded.
+Students run the checks in this way. Even so, the code may import and do only what the grader
+allows.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ class InProcess:
         self.depth = Depth()
 
     def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
-        """Import the student's modules before the checks do, so that a bad one stops no other."""
+        """Import the student's modules one by one, so that a broken one does not stop others."""
         leave_home()
         code = StudentsCode(self.engine, self.graded)
         limit_imports(code)

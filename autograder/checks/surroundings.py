@@ -1,4 +1,4 @@
-"""Run a student's code in the same surroundings as where it is graded.
+"""Run a student's code in the same surroundings as in the grader.
 
 The code runs in the root folder, without arguments and without the user's environment variables. It
 has the same limits on memory and on nested calls.

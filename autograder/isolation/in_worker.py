@@ -74,7 +74,7 @@ class InWorker:
         self.send = send
 
     def after_collection(self) -> None:
-        """Find out which modules can be imported, so that a bad one takes no time from a check."""
+        """Find out which modules can be imported, so that a broken one costs no check any time."""
         for folder in [*self.engine, self.probes]:
             for file in sorted(folder.glob("ch??_*/*.py")):
                 self._compile(f"{file.parent.name}.{file.stem}", file)

@@ -119,7 +119,7 @@ def print_report(
 
 
 def print_changed(console: Console, report: Report, engine: list[Path]) -> list[Path]:
-    """Print which complete files of a chapter were edited, and return them."""
+    """Print which files were edited although they are given complete, and return them."""
     changed = changed_files(report.chapter, engine)
     for file in changed:
         console.print(

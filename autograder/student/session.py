@@ -50,7 +50,7 @@ class Session:
         return True
 
     def choose(self) -> None:
-        """If exercises were edited, make one of them current: first of all an open one."""
+        """If exercises were edited, make one of them current, preferably an open one."""
         edited = self.edits.look()
         if edited:
             chapter, exercise, names = min(

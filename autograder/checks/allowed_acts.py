@@ -1,6 +1,6 @@
 """Keep a student's code from writing files, starting programs or threads, and using sockets.
 
-Where work is graded, a sandbox refuses all of this. Here, Python's audit events announce most such
+In the grader, a sandbox refuses all of this. Here, Python's audit events announce most such
 operations before they happen, and this module refuses them with the same errors. It does not
 withstand hostile code as the sandbox does. Its purpose is that students learn at home what grading
 will refuse. An operation without an audit event, such as os.pipe, is carried out.

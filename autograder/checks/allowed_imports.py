@@ -1,7 +1,7 @@
 """Let a student's code import only Python's standard library and the chapters.
 
-Where work is graded, no packages are installed, and only the files that were handed in exist. So an
-import that would fail there also fails here, at the same moment and with Python's own message.
+In the grader, no packages are installed, and only the files that were handed in exist. So an import
+that would fail there also fails here, at the same moment and with Python's own message.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ CHAPTER = re.compile(r"ch\d\d_\w+")
 
 
 def limit_imports(code: StudentsCode) -> None:
-    """From now on, refuse imports by the student's code that would fail where work is graded."""
+    """From now on, refuse imports by the student's code that would fail in the grader."""
     real_import, real_import_module = builtins.__import__, importlib.import_module
 
     def guarded_import(
@@ -47,7 +47,7 @@ def limit_imports(code: StudentsCode) -> None:
 
 
 def _refuse(code: StudentsCode, name: str, package: str | None, fromlist: Sequence[str]) -> None:
-    """Raise the error that this import raises where work is graded, if it raises one."""
+    """Raise the error that this import would raise in the grader, if any."""
     if name.startswith("."):
         try:
             name = importlib.util.resolve_name(name, package)

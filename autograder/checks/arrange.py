@@ -45,8 +45,7 @@ class Arranged:
 
     ``known`` lists the exercises of the chapter, and ``edits`` the bodies that students write for
     each. ``modules`` are imported before the checks. ``complete`` lists the files that students
-    only call. ``graded`` lists, for each chapter's folder, the files that exist where work is
-    graded.
+    only call. ``graded`` lists, for each chapter's folder, the files that exist in the grader.
     """
 
     root: str

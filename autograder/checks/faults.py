@@ -72,7 +72,7 @@ def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
         if error.lineno:
             syntax = (short(error.filename or ""), error.lineno, (error.text or "").strip())
     if isinstance(error, ImportError) and type(error.path) is str:
-        text = text.replace(f" ({error.path})", "")  # a path on the grader's machine
+        text = text.replace(f" ({error.path})", "")  # hide the grader's paths
     frames = [
         Place(short(frame.f_code.co_filename), line, frame.f_code.co_name)
         for frame, line in traceback.walk_tb(error.__traceback__)

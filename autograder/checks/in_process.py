@@ -1,7 +1,7 @@
 """Run the checks and the student's code in one process, which is fast but not secure.
 
-Students run the checks in this way. Even so, the code may import and do only what is allowed where
-work is graded.
+Students run the checks in this way. Even so, the code may import and do only what the grader
+allows.
 """
 
 from __future__ import annotations

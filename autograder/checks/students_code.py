@@ -17,7 +17,7 @@ PACKAGES = ("site-packages", "dist-packages")  # these may be inside the library
 
 
 def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
-    """Return the files of each chapter that exist where work is graded: handed in, or complete."""
+    """Return each chapter's files that exist in the grader: handed in, or complete."""
     return {chapter.name: [*chapter.handed_in, *chapter.complete] for chapter in chapters}
 
 
@@ -76,7 +76,7 @@ class StudentsCode:
         return None if library else False
 
     def is_graded(self, package: str, file: str) -> bool:
-        """Return whether a file of a chapter exists where work is graded. Probes always do."""
+        """Return whether a chapter's file exists in the grader. Probes always do."""
         return (
             package not in self.graded or file in self.graded[package] or file.endswith("probes.py")
         )

@@ -79,7 +79,7 @@ class OnceForAll:
         self._of_reference: dict[str, list[Result]] = {}
 
     def of_nothing(self, assignment: Assignment, chapter: Chapter) -> list[Verdict]:
-        """Return the verdicts on an empty submission, on the reference's earlier chapters.
+        """Return the verdicts on an empty submission, with the reference's earlier chapters.
 
         Raises:
             GraderError: The checks cannot be run.

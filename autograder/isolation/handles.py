@@ -22,7 +22,7 @@ BROKEN = "the code broke the protocol between its process and the checks"
 
 
 class WorkerFailure(CheckEnded):
-    """The worker is gone, or has sent something that it must not send."""
+    """The worker is gone, or has sent invalid data."""
 
 
 class Session:
@@ -142,7 +142,7 @@ class Session:
 
 
 class Handle:
-    """What a check holds in place of one of the student's objects."""
+    """A substitute that a check holds for one of the student's objects."""
 
     __slots__ = ()
 

@@ -182,7 +182,7 @@ class Server:
 
 
 def _imported(name: str) -> ModuleType:
-    """Import a module, and discard what it prints, which belongs to no check."""
+    """Import a module and discard its output, since that does not belong to any check."""
     if name in sys.modules:
         return sys.modules[name]
     nowhere = CappedText(lambda _: None)

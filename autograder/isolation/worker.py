@@ -119,7 +119,7 @@ def work(
 ) -> None:
     """Run a worker: enter the sandbox, report readiness, and serve until the wire is closed.
 
-    What the worker prints goes to ``log``. On request, it writes its stack to ``stack``. Each
+    Printed output goes to ``log``. On request, the worker writes its stack to ``stack``. Each
     worker has its own two files, so that its output is never attributed to another worker.
     """
     try:

@@ -64,7 +64,7 @@ def end_of(
 
 
 def is_finished(report: Report) -> bool:
-    """Return whether the physics of a chapter works, without projects and going further."""
+    """Return whether the physics of a chapter works, apart from projects and extra exercises."""
     working = {result.exercise.id for result in report.results if result.works}
     wanted = [e for e in report.chapter.exercises if e.kind != "written" and not _is_extra(e)]
     return all(exercise.id in working for exercise in wanted)

@@ -1,4 +1,4 @@
-"""Find out whether a student has edited complete files. Grading uses the originals."""
+"""Find out whether a student has edited a file that is given complete. Grading uses originals."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from autograder.manifest import ROOT, Chapter
 
 
 def changed_files(chapter: Chapter, engine: list[Path], root: Path = ROOT) -> list[Path]:
-    """Return the complete files of a chapter that differ from the originals in stubs.lock.
+    """Return a chapter's files that are given complete but differ from stubs.lock.
 
     A file that does not exist, or that is not in the lock, counts as unchanged.
     """

@@ -143,7 +143,7 @@ def passed_words(
 
 
 def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
-    """Return a note on each complete file of a chapter that was edited."""
+    """Return a note on each edited file of a chapter that is given complete."""
     return [
         f"{file} has been edited. It is not handed in, and grading uses the original, so code "
         "that needs your change fails there. Keep your own code in the files that the "

@@ -30,7 +30,7 @@ ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # of an object; it differs in every
 
 @dataclass(frozen=True)
 class Limits:
-    """Time limits in seconds: one for a check, which takes milliseconds, and one for a whole run."""
+    """Time limits in seconds, for one check (which takes milliseconds) and for a whole run."""
 
     check: float = 3.0
     run: float = 90.0

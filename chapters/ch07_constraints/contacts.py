@@ -1,8 +1,8 @@
 """Contacts between two particles or a particle and the world, and the resolver for them.
 
 A contact describes two bodies that touch: the contact normal, how deep they overlap, and how much
-of their speed a bounce returns. Resolving the contact applies an impulse, a change of momentum in N
-s (E-24), and pushes the two bodies apart. Impulses conserve momentum at every restitution, but
+of their speed a bounce returns. Resolving the contact applies an impulse (a change of momentum in
+N s, E-24) and pushes the two bodies apart. Impulses conserve momentum at every restitution, but
 kinetic energy only at restitution 1 (E-7).
 
 Lengths are in m, velocities in m/s.
@@ -77,11 +77,11 @@ class Contact:
     def velocity_after(self, duration: float = 0.0) -> float:
         """Return the separating velocity in m/s that the contact must have after it is resolved.
 
-        If the separating velocity v_s is 0 or positive, the result is v_s. A closing contact (v_s <
-        0) bounces with the restitution c, so the result is -c v_s (Eq. 7.3).
+        If the separating velocity v_s is 0 or positive, the result is v_s. A closing contact
+        (v_s < 0) bounces with the restitution c, so the result is -c v_s (Eq. 7.3).
 
         The contact of a body at rest on the ground is closing too, because gravity has just
-        accelerated the body for one time step. If it bounced, it would jitter. So if the
+        accelerated the body for one time step. If the body bounced, it would jitter. So if the
         acceleration closes the contact, (aa - ab) . n < 0, return c (-v_s + (aa - ab) . n h)
         instead, but never less than 0. Here h is the duration of the time step in s, and aa and ab
         are the last_acceleration of the particles, which includes forces. For an immovable or
@@ -99,8 +99,8 @@ class Contact:
     def resolve_velocity(self, duration: float = 0.0) -> None:
         """Apply the impulse that changes the separating velocity to velocity_after(duration).
 
-        The impulse g in N s acts along the normal n, and with the opposite sign on ``other``: va' =
-        va + n g / ma and vb' = vb - n g / mb. This conserves momentum. Nothing changes if the
+        The impulse g in N s acts along the normal n, and with the opposite sign on ``other``:
+        va' = va + n g / ma and vb' = vb - n g / mb. This conserves momentum. Nothing changes if the
         contact is not closing, or if neither particle can move. Book 7.1.4 and 7.2.1.
 
         Raises:
@@ -111,14 +111,15 @@ class Contact:
     def resolve_penetration(self) -> tuple[Vector3, Vector3]:
         """Move the two particles apart along the normal until they touch, and return both moves.
 
-        The depth d is divided in the ratio of the inverse masses. ``particle`` moves by n d mb /
-        (ma + mb) and ``other`` by -n d ma / (ma + mb). If one of them is immovable, the second one
-        moves by the whole depth. Afterwards the penetration is 0. If the penetration is 0 or
-        negative, or neither particle can move, nothing changes. Book 7.2.2.
+        The depth d is divided in the ratio of the inverse masses. ``particle`` moves by n d
+        mb / (ma + mb) and ``other`` by -n d ma / (ma + mb). If one of the two is immovable, the
+        movable one moves by the whole depth. Afterwards the penetration is 0. If the penetration is
+        0 or negative, or neither particle can move, nothing changes. Book 7.2.2.
 
         Returns:
-            The displacements of ``particle`` and ``other`` in m, as two new vectors. For a particle
-            that did not move it is zero, so that no earlier displacement is applied again (E-27).
+            The displacements of ``particle`` and ``other`` in m, as two new vectors. A particle
+            that did not move has a displacement of zero, so that no earlier one is applied again
+            (E-27).
         """
         raise NotImplementedError("Exercise B7.4: Pushing particles apart")
 

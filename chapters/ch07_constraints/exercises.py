@@ -13,9 +13,9 @@ def restitution_of_drop(initial_height: float, bounce_height: float) -> float:
     """Exercise 7.1: return the restitution of a ball from the heights of its drop and bounce.
 
     The restitution is the ratio of the speeds after and before the bounce. Speeds grow with the
-    square root of the height, so the restitution is the square root of bounce_height /
-    initial_height. Both heights are in m, measured from the ball's position when it touches the
-    ground.
+    square root of the height, so the restitution is the square root of
+    bounce_height / initial_height. Both heights are in m, measured from the ball's position when it
+    touches the ground.
 
     >>> restitution_of_drop(1.0, 0.64)
     0.8

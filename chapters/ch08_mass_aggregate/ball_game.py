@@ -55,8 +55,8 @@ class Rules:
     def landed(self, row: int) -> None:
         """Count the first landing on a row.
 
-        A row that was not visited before gives POINTS. If it wins the game, each life that is left
-        gives BONUS in addition. A landing on a visited row changes nothing, and neither does a
+        A row that was not visited before gives POINTS. If this wins the game, each life that is
+        left gives BONUS in addition. A landing on a visited row changes nothing, and neither does a
         landing after the game is over.
 
         Raises:
@@ -114,8 +114,8 @@ class BallGame:
 
         The ball is pushed in the player's direction with an acceleration of PUSH. If it lands on a
         row, report this to the rules and set the ball's vertical velocity to JUMP. Its velocity
-        along X stays the same. Otherwise, if its lowest point is at most TOUCH above the ground, it
-        loses a life and starts again, unless that was the last life.
+        along X stays the same. Otherwise, if the ball's lowest point is at most TOUCH above the
+        ground, the player loses a life, and the ball starts again unless that was the last life.
 
         Raises:
             ValueError: if the duration is not positive and finite. Nothing has changed then.

@@ -62,7 +62,7 @@ class Bond:
         """Break or heal the bond according to its length, and pull on the particle if it holds.
 
         The bond is checked before the force is computed, so breaking and healing take effect at
-        once, whichever end the particle is.
+        once for either end.
         """
         raise NotImplementedError("Exercise B8.8: Bonds that break and heal")
 

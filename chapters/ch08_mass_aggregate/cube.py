@@ -45,7 +45,7 @@ class Cube:
     """A cube that falls on one of its corners: its ``particles``, ``rods`` and ``world``.
 
     The cube starts at rest, slightly rotated, with its lowest corner at ``height`` in m. ``rods``
-    are pairs of indices of its corners. If it is None, the cube has the rods of cube_rods().
+    are pairs of indices of its corners. If ``rods`` is None, the cube has the rods of cube_rods().
 
     Raises:
         ValueError: if the height is not positive and finite, or a rod joins a corner to itself.

@@ -44,7 +44,7 @@ def center_of_mass(masses: Sequence[float], positions: Sequence[Point]) -> Point
     Masses are in kg and positions in m, one position per mass, in the same order.
 
     Raises:
-        ValueError: also if there are no masses, if the number of masses is not that of positions,
-            or if a mass is not positive.
+        ValueError: also if there are no masses, if the numbers of masses and positions differ, or
+            if a mass is not positive.
     """
     raise NotImplementedError("Exercise B9.3: The center of mass")

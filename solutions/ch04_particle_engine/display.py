@@ -67,7 +67,7 @@ def is_over(display: Display) -> bool:
     """Project 4.1: return whether no rocket is left or too many clicks have missed.
 
     MISSES_ALLOWED clicks may miss, and the next miss ends the game. A rocket that was clicked on
-    counts as left until it has burst. A new game counts as over until a firework has been launched.
+    counts as left until it has burst. A new game begins when a rocket has been launched.
     """
     return display.misses > MISSES_ALLOWED or not _rockets(display)
 

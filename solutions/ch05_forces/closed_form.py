@@ -53,8 +53,8 @@ def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple
 def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float) -> float:
     """Return the speed in m/s that remains after a time in s in which only drag acts.
 
-    With s = k1 t / m, the speed is v e^-s / (1 + k2 v (1 - e^-s) / k1). For k1 = 0, the fraction (1
-    - e^-s) / k1 is t / m.
+    With s = k1 t / m, the speed is v e^-s / (1 + k2 v (1 - e^-s) / k1). For k1 = 0, the fraction
+    (1 - e^-s) / k1 is t / m.
 
     Raises:
         ValueError: if the mass is not positive, another argument is negative, or an argument is not

@@ -36,9 +36,9 @@ def explicit_euler(
 ) -> None:
     """Drift, then kick, as the book's step does: p' = p + v h, and then v' = (v + a h) d^h.
 
-    It has order 1, is not symplectic, and evaluates the forces once. At d = 1 it is not stable for
-    any stiffness. For d < 1 it is stable below max_stable_stiffness. A damper c in the spring makes
-    it stable for k h < c, as long as c h / m < 2. Source: book 3.3.2, under another name (E-17).
+    The method has order 1, is not symplectic, and evaluates the forces once. At d = 1 it is not
+    stable for any stiffness. For d < 1 it is stable below max_stable_stiffness. A damper c in the
+    spring makes it stable for k h < c, if c h / m < 2. The book uses another name (3.3.2, E-17).
     """
     positive("duration", duration)
     apply_forces(duration)
@@ -52,10 +52,11 @@ def semi_implicit_euler(
 ) -> None:
     """Kick, then drift: v' = (v + a h) d^h, and then p' = p + v' h.
 
-    It has order 1 and evaluates the forces once. It is symplectic at d = 1 if no force depends on
-    the velocity, so the energy does not drift. It is stable for k h^2 / m < 4. With damping d the
-    limit is k h^2 / m < 2 (1 + d^h) / d^h, and with a damper c in the spring k h^2 / m + 2 c h / m
-    < 4. Source: Hairer, Lubich and Wanner, Geometric Numerical Integration, I.1.2.
+    The method has order 1 and evaluates the forces once. It is symplectic at d = 1 if no force
+    depends on the velocity, so the energy does not drift. It is stable for k h^2 / m < 4. With
+    damping d the condition is k h^2 / m < 2 (1 + d^h) / d^h, and with a damper c in the spring it
+    is k h^2 / m + 2 c h / m < 4. Source: Hairer, Lubich and Wanner, Geometric Numerical
+    Integration, I.1.2.
     """
     positive("duration", duration)
     apply_forces(duration)
@@ -74,9 +75,9 @@ def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration:
     force is evaluated with the old velocity. In the first case, and at d = 1, the method is
     symplectic.
 
-    It is stable for k h^2 / m < 4. With damping d, and a damper c in the spring, the limit is k h^2
-    / m + 2 c h / m < 2 (1 + d^h) / d^h. Semi-implicit Euler has the same limits: after its first
-    half drift, leapfrog kicks and drifts in turn as semi-implicit Euler does. Source: Hairer,
+    It is stable for k h^2 / m < 4. With damping d, and a damper c in the spring, the condition is
+    k h^2 / m + 2 c h / m < 2 (1 + d^h) / d^h. Semi-implicit Euler has the same limits: after its
+    first half drift, leapfrog kicks and drifts in turn as semi-implicit Euler does. Source: Hairer,
     Lubich and Wanner, Acta Numerica 12 (2003), 399.
     """
     positive("duration", duration)
@@ -97,9 +98,9 @@ def velocity_verlet(
     p' = p + v h + a h^2 / 2, and v' = (v + (a + b) h / 2) d^h. Forces that depend on the velocity
     are evaluated for b with v + a h.
 
-    It has order 2 and evaluates the forces twice. It is symplectic at d = 1 if no force depends on
-    the velocity. It is stable for k h^2 / m < 4, also if d < 1. A damper in the spring lowers this
-    limit. Source: Swope and others, Journal of Chemical Physics 76 (1982), 637.
+    The method has order 2 and evaluates the forces twice. It is symplectic at d = 1 if no force
+    depends on the velocity. It is stable for k h^2 / m < 4, also if d < 1. A damper in the spring
+    lowers this limit. Source: Swope and others, Journal of Chemical Physics 76 (1982), 637.
     """
     positive("duration", duration)
     half = 0.5 * duration
@@ -135,9 +136,9 @@ def runge_kutta_4(
     other rate is that of the state reached from the start at the previous rate: after half the
     step, after half the step again, and after the whole step.
 
-    It has order 4 and evaluates the forces four times. It is not symplectic, but its energy drifts
-    very slowly if the steps are short. It is stable for k h^2 / m < 8, and for more if d < 1.
-    Source: Kutta, Zeitschrift für Mathematik und Physik 46 (1901), 435.
+    The method has order 4 and evaluates the forces four times. It is not symplectic, but its energy
+    drifts very slowly if the steps are short. It is stable for k h^2 / m < 8, and for more if
+    d < 1. Source: Kutta, Zeitschrift für Mathematik und Physik 46 (1901), 435.
     """
     positive("duration", duration)
     half, sixth = 0.5 * duration, duration / 6.0
@@ -180,13 +181,13 @@ def backward_euler(
 ) -> tuple[float, float]:
     """Return position in m and velocity in m/s of one linear spring after a time step.
 
-    Solve x' = x + v' h and v' = v + a' h, where the acceleration uses the new values: m a' = -k x'
-    - c v'. The rest position of the spring is 0. k is in N/m, c in N s/m, the mass in kg and the
-    duration in s.
+    Solve x' = x + v' h and v' = v + a' h. The acceleration uses the new values:
+    m a' = -(k x' + c v'). The rest position of the spring is 0. k is in N/m, c in N s/m, the mass
+    in kg and the duration in s.
 
-    It has order 1, is not symplectic, and evaluates no forces. It is stable for every stiffness.
-    The stiffer the spring, the more energy it loses. Source: Hairer and Wanner, Solving Ordinary
-    Differential Equations II, IV.3.
+    The method has order 1, is not symplectic, and evaluates no forces. It is stable for every
+    stiffness. The stiffer the spring, the more energy it loses. Source: Hairer and Wanner, Solving
+    Ordinary Differential Equations II, IV.3.
 
     Raises ValueError if the mass or duration is not positive, the stiffness or damping is negative,
     or an argument or result is not finite. Raises TypeError for an argument that is not a number.
@@ -204,8 +205,8 @@ def trapezoidal(
     Solve x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, which use the means of old and new
     values, with m a = -k x - c v. The arguments are those of backward_euler.
 
-    It has order 2 and evaluates no forces. It is symplectic for a spring without damping, whose
-    energy it conserves. It is stable for every stiffness. Source: Hairer and Wanner, Solving
+    The method has order 2 and evaluates no forces. It is symplectic for a spring without damping,
+    whose energy it conserves. It is stable for every stiffness. Source: Hairer and Wanner, Solving
     Ordinary Differential Equations II, IV.3.
 
     Raises ValueError and TypeError as backward_euler does.
@@ -219,9 +220,9 @@ def trapezoidal(
 class SimulationDiverged(ArithmeticError):  # noqa: N818
     """Raised when a particle is faster than anything in its scene should be.
 
-    The steps are then too long for the forces. ``particle`` is the index of the particle, and
-    ``step`` is the number of the step after which it was found, counted from 1. ``speed`` and
-    ``limit`` are in m/s.
+    This means that the steps are too long for the forces. ``particle`` is the index of the
+    particle, and ``step`` is the number of the step after which it was found, counted from 1.
+    ``speed`` and ``limit`` are in m/s.
     """
 
     def __init__(self, particle: int, step: int, speed: float, limit: float) -> None:
@@ -280,7 +281,7 @@ def _starts(
 
 
 def _add_again(by_hand: list[tuple[Particle, Vector3]]) -> None:
-    """Add the forces that were added by hand again, because each evaluation starts from them."""
+    """Restore the forces that were added by hand, because each evaluation starts from them."""
     for particle, force in by_hand:
         particle.add_force(force)
 

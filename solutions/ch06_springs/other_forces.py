@@ -110,7 +110,7 @@ class Overcrowding:
 class HomingBullet:
     """Exercise 6.4: a force that steers a bullet toward the future position of its target.
 
-    The bullet looks ``look_ahead`` s ahead, and assumes that it and the target keep their
+    The future positions are those after ``look_ahead`` s, if bullet and target keep their
     velocities. The force is that of a spring of rest length 0 from the bullet's future position to
     the target's.
     """

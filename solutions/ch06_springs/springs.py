@@ -169,8 +169,8 @@ class FakeStiffSpring:
 
     It is made for semi-implicit Euler, p' = p + v' h. With it the particle lands where the formula
     says, if it has a damping of 1, no acceleration of its own and no other forces. With explicit
-    Euler (Particle.integrate) it arrives one step too late and swings wider and wider, because p' =
-    p + v h does not include the force (E-22). The book's formulas for the force do not fit any
+    Euler (Particle.integrate) it arrives one step too late and swings wider and wider, because
+    p' = p + v h does not include the force (E-22). The book's formulas for the force do not fit any
     integrator (E-6).
 
     The velocity after the step is the mean velocity of the step, not that of a real spring. So with

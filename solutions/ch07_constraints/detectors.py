@@ -82,9 +82,10 @@ class GroundPlane:
         """Return the time and contact of the first impact on the ground within ``duration`` s.
 
         A particle moves by p + v t + a t^2 / 2, where a is its last_acceleration. It hits the
-        ground at the time that time_to_close returns for its height. A particle that lies on the
-        ground and is accelerated downward always has an impact at time 0. Immovable particles have
-        no impacts. Of two impacts at the same time, take the particle that is first in the list.
+        ground at the time that time_to_close returns for the gap below it. A particle that lies on
+        the ground and is accelerated downward always has an impact at time 0. Immovable particles
+        have no impacts. Of two impacts at the same time, take the particle that is first in the
+        list.
 
         Returns:
             (time, contact), where the contact has a penetration of 0, or None if there is no
@@ -140,9 +141,9 @@ class ParticlePairs:
         Particles move by p + v t + a t^2 / 2, where a is their last_acceleration. Two particles
         with the same acceleration therefore move in a straight line relative to each other.
         Immovable particles stay where they are and have no acceleration. Two spheres have an impact
-        when they touch or overlap and close faster than VELOCITY_TOLERANCE. Slower motion may be
-        the rounding error of an earlier impact. If they do so already, the time is 0. Of several
-        impacts at the same time, take the first in the order of contacts().
+        when they touch or overlap and close faster than VELOCITY_TOLERANCE. If they do so at the
+        start, the time is 0. Motion below the tolerance may be the rounding error of an earlier
+        impact. Of several impacts at the same time, take the first in the order of contacts().
 
         Returns:
             (time, contact), or None if there is no impact. The contact's normal is the one at the

@@ -116,7 +116,7 @@ class Limits:
     def contacts(self) -> list[Contact]:
         """Exercise 7.6: return a contact for each limit that is reached or passed.
 
-        At ``max_length`` or above, it is the contact of a Cable. At ``min_length`` or below, its
+        At ``max_length`` or above, the contact is that of a Cable. At ``min_length`` or below, its
         normal points away from b, and its penetration is ``min_length`` minus the distance. If both
         limits are reached, return both contacts in this order. If both ends coincide, use +Y as the
         direction from a to b. Each contact has the link's restitution.

@@ -56,8 +56,7 @@ def time_division_step(
         ValueError: if the duration is not positive and finite, or ``max_impacts`` is less than 1.
         TypeError: if ``max_impacts`` is not a whole number. Nothing is changed in these two cases.
         TooManyImpacts: if there is another impact after ``max_impacts`` of them. The particles are
-            then where they are at the time of this impact. It is not resolved, and no damping is
-            applied.
+            then at the time of this impact, which is not resolved, and no damping is applied.
     """
     positive("duration", duration)
     whole("max_impacts", max_impacts)

@@ -12,8 +12,9 @@ import json
 import re
 from pathlib import Path
 
+from autograder.handout import CHARTS
 from autograder.manifest import ROOT
-from lab.catalog import entries, load
+from lab.catalog import Entry, entries, load
 from lab.pen import Pen
 from lab.scene import FRAME
 from studies.engine import use_engine
@@ -36,14 +37,19 @@ def main() -> None:
         )
     scenes = [
         {"name": e.name, "title": e.title, "chapter": e.chapter, "question": load(e.name).question}
-        for e in entries()
+        for e in scenes_of_students()
     ]
     (folder / "scenes.json").write_text(json.dumps(scenes), encoding="utf-8")
 
 
+def scenes_of_students() -> list[Entry]:
+    """Return the scenes that a student's own engine plays."""
+    return [e for e in entries() if e.module.rpartition(".")[2] != Path(CHARTS).stem]
+
+
 def wanted() -> list[tuple[str, str]]:
     """Return the scenes and settings that pages show: each scene, and those of the lessons."""
-    found = [(entry.name, "") for entry in entries()]
+    found = [(entry.name, "") for entry in scenes_of_students()]
     for lesson in sorted(ROOT.glob("chapters/*/README.md")):
         found += COMMAND.findall(lesson.read_text(encoding="utf-8").replace("\n> ", " "))
     return list(dict.fromkeys(found))

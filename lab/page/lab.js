@@ -51,8 +51,12 @@ export class Lab {
   // Open a scene. Rivals are the engines that the student's own is compared with.
   open(name, values, rivals = []) {
     for (const contender of this.contenders.splice(0)) contender.link.close();
-    Object.assign(this, {spec: null, values, name});
+    Object.assign(this, {spec: null, values, name, target: 0, until: Infinity});
+    play(this, false);
     this.trouble("");
+    this.charts.clear();
+    this.$("clock").textContent = "0.00 s";
+    this.$("contenders").tBodies[0].replaceChildren();
     this.$("stage").replaceChildren();
     this.$("parameters").replaceChildren();
     for (const rival of [{engine: this.engines[0], peer: "", changes: {}}, ...rivals]) compare(this, rival);

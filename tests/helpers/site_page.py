@@ -22,7 +22,7 @@ def visit(browser: Any, width: int = 1280, scheme: str = "light") -> Iterator[An
     """Yield the context of a new visitor. No page may fail, or ask for another host."""
     size = {"width": width, "height": 900}
     context = browser.new_context(viewport=size, color_scheme=scheme, accept_downloads=True)
-    context.set_default_timeout(20_000.0)  # ms; machines of CI are slow
+    context.set_default_timeout(60_000.0)  # ms; machines of CI are slow
     context.troubles, context.hosts = [], set()
     context.on("request", lambda request: context.hosts.add(urlsplit(request.url).hostname))
     context.on("weberror", lambda error: context.troubles.append(str(error.error)))
@@ -78,7 +78,7 @@ def check(panel: Any, button: str = "Check") -> str:
     panel.get_by_role("button", name=button, exact=True).click()
     panel.locator(".result:not([aria-busy])").wait_for(state="attached")
     status = panel.locator("[role=status]")
-    for _ in range(600):
+    for _ in range(1200):
         words = status.inner_text()
         if not words.startswith(("Checking", "Python is starting")):
             return str(words)

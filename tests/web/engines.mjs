@@ -16,9 +16,10 @@ const does = {
   async check({asked}) {
     const troubles = [];
     const started = performance.now();
-    const onTrouble = (failure) => troubles.push({failure, after: (performance.now() - started) / 1000});
+    const seconds = () => (performance.now() - started) / 1000;
+    const onTrouble = (failure) => troubles.push({failure, after: seconds()});
     try {
-      return {report: await engines.check({...asked, onTrouble}), troubles};
+      return {report: await engines.check({...asked, onTrouble}), troubles, seconds: seconds()};
     } catch (error) {
       return {error: error.message, troubles};
     }

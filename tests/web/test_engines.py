@@ -19,7 +19,7 @@ from wrong import read_wrong, write_wrong
 
 CHAPTERS = load_chapters()
 REFERENCE = reference()
-NUMBER = re.compile(r"-?\d+\.\d+(?:e[-+]\d+)?")
+ERROR = re.compile(r"\w*(Error|Exception|Exit|Interrupt)\b")
 
 engines = pytest.fixture(scope="module")(engines)
 
@@ -77,5 +77,15 @@ def statuses(report: dict[str, Any]) -> list[list[str]]:
 
 
 def assert_same_words(told: list[list[str]], wanted: list[list[str]]) -> None:
-    """Compare rows, but for the last digits of a number: sines and powers are not the same."""
-    assert told == wanted
+    """Compare rows. Two things may differ: what another version of Python says of an error, and on
+    which line of a loop the time was up.
+    """
+    hung = any("did not end" in words for _, words in wanted)
+    assert [label for label, _ in told] == [label for label, _ in wanted]
+    for (label, got), (_, words) in zip(told, wanted, strict=True):
+        if label == "where" and hung:
+            continue
+        if label == "got" and (error := ERROR.match(words)):
+            assert got.startswith(error[0])
+        else:
+            assert got == words

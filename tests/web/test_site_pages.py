@@ -14,8 +14,8 @@ import course_site
 import site_page
 from autograder.manifest import load_chapters
 from course_site import BELOW, Served
-from lab.catalog import entries
 from site_page import accessible, visit
+from web.stills import scenes_of_students
 
 browser = pytest.fixture(browsers.browser_alone, scope="module")
 site = pytest.fixture(course_site.site, scope="module")
@@ -89,7 +89,7 @@ def test_links_lead_somewhere_within_the_site(site: Served, parsed: dict[str, Li
 
 
 def test_every_exercise_has_its_panel_and_every_experiment_its_figure(site: Served) -> None:
-    scenes = {entry.name for entry in entries()}
+    scenes = {entry.name for entry in scenes_of_students()}
     for chapter in CHAPTERS:
         text = (site.folder / BELOW / f"{chapter.name}.html").read_text(encoding="utf-8")
         panels = re.findall(r'<section class="turn" id="[^"]+" data-exercise="([^"]+)"', text)

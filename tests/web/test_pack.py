@@ -1,0 +1,88 @@
+"""What is packed for the browser: no solution in it, unless somebody asks for it."""
+
+from __future__ import annotations
+
+import shutil
+import zipfile
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from autograder.manifest import ROOT, load_chapters
+from course_site import BELOW, built
+from in_node import NodeEngines, engines_of, reference
+from made import made_stubs
+from web.pack import pack
+
+MOST = 3_000_000  # bytes
+OF_PYODIDE = 15_500_000
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return built(tmp_path_factory) / BELOW
+
+
+@pytest.fixture(scope="module")
+def with_solutions(site: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a folder with what Python needs, the reference's modules included."""
+    folder = tmp_path_factory.mktemp("with-solutions")
+    shutil.copytree(site / "pyodide", folder / "pyodide")
+    pack(folder, with_solutions=True)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def engines(with_solutions: Path) -> Iterator[NodeEngines]:
+    yield from engines_of(with_solutions)
+
+
+def test_students_files_are_the_stubs_and_nothing_tells_the_solution(site: Path) -> None:
+    with zipfile.ZipFile(site / "course.zip") as archive:
+        names = archive.namelist()
+        for path, text in made_stubs().items():
+            assert archive.read(f"course/{path}").decode("utf-8") == text
+    assert not [name for name in names if "solutions" in name or "wrong" in name]
+    assert not [name for name in names if name.endswith((".png", ".gif", "README.md"))]
+
+
+def test_the_pack_is_small(site: Path) -> None:
+    assert (site / "course.zip").stat().st_size < MOST
+    sizes = [file.stat().st_size for file in (site / "pyodide").iterdir()]
+    assert sum(sizes) < OF_PYODIDE
+
+
+def test_the_same_sources_are_the_same_pack(site: Path, with_solutions: Path) -> None:
+    library = "pyodide/python_stdlib.zip"
+    assert (site / library).read_bytes() == (with_solutions / library).read_bytes()
+    with (
+        zipfile.ZipFile(site / "course.zip") as one,
+        zipfile.ZipFile(with_solutions / "course.zip") as other,
+    ):
+        more = set(other.namelist()) - set(one.namelist())
+        modules = {f"{path.parent.name}/{path.stem}" for path in ROOT.glob("solutions/*/*.py")}
+        assert more == {f"course/solutions/{module}.pyc" for module in modules}
+        for name in one.namelist():
+            assert one.read(name) == other.read(name), name
+            assert one.getinfo(name).date_time == other.getinfo(name).date_time
+
+
+def test_a_chapter_may_be_taken_from_the_reference(engines: NodeEngines) -> None:
+    third = load_chapters()[1]
+    own = {path: text for path, text in reference().items() if path.startswith(third.name)}
+    report = engines.check(own, third, given=[2])
+    assert report["passed"]
+    assert report["summary"] == "All checks pass on the reference's chapter 2."
+
+
+def test_what_an_earlier_chapter_spoils_is_inherited(engines: NodeEngines) -> None:
+    third, files = load_chapters()[1], reference()
+    vector = files["ch02_vectors/vector.py"]
+    wrong = vector.replace("return math.hypot(", "return 2 * math.hypot(")
+    assert wrong != vector
+    report = engines.check(files | {"ch02_vectors/vector.py": wrong}, third)
+    states = {check["status"] for result in report["results"] for check in result["checks"]}
+    assert states == {"passed", "inherited"}
+    assert report["failure"]["heading"].startswith("Inherited, for example: ")
+    assert "because of mistakes in chapter 2" in report["notes"][0]

@@ -1,0 +1,132 @@
+"""Scenes on the pages: figures that come alive in lessons, and the page of the lab."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import browser as browsers
+import course_site
+import site_page
+from autograder.manifest import load_chapters
+from course_site import Served
+from site_page import accessible, reference, upload, visit
+from web.stills import scenes_of_students
+from wrong import Wrong, write_wrong
+
+SCENES = [entry.name for entry in scenes_of_students()]
+
+browser = pytest.fixture(browsers.browser_alone, scope="module")
+site = pytest.fixture(course_site.site, scope="module")
+visitor = pytest.fixture(site_page.visitor)
+
+
+@pytest.fixture(scope="module")
+def player(browser: Any, site: Served, tmp_path_factory: pytest.TempPathFactory) -> Any:
+    """A page of somebody who has written everything."""
+    with visit(browser) as context:
+        page = context.new_page()
+        upload(page, site.address, reference(), tmp_path_factory.mktemp("zip"))
+        yield page
+
+
+def seconds(place: Any) -> float:
+    return float(place.locator("[id$=clock]").inner_text().removesuffix(" s"))
+
+
+def play_until(place: Any, time: float) -> None:
+    """Let a lab play, and stop it."""
+    place.locator("[id$=play]").click()
+    for _ in range(600):
+        if seconds(place) >= time or place.locator("[id$=trouble]").is_visible():
+            break
+        place.page.wait_for_timeout(100)
+    place.locator("[id$=play]").click()
+
+
+def test_every_scene_plays_in_real_time_or_says_that_it_does_not(player: Any, site: Served) -> None:
+    player.goto(f"{site.address}lab.html?scene=one-spring&integrator=leapfrog&stiffness=100")
+    lab = player.locator("#lab")
+    player.locator("#contenders tbody tr").wait_for()
+    assert player.input_value("[name=integrator]") == "leapfrog"
+    slow = []
+    for scene in SCENES:
+        player.select_option("#scenes", scene)
+        player.locator("#contenders tbody tr").wait_for()
+        play_until(lab, 1.2)
+        trouble = player.locator("#trouble")
+        assert trouble.is_hidden(), trouble.inner_text()
+        assert seconds(lab) >= 1.2
+        if player.locator("#pace").is_visible():
+            slow.append((scene, player.inner_text("#pace")))
+        assert f"scene={scene}" in player.url
+    assert all("of the speed" in words for _, words in slow)
+
+
+def test_integrators_are_compared_and_pymunk_is_said_to_be_absent(
+    player: Any, site: Served
+) -> None:
+    player.goto(f"{site.address}lab.html?scene=one-spring")
+    player.locator("#contenders tbody tr").wait_for()
+    offered = player.locator("#add option").all_inner_texts()
+    assert "exact" in offered
+    assert "pymunk" not in offered
+    assert "not available in a browser" in player.inner_text("#absent")
+    player.select_option("#add", label="integrator: Runge-Kutta 4")
+    player.locator("#contenders tbody tr >> nth=1").wait_for()
+    play_until(player.locator("#lab"), 1.0)
+    first, second = (
+        float(row.split("\t")[1].removesuffix(" m"))
+        for row in player.inner_text("#contenders tbody").splitlines()
+    )
+    assert second < first / 100.0
+    accessible(player)
+
+
+def test_a_live_figure_starts_on_a_click_and_one_plays_at_a_time(player: Any, site: Served) -> None:
+    player.goto(f"{site.address}ch06_springs.html")
+    figures = player.locator("figure.live")
+    first, second = figures.nth(0), figures.nth(1)
+    assert first.locator("img").count() == 1
+    first.get_by_role("button", name="Start").click()
+    first.locator(".stage canvas").wait_for()
+    assert first.locator("[name=stiffness]").input_value() == "36"  # as the lesson sets it
+    accessible(player)
+    first.get_by_label("Each swing is wider than the last.").check()
+    first.get_by_role("button", name="This is my answer").click()
+    first.get_by_text("Right.").wait_for()
+    second.get_by_role("button", name="Start").click()
+    second.locator(".stage canvas").wait_for()
+    assert first.locator("canvas").count() == 0
+    assert first.locator("img").is_visible()
+    second.get_by_role("button", name="Close").click()
+    assert second.locator("img").is_visible()
+
+
+def test_a_scene_says_which_exercise_it_waits_for(visitor: Any, site: Served) -> None:
+    page = visitor.new_page()
+    page.goto(f"{site.address}ch02_vectors.html")
+    figure = page.locator("figure.live").first
+    figure.get_by_role("button", name="Start").click()
+    link = figure.get_by_role("link", name="This scene plays your own code.")
+    link.wait_for()
+    assert "not written yet: Exercise B2." in figure.inner_text()
+    link.click()
+    page.wait_for_url("**/ch02_vectors.html#ex-B2-*")
+
+
+def test_a_loop_in_a_scene_is_ended(visitor: Any, site: Served, tmp_path: Path) -> None:
+    chapter = next(chapter for chapter in load_chapters() if chapter.number == 5)
+    body = "while True:\n    pass"
+    write_wrong(chapter, [Wrong("forces.ForceRegistry.update_forces", "", "", body=body)], tmp_path)
+    path = "ch05_forces/forces.py"
+    texts = {**reference(), path: (tmp_path / path).read_text(encoding="utf-8")}
+    page = visitor.new_page()
+    upload(page, site.address, texts, tmp_path)
+    page.goto(f"{site.address}lab.html?scene=one-spring")
+    page.locator("#contenders tbody tr").wait_for()
+    page.locator("#step").click()
+    page.locator("#trouble").wait_for()
+    assert "forces.py, line" in page.inner_text("#trouble")

@@ -1,0 +1,132 @@
+"""What does not end costs one worker of the page, and is told in the words of `make check`."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from autograder.manifest import load_chapters
+from in_node import NodeEngines, engines, reference
+
+CHAPTER = load_chapters()[0]
+FILE = "ch02_vectors/vector.py"
+RIGHT = reference()
+LINE = "        return math.hypot(self.x, self.y, self.z)"
+LENGTH, NORMALIZE = "B2.2", "B2.4"
+
+engines = pytest.fixture(scope="module")(engines)
+
+
+def with_length(*lines: str) -> dict[str, str]:
+    """Return the reference with another body of Vector3.magnitude."""
+    assert RIGHT[FILE].count(LINE) == 1
+    body = "\n".join(f"        {line}" for line in lines)
+    return RIGHT | {FILE: RIGHT[FILE].replace(LINE, body)}
+
+
+def ask(engines: NodeEngines, files: dict[str, str], exercise: str = LENGTH) -> dict[str, Any]:
+    """Return all that the page hears of a check."""
+    asked = {"files": files, "chapter": CHAPTER.name, "exercise": exercise}
+    return engines.ask("check", asked=asked)
+
+
+def test_an_endless_loop_is_told_in_four_seconds_with_its_line(engines: NodeEngines) -> None:
+    right = ask(engines, RIGHT, NORMALIZE)
+    assert right["report"]["passed"]
+    before, loop = (
+        "        if length == 0.0:\n            return\n",
+        "        while length == 0.0:\n",
+    )
+    assert RIGHT[FILE].count(before) == 1
+    text = RIGHT[FILE].replace(before, f"{loop}            pass\n")
+    answer = ask(engines, RIGHT | {FILE: text}, NORMALIZE)
+    (trouble,) = answer["troubles"]
+    # The loop begins within the time that a right answer takes.
+    assert trouble["after"] < 4.0 + right["seconds"]
+    line = 1 + text.partition(loop)[0].count("\n")
+    for failure in (trouble["failure"], answer["report"]["failure"]):
+        *_, (_, words), (label, place) = failure["rows"]
+        assert words == "did not end within 3 seconds: an endless loop?"
+        assert (label, failure["file"]) == ("where", FILE)
+        assert place == f"{FILE}, line {failure['line']}, in normalize"
+        assert failure["line"] in (line, line + 1)
+    results = {result["id"]: result for result in answer["report"]["results"]}
+    assert results[LENGTH]["state"] == "passed", "what was found before the loop is kept"
+    assert 0.0 < results[NORMALIZE]["score"] < results[NORMALIZE]["points"], "and what comes after"
+
+
+def test_a_loop_in_c_is_ended_by_the_page(engines: NodeEngines) -> None:
+    answer = ask(engines, with_length("return sum(iter(int, 1))"))
+    rows = answer["report"]["failure"]["rows"]
+    assert rows[1] == ["", "did not end within 3 seconds: an endless loop?"]
+
+
+def test_a_module_that_does_not_end_is_told_as_such(engines: NodeEngines) -> None:
+    report = ask(engines, RIGHT | {FILE: "while True:\n    pass\n"})["report"]
+    words = f"{FILE}, while it is imported: did not end within 3 seconds: an endless loop?"
+    assert words in [said for _, said in report["failure"]["rows"]]
+
+
+def test_leaving_python_is_told_with_its_code(engines: NodeEngines) -> None:
+    rows = ask(engines, with_length("import os", "os._exit(3)"))["report"]["failure"]["rows"]
+    words = "the process ended in the middle, with exit code 3: is there an os._exit?"
+    assert rows[1] == ["", words]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "return self.magnitude()",
+        "return max([self], key=Vector3.magnitude)",
+        "return [v.magnitude() for v in sorted([self, self], key=lambda u: u.magnitude())][0]",
+    ],
+)
+def test_what_calls_itself_is_a_recursion_error(engines: NodeEngines, line: str) -> None:
+    """Each call of the last two goes through C, and fewer of those fit on a browser's stack."""
+    rows = dict(ask(engines, with_length(line))["report"]["failure"]["rows"])
+    assert rows["got"] == "RecursionError: maximum recursion depth exceeded"
+    assert rows["likely"].startswith("Something calls itself")
+    assert line in rows["where"]
+
+
+def test_calls_may_be_nested_as_deeply_as_where_work_is_graded(engines: NodeEngines) -> None:
+    deep = "deep = lambda n: n and 1 + deep(n - 1)"
+    report = ask(engines, with_length(deep, "assert deep(900) == 900", LINE.strip()))["report"]
+    assert report["passed"]
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ("import numpy", "ModuleNotFoundError: No module named 'numpy'"),
+        ("import js", "ModuleNotFoundError: No module named 'js'"),
+        ("open('/x', 'w')", "PermissionError: [Errno 13] Permission denied: '/x'"),
+        ("open('x')", "FileNotFoundError: [Errno 2] No such file or directory: 'x'"),
+        ("import os; os.fork()", "PermissionError: [Errno 1] Operation not permitted"),
+        ("input()", "EOFError: EOF when reading a line"),
+        ("raise SystemExit", "SystemExit"),
+    ],
+)
+def test_code_may_do_no_more_than_where_work_is_graded(
+    engines: NodeEngines, line: str, words: str
+) -> None:
+    rows = dict(ask(engines, with_length(line))["report"]["failure"]["rows"])
+    assert rows["got"] == words
+
+
+def test_nothing_of_a_check_is_left_for_the_next(engines: NodeEngines) -> None:
+    spoils = with_length("import math as m", "m.pi = 3.0", "self.__class__.seen = 1", LINE.strip())
+    ask(engines, spoils)
+    files = with_length("assert not hasattr(Vector3, 'seen')", LINE.strip())
+    assert ask(engines, files)["report"]["passed"]
+    assert ask(engines, RIGHT)["report"]["passed"]
+
+
+def test_what_cannot_be_run_is_a_clear_error(engines: NodeEngines) -> None:
+    asked = {"files": RIGHT, "chapter": "ch03_laws_of_motion", "given": [2]}
+    words = engines.ask("check", asked=asked)["error"]
+    assert words == "chapter 2 cannot be given: this folder has no reference of it"
+    asked = {"files": {"../x.py": ""}, "chapter": CHAPTER.name}
+    words = engines.ask("check", asked=asked)["error"]
+    assert words == "a file must be chNN_name/name, got '../x.py'"

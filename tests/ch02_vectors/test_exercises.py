@@ -133,8 +133,8 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     a, b = (tuple(n * (1.0 + 1e-15) for n in direction(rng)) for _ in range(2))
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; remove_projection(v, w)"
-    about.cause = "Up to rounding errors, these are unit vectors. Compare their lengths to 1 with "
-    about.cause += "the tolerance 1e-6, not with ==."
+    about.cause = "Except for rounding errors, these are unit vectors. Compare their lengths to 1 "
+    about.cause += "with the tolerance 1e-6, not with ==."
     about.read = "book 2.1.7"
     c, d, angle = exercises.remove_projection(v, w)
     about.cause = "Return c = a . b, the vector d = b - c a, and the angle between a and d in "

@@ -44,11 +44,13 @@ def test_a_drift_moves_the_position_alone(rng: Random) -> None:
         mistakes = [
             (
                 tuple(x[i] + (v[i] + a[i] * h) * h for i in range(3)),
-                "The acceleration was used. Only kick uses it. drift uses the velocity.",
+                "The acceleration was used here. Only kick() uses it, and drift() uses only the "
+                "velocity.",
             ),
             (
                 tuple(x[i] + v[i] * damping**h * h for i in range(3)),
-                "The velocity was damped. Only kick damps it. drift just reads the velocity.",
+                "The velocity was damped here. Only kick() damps it, and drift() only reads the "
+                "velocity.",
             ),
             (x, "The position did not change. Add v h to it."),
         ]

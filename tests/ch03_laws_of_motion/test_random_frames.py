@@ -43,7 +43,9 @@ def test_every_frame_but_the_last_is_within_the_jitter(rng: Random) -> None:
     for jitter in (round(rng.uniform(0.2, 0.8), 3), 0.95):
         *frames, last = frames_of(mean, jitter, 8.0, seed)
         about.call = f"random_frames({mean}, {jitter}, 8.0, {seed})"
-        about.cause = "Each frame must last from mean (1 - jitter) to mean (1 + jitter)."
+        about.cause = (
+            "The duration of each frame must be from mean * (1 - jitter) to mean * (1 + jitter)."
+        )
         farthest = max(frames, key=lambda frame: abs(frame - mean))
         least, most = mean * (1.0 - jitter), mean * (1.0 + jitter)
         name = ": of all frames but the last, the one that is farthest from the mean"

@@ -163,7 +163,9 @@ def test_shots_stand_in_the_order_in_which_they_were_fired_and_have_nothing_in_c
     for name in names:
         at.fire(name)
     expect_exactly(types_of(at), tuple(names), then=", their types")
-    about.cause = "Each shot needs its own particle, and each range its own list of shots."
+    about.cause = (
+        "Each shot needs a particle of its own, and each range needs a list of shots of its own."
+    )
     at.shots[0].particle.velocity.x = 99.0
     about.call = f"{about.call}[0].particle.velocity.x = 99.0; r.shots[3].particle.velocity.x"
     got = at.shots[3].particle.velocity.x

@@ -201,8 +201,8 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
             "MISSES_ALLOWED is 5, so the fifth miss does not end the game.",
         ),
         ((rocket, spark), 6, True, "The sixth miss ends the game, even if a rocket still burns."),
-        ((spark, spark), 0, True, "Only sparks burn. Without rockets the game is over."),
-        ((), 0, True, "Nothing burns, so the game is over."),
+        ((spark, spark), 0, True, "Only sparks still burn. Without rockets the game is over."),
+        ((), 0, True, "Nothing burns any more, so the game is over."),
     ):
         about.cause = cause
         about.call = f"fireworks of types {[type for type, *_ in lit]}, of which only 1 has a "

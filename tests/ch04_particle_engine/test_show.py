@@ -123,7 +123,10 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
             "much fuse is left."
         )
     if left == [2]:
-        about.cause = "(2, 3) means three fireworks of type 2. It is one birth with this count."
+        about.cause = (
+            "A payload (2, 3) means three fireworks of type 2. Light it as one birth with a count "
+            "of 3."
+        )
     expect_exactly(left, [2, 2, 2], then="; types", read=READ)
     about.cause = (
         "The payload starts at the position of the burnt-out firework, although that is below the "
@@ -150,18 +153,20 @@ def test_the_payload_starts_where_the_burnt_out_one_is_with_its_velocity(rng: Ra
     expect_exactly(types(a_show), [2, 2], then=", types", read=READ)
     for firework in a_show.fireworks:
         about.cause = (
-            "It starts at the position after the last step, and moves from the next step on."
+            "The payload starts at the position after the last step, and moves from the next step "
+            "on."
         )
         wanted = (v[0] * 0.25, 20.0 + v[1] * 0.25, v[2] * 0.25)
         got = xyz(firework.particle.position)
         expect_close(got, wanted, then=", a position", read=READ, tolerance=1e-13)
         about.cause = (
-            "Its velocity is its own plus that of the burnt-out firework, including gravity."
+            "The payload's velocity is its own plus that of the burnt-out firework, including "
+            "gravity."
         )
         wanted = (v[0] + own[0], v[1] - 9.81 * 0.25 + own[1], v[2] + own[2])
         got = xyz(firework.particle.velocity)
         expect_close(got, wanted, then=", a velocity", read=READ, tolerance=1e-13)
-        about.cause = "Its fuse is still whole, because it burns from the next step on."
+        about.cause = "The payload's fuse is still whole, because it burns from the next step on."
         expect_close(firework.age, 1.5, then=", an age", read=READ)
 
 
@@ -195,7 +200,7 @@ def test_the_burnt_out_make_room_before_any_payload_is_lit() -> None:
     a_show = show_with(rules, [(1, 1, at((0, 20, 0))), (2, 2, at((0, 20, 0)))], 3)
     a_show.update(0.25)
     expect_exactly(types(a_show), [3, 3, 4], read=READ)
-    about.cause = "Six were requested, and three had no room."
+    about.cause = "Six fireworks were requested, and three of them had no room."
     expect_exactly(a_show.dropped, 3, then="; show.dropped", read=READ)
 
 
@@ -259,7 +264,10 @@ def test_the_count_of_sparks_is_that_of_the_rules(rng: Random) -> None:
 @pytest.mark.exercise("B4.6")
 def test_rules_without_an_end_stay_within_the_capacity() -> None:
     rules = [fixed(1, 0.1, UP, (1, 10))]
-    about.cause = "Each leaves ten of its own type. light keeps the number within the capacity."
+    about.cause = (
+        "Each firework leaves ten of its own type. Use light(), which keeps their number within "
+        "the capacity."
+    )
     about.read = "the docstring of FireworksShow"
     for when_full in ("keep_old", "drop_oldest"):
         about.call = (

@@ -287,7 +287,7 @@ def test_first_is_who_is_touched_first_and_not_who_is_nearer() -> None:
 @pytest.mark.exercise("4.3c")
 def test_a_shot_that_starts_inside_a_block_hits_that_one() -> None:
     about.call = "strike_first(Vector3(0, 1, 5), p at z = 20, blocks at z = 10 and 5), their hits"
-    about.cause = "A fraction of 0 is a hit. Test for `is None`, because 0 counts as false."
+    about.cause = "A fraction of 0 is a hit. Test for `is None`, because Python treats 0 as false."
     blocks = [TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 1.0), mass=5.0) for z in (10.0, 5.0)]
     p = Particle(Vector3(0.0, 1.0, 20.0), Vector3(0.0, 0.0, 50.0))
     targets.strike_first(Vector3(0.0, 1.0, 5.0), p, blocks)
@@ -298,7 +298,7 @@ def test_a_shot_that_starts_inside_a_block_hits_that_one() -> None:
 @pytest.mark.exercise("4.3c")
 def test_a_shot_that_hits_nothing_changes_nothing() -> None:
     about.call = "strike_first(Vector3(0, 1, 0), p at z = 20, a block at x = 9)"
-    about.cause = "No block is on the path, so return None and count no hit."
+    about.cause = "No block is on the path, so return None and do not count a hit."
     block = TargetBlock(Vector3(9.0, 1.0, 5.0), (2.0, 2.0, 1.0), mass=5.0)
     p = Particle(Vector3(0.0, 1.0, 20.0), Vector3(0.0, 0.0, 50.0))
     got = targets.strike_first(Vector3(0.0, 1.0, 0.0), p, [block])

@@ -102,7 +102,8 @@ def test_the_jet_goes_against_the_rim(rng: Random) -> None:
     mistakes = [
         (
             (0.0, 2.0 * rate + jet, 0.0),
-            "The jet was added. Subtract it, because it goes against the rim.",
+            "The speed of the jet was added. Subtract it, because the jet blows against the "
+            "motion of the rim.",
         ),
         ((0.0, 2.0 * rate, 0.0), "The jet is missing. Subtract it from the speed of the rim."),
     ]
@@ -182,7 +183,9 @@ def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
     show, wheel = wheel_of((0.0, 5.0, 0.0), capacity=3, sparks_per_second=10.5)
     wheel.update(1.0)
     expect_exactly(len(show.fireworks), 3, then="; len(show.fireworks)")
-    about.cause = "All 10 sparks that were due after 1 s count as thrown, also those without room."
+    about.cause = (
+        "All 10 sparks that were due after 1 s count as thrown, even those that found no slot."
+    )
     if wheel.thrown == 3:
         about.cause = (
             "Only the 3 sparks that found a slot were counted, so the other 7 would be thrown "

@@ -177,7 +177,12 @@ def test_no_brake_turns_any_motion_round(rng: Random) -> None:
     about.cause = "A brake of this strength leaves only a rounding error."
     name = about.call.replace("smallest", "largest")
     expect_between(most, 0.0, 1e-9, call=name)
-    expect_close(len(shares), tries, call="how many steps", cause="One for each try.")
+    expect_close(
+        len(shares),
+        tries,
+        call="how many steps",
+        cause="The result must have one number for each try.",
+    )
 
 
 @pytest.mark.exercise("5.2")

@@ -77,7 +77,7 @@ def test_every_pair_is_asked_once_a_frame(rng: Random) -> None:
         ],
         "A pair is missing. Do not compare generators with ==, because two different generators "
         "may be equal.": [one for one in wanted if one[:2] != (0, 2)],
-        "The generators got 1/60 s. Pass them the duration of update_forces.": [
+        "The generators always got 1/60 s. Pass them the duration that update_forces gets.": [
             (p, generator, 1.0 / 60.0) for p, generator, _ in wanted
         ],
         "No generator was called. Skip a particle only if its inverse mass is 0.": [],
@@ -95,7 +95,10 @@ def test_one_generator_may_serve_many_particles() -> None:
 
 @pytest.mark.exercise("B5.3")
 def test_a_pair_that_is_added_twice_acts_twice() -> None:
-    about.cause = "Every call of add counts. Do not check whether the pair is already there."
+    about.cause = (
+        "Every call of add registers another pair, even an equal one. Do not check whether the "
+        "pair is already there."
+    )
     about.read = "the docstring of add"
     about.call = "registry.add(p, generator) twice; registry.update_forces(0.5); number of calls"
     got = asked((), [("add", 1, 1), ("add", 1, 1), ("update", 0.5)])
@@ -105,10 +108,14 @@ def test_a_pair_that_is_added_twice_acts_twice() -> None:
 @pytest.mark.exercise("B5.3")
 def test_remove_takes_back_one_call_of_add() -> None:
     about.read = "the docstring of remove"
-    about.cause = "Each call of remove removes one pair. The others stay."
+    about.cause = "Each call of remove takes out one pair. All other pairs stay."
     adds = [("add", 0, 0), ("add", 1, 1), ("add", 0, 0), ("add", 0, 0)]
     everyone = [(0, 0, 0.5), (1, 1, 0.5), (0, 0, 0.5), (0, 0, 0.5)]
-    expect_asked([*adds, ("update", 0.5)], everyone, cause="Every call of add counts.")
+    expect_asked(
+        [*adds, ("update", 0.5)],
+        everyone,
+        cause="Every call of add registers another pair, even an equal one.",
+    )
     about.call = "added p[0] with generator[0] three times, and p[1] with generator[1]; "
     about.call += "registry.remove(p[0], generator[0]); calls of update_force, sorted"
     got = sorted(asked((), [*adds, ("remove", 0, 0), ("update", 0.5)]))

@@ -52,9 +52,9 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
         expect_exactly(fired, True)
         expect_exactly(at.bullet is None, False, then="; range.bullet is None")
         bullet: Any = at.bullet
-        about.cause = "The vertical part of the speed is sin(elevation) of it, and the horizontal "
-        about.cause += "part is cos(elevation) of it. The azimuth rotates the horizontal part from "
-        about.cause += "Z toward X."
+        about.cause = "The vertical part is speed x sin(elevation), and the horizontal part is "
+        about.cause += "speed x cos(elevation). The azimuth rotates the horizontal part from Z "
+        about.cause += "toward X."
         wanted = (
             120.0 * math.cos(elevation) * math.sin(azimuth),
             120.0 * math.sin(elevation),
@@ -67,10 +67,7 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
                 120.0 * math.sin(azimuth),
                 wanted[2],
             ),
-            "The azimuth turns the wrong way, away from X.": (
-                -wanted[0],
-                *wanted[1:],
-            ),
+            "The azimuth turns the shot the wrong way, away from X.": (-wanted[0], *wanted[1:]),
             "The sine and the cosine of the azimuth are swapped.": wanted[::-1],
             "The horizontal part is not multiplied by cos(elevation).": (
                 120.0 * math.sin(azimuth),
@@ -119,7 +116,7 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     a, e = draw_angles(rng)
     about.call = f"range = SniperRange(1); range.shoot({a}, {e}); a step of 1/60 s later"
     at = SniperRange(1)
-    about.cause = "One step moves the bullet by v h once."
+    about.cause = "One step must move the bullet by v h exactly once."
     at.shoot(a, e)
     at.update(1.0 / 60.0)
     bullet: Any = at.bullet
@@ -317,10 +314,26 @@ def test_a_hole_is_where_the_way_passes_the_plane_of_the_target(rng: Random) -> 
 @pytest.mark.exercise("P4.2b")
 def test_a_way_beside_the_target_or_short_of_it_makes_no_hole() -> None:
     for start, end, cause in (
-        ((-2.1, 1.5, 49.0), (-2.1, 1.5, 51.0), "This path passes beside the target."),
-        ((-1.5, 1.5, 40.0), (-1.5, 1.5, 49.9), "This path ends before the target."),
-        ((-1.5, 1.5, 50.1), (-1.5, 1.5, 60.0), "This path begins behind the target."),
-        ((-1.5, 1.5, 51.0), (-1.5, 1.5, 49.0), "This path comes from behind."),
+        (
+            (-2.1, 1.5, 49.0),
+            (-2.1, 1.5, 51.0),
+            "This path passes beside the target, so it does not hit.",
+        ),
+        (
+            (-1.5, 1.5, 40.0),
+            (-1.5, 1.5, 49.9),
+            "This path ends before the target, so it does not hit.",
+        ),
+        (
+            (-1.5, 1.5, 50.1),
+            (-1.5, 1.5, 60.0),
+            "This path begins behind the target, so it does not hit.",
+        ),
+        (
+            (-1.5, 1.5, 51.0),
+            (-1.5, 1.5, 49.0),
+            "This path comes from behind the target, so it does not hit.",
+        ),
         (
             (-1.5, 1.5, 50.0),
             (-1.5, 1.5, 50.0),

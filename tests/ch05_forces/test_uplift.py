@@ -87,7 +87,9 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
 def test_the_column_has_no_end_upwards_or_downwards(rng: Random) -> None:
     about.read = READ
     origin, force = components(rng), components(rng)
-    about.cause = "Only X and Z count. Ignore the heights of the particle and the origin."
+    about.cause = (
+        "Only the distance in X and Z matters. Ignore the heights of the particle and the origin."
+    )
     for height in (-500.0, 0.0, 500.0):
         place = (origin[0] + 1.0, height, origin[2] - 1.0)
         about.call, got = lifted(origin, 2.0, force, place)

@@ -145,11 +145,11 @@ def test_any_start_any_mass(share: float, name: str, rng: Random) -> None:
             "The stiffness is not divided by the mass. Use k / m.": by_roots(
                 x0, v0, k * m, c, m, t
             ),
-            "The position lacks the contribution of v0. Add it.": (
+            "The position does not depend on v0. Add the contribution of v0.": (
                 by_roots(x0, 0.0, k, c, m, t)[0],
                 v,
             ),
-            "The velocity lacks the contribution of x0. Differentiate the position.": (
+            "The velocity does not depend on x0. Differentiate the position to get it.": (
                 x,
                 by_roots(0.0, v0, k, c, m, t)[1],
             ),

@@ -80,8 +80,8 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         about.call = f"p at {place}, q at {base}; ElasticLimitSpring(q, {k}, {rest}, {limit}, "
         about.call += f"{share}).update_force(p, 0.5)"
         about.cause = (
-            "Up to the limit the full stiffness applies. Beyond it only share times the stiffness "
-            "does: k (limit - l0) + share k (l - limit)."
+            "Up to the limit the full stiffness applies, and beyond it share * stiffness: k (limit "
+            "- l0) + share k (l - limit)."
         )
         p, q = Particle(Vector3(*place), mass=3.0), Particle(Vector3(*base))
         spring = ElasticLimitSpring(q, k, rest, limit, share)
@@ -90,14 +90,15 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         late = rest + limit  # the length of a limit that is counted from the rest length
         sizes = {
             (
-                "The force does not grow beyond the limit. It must keep growing, with share times "
-                "the stiffness."
+                "The force does not grow beyond the limit. It must keep growing there, with share "
+                "* stiffness."
             ): limit - rest,
             (
                 "share is applied to the whole extension. Apply it only to the part beyond the "
                 "limit."
             ): share * (length - rest),
-            "Beyond the limit the full stiffness acts. Multiply it by share there.": length - rest,
+            "The full stiffness acts beyond the limit. Multiply the stiffness by share "
+            "there.": length - rest,
             "Only the part beyond the limit counts here. Add the part up to the limit.": share
             * beyond,
             "The limit is counted from the rest length. It is a length, not an extension.": (

@@ -109,8 +109,8 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
     ):
         about.cause = cause
         k = part * limit
-        about.call = f"swings_wider(integrator, {k!r}, {damping}, 1/60), a step that bears "
-        about.call += f"{limit:.6g} N/m"
+        about.call = f"swings_wider(integrator, {k!r}, {damping}, 1/60), a step that is "
+        about.call += f"stable up to {limit:.6g} N/m"
         got = wider(share, explicit, k, damping, h)
         expect_exactly(got, wanted)
 
@@ -125,7 +125,7 @@ def test_swings_that_stay_as_they_are_are_not_wider() -> None:
     )
     for share in (0.1, 0.9, 0.97, 0.98):
         k = share * 14_400.0
-        about.call = f"swings_wider(integrator, {k}, 1.0, 1/60), a step that bears 14400 N/m"
+        about.call = f"swings_wider(integrator, {k}, 1.0, 1/60), a step stable up to 14400 N/m"
         got = wider(1.0, False, k, 1.0, 1.0 / 60.0)
         expect_exactly(got, False)
     about.call = "swings_wider(integrator, 14700, 1.0, 1/60), a step that is stable up to 14400 N/m"
@@ -141,7 +141,7 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
     share, damping = draw_step(rng)
     h = 1.0 / 20.0
     if explicit:
-        damping = 0.9  # with which it bears some 1 N/m
+        damping = 0.9  # with which it is stable up to about 1 N/m
     about.call = f"largest_stable_stiffness(integrator, {damping}, {h!r}), a step of the check's "
     about.call += "own"
     about.cause = (
@@ -188,7 +188,7 @@ def test_the_ends_of_what_is_measured() -> None:
         "Do not try any stiffness above STIFFEST / h^2. If even that one is stable, return it."
     )
     for rate in (60.0, 30.0, 1.25):
-        about.call = f"largest_stable_stiffness(integrator, 0.5, 1/{rate:g}), a step that bears "
+        about.call = f"largest_stable_stiffness(integrator, 0.5, 1/{rate:g}), a step stable up to "
         about.call += "400 / h^2"
         most = 16.0 * rate**2
         got = measured(0.01, False, 0.5, 1.0 / rate)

@@ -111,16 +111,16 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
                 max(push * (1.0 + share), 0.0),
                 0.0,
             ),
-            "The damping also acts along the ground. Only v_y counts.": (
-                -4.0 * c,
-                wanted[1],
-                -4.0 * c,
-            ),
+            "The damping also acts along the ground. It must depend on v_y only and act upward "
+            "or not at all.": (-4.0 * c, wanted[1], -4.0 * c),
             "This pulls down. The ground only pushes.": (0.0, push * (1.0 - share), 0.0),
         }
         blame(got, slips)
         if got[0] or got[2]:
-            about.cause = "The damping also acts along the ground. Only v_y counts."
+            about.cause = (
+                "The damping also acts along the ground. It must depend on v_y only and act upward "
+                "or not at all."
+            )
         expect_close(got, wanted, tolerance=1e-11)
 
 

@@ -101,7 +101,7 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
                 total - hanger + part
                 for total, hanger, part in zip(wanted, parts[0], below, strict=True)
             ],
-            "Only the hangers act. Join the planks to each other too.": parts[0],
+            "Only the hangers act. Connect the planks to each other too.": parts[0],
             "Each spring between two planks acts twice. Connect each pair once.": [
                 2.0 * total - hanger for total, hanger in zip(wanted, parts[0], strict=True)
             ],

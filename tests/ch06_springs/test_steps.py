@@ -35,8 +35,8 @@ RULES = {
         "d^h, damped once."
     ),
     "runge_kutta_4": (
-        "Use the mean of four rates, in which the second and the third count double. Multiply the "
-        "new velocity by d^h once."
+        "Use the weighted mean of four rates, in which the second and the third count double. "
+        "Multiply the new velocity by d^h once."
     ),
 }
 EVALUATIONS = dict.fromkeys(EXERCISES, 1) | {"velocity_verlet": 2, "runge_kutta_4": 4}

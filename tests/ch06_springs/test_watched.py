@@ -141,7 +141,7 @@ def test_an_explosion_is_told_with_its_step(rng: Random) -> None:
         about.call = f"{CALL.format(limit)}; explicit Euler, k = 3600, 1 kg, h = 1/60, from 1 m: "
         about.call += "step and speed"
         about.cause = (
-            "The speed after a step counts. Here k h^2 / m is 1, so each step rotates the state "
+            "Compare the speed after the step. Here k h^2 / m is 1, so each step rotates the state "
             "by 45 degrees and multiplies it by the root of 2."
         )
         step, speed, told = exploding(limit)
@@ -176,8 +176,8 @@ def test_a_watch_goes_on_after_an_error(rng: Random) -> None:
     about.call = f"{CALL.format(limit)}; the first step raises ValueError, the third and the fifth "
     about.call += "call end too fast; of each error its step, or -1 for the ValueError"
     about.cause = (
-        "Pass exceptions of the integrator on. Such a step does not count. After an alarm the "
-        "watch goes on counting."
+        "Let exceptions of the integrator pass through, and do not count such a step. After an "
+        "alarm the watch goes on counting."
     )
     got = watching_on(limit)
     expect_close(got, (-1.0, 2.0, 4.0))

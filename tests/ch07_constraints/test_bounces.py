@@ -166,8 +166,8 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
         (-0.7375 * v, "The masses are swapped. The change is multiplied by lower_mass / total."),
         (2.3625 * v, "This is the change of the upper ball's velocity. Before the impact it fell "
          "at v, so subtract v."),
-        (2.625 * v - v, "The upper ball got the whole change. Its part is lower_mass / total, "
-         "here 0.9."),
+        (2.625 * v - v, "The upper ball got the whole change of the relative velocity. Its part "
+                        "is lower_mass / total, here 0.9."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, 1.3625 * v)

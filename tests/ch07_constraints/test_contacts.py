@@ -274,8 +274,9 @@ def test_two_that_fall_alike_build_up_nothing(rng: Random) -> None:
         (0.0, other, 1.0, 2.0, c * (3.0 - other * h), "Here b accelerates toward a, which closes "
          "the contact. Use (aa - ab) . n."),
         (0.0, other, 1.0, math.inf, c * 3.0, immovable),
-        (-other, 0.0, 1.0, math.inf, c * (3.0 - other * h), "The acceleration of a counts fully "
-         "when the other particle is immovable."),
+        (-other, 0.0, 1.0, math.inf, c * (3.0 - other * h), "When the other particle is "
+                                                            "immovable, the acceleration of a "
+                                                            "counts in full."),
         (-other, 0.0, math.inf, 1.0, c * 3.0, immovable),
     ):  # fmt: skip
         about.cause = cause

@@ -161,7 +161,10 @@ def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
         extra = [pair for pair in seen if pair not in pairs]
         about.cause = f"The pair {extra[0]} should not be there. {about.cause}"
     else:
-        about.cause = "Sort the pairs by their place in the list, the earlier particle first."
+        about.cause = (
+            "Sort the pairs by the positions of their particles in the list, the earlier particle "
+            "first."
+        )
     expect_exactly(len(got), len(wanted), then=": number of pairs")
     expect_exactly(seen, pairs, then=": the pairs, by index")
     for (_, _, normal, restitution, depth), right in zip(got, wanted, strict=True):

@@ -55,7 +55,7 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     ground = GroundPlane(particles, height, radius, c)
     times = [fall / speed for fall, speed in zip(falls, speeds, strict=True)]
     first = min(times)
-    about.cause = "The earliest of the four impacts counts."
+    about.cause = "Return the earliest of the four impacts."
     impact = expect_impact(ground.next_impact(9.0))
     time, contact = impact[0], impact[1]
     whole = min((fall + radius) / speed for fall, speed in zip(falls, speeds, strict=True))
@@ -88,7 +88,7 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     name = f"{about.call}; g.next_impact({0.999 * first}) is None"
     got = ground.next_impact(0.999 * first)
     expect_exactly(got is None, True, call=name)
-    about.cause = "An impact exactly at the end of the duration counts."
+    about.cause = "An impact exactly at the end of the duration counts too."
     got = ground.next_impact(float(time))
     name = f"{about.call}; g.next_impact({time!r}) is None"
     expect_exactly(got is None, False, call=name)
@@ -328,8 +328,8 @@ def test_pairs_fall_alike(rng: Random) -> None:
         about.call = f"a of {ma} kg at (5, 0, 0), velocity (-3, 0, 0); b of {mb} kg at (0, 0, 0); "
         about.call += "on both a force of 9.81 m down; integrate(1e-9); ParticlePairs([a, "
         about.call += "b], 1.0).next_impact(10): time"
-        about.cause = "Both fall with 9.81 m/s^2. Dividing force by mass leaves rounding errors, "
-        about.cause += "so accept accelerations that differ by 1e-12 of their size."
+        about.cause = "Both particles fall with 9.81 m/s^2. Dividing force by mass leaves rounding "
+        about.cause += "errors, so accept accelerations that differ by 1e-12 of their size."
         pair = [Particle(Vector3(5.0), Vector3(-3.0), mass=ma), Particle(mass=mb)]
         for particle, mass in zip(pair, (ma, mb), strict=True):
             particle.add_force(Vector3(0.0, -9.81 * mass, 0.0))

@@ -288,7 +288,7 @@ def test_what_is_deepest_is_first() -> None:
     about.call = "the same with 0.5 m each, limit 1: penetrations"
     for order in ((0, 1), (1, 0)):
         equal = [(1, 0, RIGHT, 0.0, 0.5), (2, 1, RIGHT, 0.0, 0.5)]
-        about.cause = "Both are 0.5 m deep. Take the first in the list."
+        about.cause = "Both contacts are 0.5 m deep. Take the first in the list."
         _, _, got = resolved(bodies, [equal[i] for i in order], "resolve_penetrations", 1)
         expect_close(got, (0.0, 0.75), then=f", order {order}")
 
@@ -374,7 +374,7 @@ def test_both_phases_have_their_own_limit() -> None:
         expect_close(got, 3.0, call=name, tolerance=1e-14)
     name = f"{about.call}the balls at rest and apart; iterations_used"
     pairs = [(1, 0, RIGHT, 0.0, 0.0), (2, 1, RIGHT, 0.0, -0.5)]
-    about.cause = "Nothing closes and nothing is deep, so no iteration is used."
+    about.cause = "No contact is closing and none is deep, so no iteration is used."
     used, after, _ = resolved(row(0.0, 0.0, 0.0), pairs, "resolve_contacts", 0)
     expect_exactly(used, 0, call=name)
     got = tuple(place[0] for place, _ in after)

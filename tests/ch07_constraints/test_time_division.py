@@ -143,7 +143,10 @@ def test_rest_is_told_with_its_time() -> None:
     expect_close(ended or (0, -1.0), (1000, 0.0))
     about.call = "a ball falls 5 m, g = 10, restitution 0.5; one step of 2.6 s, max_impacts 3: was "
     about.call += "TooManyImpacts raised?"
-    about.cause = "It bounces after 1, 2 and 2.5 s. Three impacts are allowed, so do not raise."
+    about.cause = (
+        "The ball bounces after 1, 2 and 2.5 s. Three impacts are allowed, so do not raise an "
+        "error."
+    )
     body = ((0.0, 5.0, 0.0), ZERO, 1.0)
     _, _, _, ended = flown([body], DOWN, 0.0, (0.5, None), 2.6, 1, 3)
     expect_exactly(ended is not None, False)

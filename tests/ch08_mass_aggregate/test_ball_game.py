@@ -58,7 +58,8 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     mistakes = [
         (points, missing),
         (points + 50, "The bonus was given once. It is 50 for each life that is left."),
-        (points + 150, "The bonus counts all three lives. Count only those that are left."),
+        (points + 150, "The bonus was given for all three lives. Give it only for those that are "
+                       "left."),
         (score - 10, "10 points are missing. The last row gives its POINTS in addition to the "
          "bonus, and a fall costs no points."),
     ]  # fmt: skip
@@ -70,7 +71,9 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     before = seen[rows + falls - 2]
     about.cause = "Before the last row is visited, the game is not won, so there is no bonus."
     expect_exactly(before[0], 10 * (rows - 1), then=": the score before the last row")
-    about.cause = "After the end of the game nothing counts any more."
+    about.cause = (
+        "After the end of the game nothing counts, so landings and falls must not change anything."
+    )
     got = list(seen[-1][:2])
     expect_exactly(got, [score, 3 - falls], then=": score and lives at the end")
 
@@ -80,7 +83,9 @@ def test_three_falls_are_the_end(rng: Random) -> None:
     a, b = rng.sample(range(1, 5), 2)
     events = [-1, a, -1, -1, -1, b]
     about(f"Rules(6); landings on these rows, and rules.fell() for each -1: {events}", read=RULES)
-    about.cause = "A fall takes a life. After the last life nothing counts, so lives stay at 0."
+    about.cause = (
+        "A fall takes a life. After the last life nothing counts any more, so lives must stay at 0."
+    )
     seen = ruled(6, events)
     got = [lives for _, lives, *_ in seen]
     expect_exactly(got, [2, 2, 1, 0, 0, 0], then=": lives after each")
@@ -121,8 +126,8 @@ def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
     named = "The ball lands. Set row to the row that deck.nearest() returns."
     for what, x, height, velocity, wanted, cause in (
         ("in the deck, falling", before, 4.5 - depth, -speed, (2, row), named),
-        ("in the deck, falling slowly", beyond, 4.5 - depth, -0.01, (2, row), "A slow ball lands "
-         "as well. Any negative separating velocity counts."),
+        ("in the deck, falling slowly", beyond, 4.5 - depth, -0.01, (2, row), "A slow "
+         "ball lands as well. Any negative separating velocity counts."),
         ("in the deck, on its way up", before, 4.5 - depth, speed, (2, -1), "A ball that moves up "
          "touches the deck but does not land. Set row to None."),
         ("in the deck, at rest", before, 4.5 - depth, 0.0, (2, -1), "A ball at rest does not land. "

@@ -173,11 +173,15 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
          "the mean of their squares."),
         (0.5 * apart, "These distances are from the midpoint. The center of mass is nearer to the "
          "heavier particle."),
-        (math.hypot(*ways) / math.sqrt(2.0), "The masses do not count here. Weight each one."),
+        (math.hypot(*ways) / math.sqrt(2.0), "The masses do not count here. Weight each squared "
+                                             "distance by the mass."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-12)
-    about(f"spread of one particle at {p}", cause="It is at its own center of mass, so return 0.")
+    about(
+        f"spread of one particle at {p}",
+        cause="A single particle is at its own center of mass, so return 0.",
+    )
     expect_close(spread_of([p], [m])[0], 0.0, tolerance=1e-12)
 
 

@@ -38,7 +38,11 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
         got = fewest_rods(count)
         if count == 8:
             mistakes = [
-                (24, "These are all degrees of freedom of eight corners. A rigid body keeps six."),
+                (
+                    24,
+                    "These are all 24 degrees of freedom of the eight corners. A rigid body "
+                    "keeps six of them.",
+                ),
                 (13, "This is 2 n - 3, which holds for a flat figure. In space it is 3 n - 6."),
                 (21, "This is 3 n - 3. A rigid body can move in three ways and rotate in three."),
             ]
@@ -68,7 +72,7 @@ def test_a_number_of_particles_is_1_or_more() -> None:
 def test_the_cube_is_rigid() -> None:
     about(
         "cube_rods()",
-        cause="Each rod must be a pair of two different indices from 0 to 7.",
+        cause="Each rod must be a pair of different indices from 0 to 7.",
         read=CUBE,
     )
     rods = cube_rods()

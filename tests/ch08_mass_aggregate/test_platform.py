@@ -265,7 +265,10 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
     expect_close(got, wanted, tolerance=1e-12)
     got = [coordinate for place in done["before"] for coordinate in place]
     wanted = [coordinate for place in PLACES for coordinate in place]
-    about("platform.free_pivot(); positions of its particles", cause="Nothing may move yet.")
+    about(
+        "platform.free_pivot(); positions of its particles",
+        cause="free_pivot() must not move anything yet.",
+    )
     expect_close(got, wanted, tolerance=0.0)
     for name in ("rods", "in world"):
         where = "platform.rods" if name == "rods" else "world.contact_generators"

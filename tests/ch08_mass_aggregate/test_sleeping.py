@@ -137,8 +137,8 @@ def test_sleep_stops_and_waking_gives_the_mass_back(rng: Random) -> None:
     done = slept(mass, speed)
     expect_close(done["inverse mass asleep"], 0.0, then=": inverse_mass", tolerance=0.0)
     expect_close(done["velocity asleep"], (0.0,) * 3, then=": velocity", tolerance=0.0)
-    about.cause = "It falls asleep at the end of the third step, so three steps have moved it. "
-    about.cause += "After that nothing may move it."
+    about.cause = "The particle falls asleep at the end of the third step, so three steps have "
+    about.cause += "moved it. After that nothing may move it."
     place = (1.0 + 3.0 * speed / 60.0, 2.0, 3.0)
     for name in ("place asleep", "place later"):
         shown = name.replace("place", "position")

@@ -152,7 +152,7 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
         (gained / (4.0 * 5.0 * G), "The lost energy was computed with the projectile's mass. Use "
                                    "the counterweight's mass."),
         (1.0 / wanted, "The fraction is upside down. Divide the gained energy by the lost energy."),
-        (100.0 * wanted, "This is in percent. A share of 1 is all of the energy."),
+        (100.0 * wanted, "This is a percentage. A share of 1 stands for all of the energy."),
     ]  # fmt: skip
     blame(share, mistakes)
     expect_close(share, wanted, then=": share", tolerance=1e-9)

@@ -70,7 +70,7 @@ def test_whatever_is_moved_a_little_wakes(how: str) -> None:
         new = how.replace("place", "position")
         about.call = f"three particles asleep on the ground, the {new} of 1 and 2 is changed by "
         about.call += f"{by} along {axis}; a step of 1/60 s, wake_moved()"
-        about.cause = "All three are at rest, so they must fall asleep."
+        about.cause = "All three particles are at rest, so they must fall asleep."
         before, after = woken_by_little(how, axis, by)
         expect_exactly(before, [0, 1, 2], then=": who slept before")
         about.cause = f"A change of the {new} wakes a particle along every axis, in both "
@@ -103,7 +103,7 @@ def test_what_is_pushed_moves_in_that_frame(rng: Random) -> None:
         expect_exactly(woken, True, then=": does it wake within 10 steps")
         got = done["velocity"] or (math.nan,) * 3
         about.cause = (
-            "Already the step in which the particle wakes must move it, with each force counted "
+            "The particle must move in the same step in which it wakes, and each force must act "
             "once."
         )
         twice = tuple(2.0 * part for part in velocity)
@@ -218,14 +218,14 @@ def test_what_fell_asleep_as_one_wakes_as_one() -> None:
             about.call = f"five particles, contacts of {pairs} except in the step in which they "
             about.call += f"fall asleep; then number {first} gets a velocity; wake()"
             was, now = group_woken(pairs, first)
-            about.cause = "All five are at rest, so they must fall asleep."
+            about.cause = "All five particles are at rest, so they must fall asleep."
             expect_exactly(was, [0, 1, 2, 3, 4], then=": who slept before")
             about.cause = "The whole group must wake, and nothing else. Wake neighbors of "
             about.cause += "neighbors too, and store as neighbors all that touched in the last "
             about.cause += "sleep_frames steps."
             expect_exactly(now, [4], then=": who sleeps afterward")
     about.call = "three particles in a row on two springs, asleep; the last one gets 6 m/s; wake()"
-    about.cause = "All three are at rest, so they must fall asleep."
+    about.cause = "All three particles are at rest, so they must fall asleep."
     seen, places = on_a_spring(20)
     expect_exactly(seen[0], [0, 1, 2], then=": who slept before")
     about.cause = "Particles that a generator joins are one group too: use joined(self.registry). "

@@ -154,7 +154,7 @@ def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
     q = in_order(*angles)
     got = hamilton(in_order(x, y, z), (q[0], -q[1], -q[2], -q[3]))
     about.call += f"; the angles change by these rates for {step} s: the rotation, per second"
-    about.cause = "These rates do not give this angular velocity."
+    about.cause = "These rates do not lead to the given angular velocity."
     # First order in the step: 1e-6 of the square of rates of up to some 50.
     got = tuple(2.0 * component / step for component in got[1:])
     expect_close(got, w, tolerance=0.05)

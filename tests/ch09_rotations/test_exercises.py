@@ -225,7 +225,7 @@ def test_a_product_with_j_or_k_is_refused(rng: Random) -> None:
             TypeError,
             call=f"product_without_j_and_k({which})",
             allowed=lambda: product_without_j_and_k(Quaternion(*good), Quaternion(*good)),
-            cause="Both arguments must be Quaternions. Raise TypeError for a number.",
+            cause="Both arguments must be Quaternions. Raise TypeError for anything else.",
             read=FIRST_LINES,
         )
 

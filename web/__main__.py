@@ -16,12 +16,12 @@ from web.node import run_node
 from web.pack import pack
 from web.pictures import copy_pictures
 
-PARTS = ROOT / "build" / "web"  # what the pages are made of
+PARTS = ROOT / "build" / "web"  # the content of the pages
 NOT_OURS = ("pyodide", "vendor")
 
 
 def main() -> int:
-    """Build the site; return 1 where it cannot be built."""
+    """Build the site and return the exit status: 1 if it cannot be built, else 0."""
     parser = argparse.ArgumentParser(prog="python -m web", description=__doc__)
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "site")
     parser.add_argument(
@@ -42,7 +42,11 @@ def main() -> int:
 
 
 def build(out: Path, *, with_solutions: bool) -> None:
-    """Build the site into a folder that is new, empty, or an earlier build."""
+    """Build the site into a folder that is new, empty, or contains an earlier build.
+
+    Raises:
+        ValueError: if the folder contains anything else.
+    """
     if out.exists() and any(out.iterdir()) and not (out / "sw.js").is_file():
         raise ValueError(f"{out} is not empty, and is no earlier build of the site")
     shutil.rmtree(PARTS, ignore_errors=True)
@@ -51,7 +55,7 @@ def build(out: Path, *, with_solutions: bool) -> None:
     _write("course.json", course())
     _write("settings.json", {"solutions": with_solutions, "repository": repository()})
     _say("Drawing the scenes ...")
-    # In a process of its own: a scene imports the reference, which stays imported.
+    # This needs its own process: a scene imports the reference, which then stays imported.
     subprocess.run([sys.executable, "-m", "web.stills", PARTS / "stills"], cwd=ROOT, check=True)
     _write("pictures.json", copy_pictures(PARTS / "figures"))
     _say("Packing what Python needs ...")
@@ -64,7 +68,7 @@ def build(out: Path, *, with_solutions: bool) -> None:
 
 
 def repository() -> str:
-    """Return the address of the repository, where a workflow of GitHub builds; else nothing."""
+    """Return the address of the repository, or an empty text unless a GitHub workflow builds."""
     server, name = os.environ.get("GITHUB_SERVER_URL"), os.environ.get("GITHUB_REPOSITORY")
     return f"{server}/{name}" if server and name else ""
 
@@ -78,7 +82,7 @@ def _say(words: str) -> None:
 
 
 def _sizes(out: Path) -> str:
-    """Return how large the site is, and how much of it is ours."""
+    """Describe how large the site is, with and without the parts that are not ours."""
     sizes = {file: file.stat().st_size for file in out.rglob("*") if file.is_file()}
     other = sum(size for file, size in sizes.items() if file.relative_to(out).parts[0] in NOT_OURS)
     total = sum(sizes.values())

@@ -1,4 +1,4 @@
-"""Find the modules that files import, directly or through others, without importing any."""
+"""Find the modules that files import, directly or indirectly, without importing them."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from pathlib import Path
 def imported_by(
     roots: Iterable[Path], folders: Iterable[Path], packages: Collection[str]
 ) -> list[Path]:
-    """Return the files of these packages that the roots import, wherever in their code.
+    """Return the files of these packages that the roots import anywhere in their code.
 
-    ``folders`` are where the packages are. A root that lies in one of the packages is among them.
+    ``folders`` contain the packages. A root that is itself in one of the packages is included.
     """
     folders = list(folders)
     found: set[Path] = set()
@@ -31,7 +31,10 @@ def imported_by(
 
 
 def _names(file: Path, folders: Iterable[Path]) -> Iterator[str]:
-    """Yield the modules that a file may import; of a name in a package, nobody knows what it is."""
+    """Yield the names of all modules that a file may import.
+
+    In `from a import b`, `b` may be a module or anything else, so `a.b` is yielded too.
+    """
     for node in ast.walk(ast.parse(file.read_bytes())):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
@@ -49,7 +52,7 @@ def _home(file: Path, folders: Iterable[Path]) -> Path | None:
 
 
 def _files(name: str, folders: Iterable[Path]) -> Iterator[Path]:
-    """Yield the file of a module, and those of the packages that it is in."""
+    """Yield the file of a module and the files of the packages that contain it."""
     parts = name.split(".")
     for count in range(1, len(parts) + 1):
         for folder in folders:

@@ -14,7 +14,7 @@ PACKAGES = WEB / "node_modules"
 
 
 def missing() -> str:
-    """Return what is missing to run Node; an empty text where nothing is."""
+    """Describe what is missing to run Node, or return an empty text if nothing is."""
     node = shutil.which("node")
     if node is None or shutil.which("npm") is None:
         what = "node" if node is None else "npm"
@@ -27,7 +27,11 @@ def missing() -> str:
 
 
 def run_node(script: str, *arguments: str) -> None:
-    """Run a script of this folder. Raises ValueError, with what to do, where that is impossible."""
+    """Run a script of this folder with Node.
+
+    Raises:
+        ValueError: with advice on what to do, if the script cannot be run or fails.
+    """
     if why := missing():
         raise ValueError(why)
     install()
@@ -43,7 +47,7 @@ def install() -> None:
     if stamp.is_file() and stamp.read_text(encoding="utf-8") == wanted:
         return
     print("Installing the packages of web/package-lock.json ...", flush=True)
-    # No package needs to run a script of its own.
+    # None of the packages needs an install script.
     npm = shutil.which("npm") or "npm"  # npm.cmd on Windows
     done = subprocess.run(
         [npm, "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--silent"], cwd=WEB, check=False

@@ -1,4 +1,4 @@
-"""Pack what Pyodide needs: course.zip, and Python's own library, both compiled where that helps.
+"""Pack the files for Pyodide: course.zip and Python's own library, compiled where that helps.
 
 The course is a hand-out of all chapters, with the parts of pytest and of the tools that a check or
 a scene imports. Two builds of the same sources give the same bytes.
@@ -19,9 +19,9 @@ from autograder.manifest import ROOT, load_chapters
 from web.imports import imported_by
 from web.node import PACKAGES, run_node
 
-CHECKED = ("chapters", "tests")  # these stay source code: it is what tracebacks show
+CHECKED = ("chapters", "tests")  # these stay source code, because tracebacks show it
 OURS = ("autograder", "lab", "studies", "web")
-# Packages whose parts are found by name while pytest runs, and those of which little is imported.
+# Packages copied whole, because pytest finds their parts by name, and packages used only in part.
 WHOLE, IN_PART = ("_pytest", "pytest", "pluggy", "iniconfig"), ("packaging", "py", "pygments")
 LICENSED = ("pytest", "pluggy", "iniconfig", "packaging", "pygments")
 # Parts of Python's library that need another process, a socket, a terminal or a database.
@@ -44,10 +44,10 @@ def pack(out: Path, *, with_solutions: bool = False) -> None:
 
 
 def _stage_course(folder: Path, *, with_solutions: bool) -> None:
-    """Put the files of the course into a folder: what students get, and our Python for browsers."""
+    """Put the course into a folder: the students' files and our Python code for browsers."""
     with tempfile.TemporaryDirectory(prefix="handout-") as place:
         handout = Path(place) / "handout"
-        with contextlib.redirect_stdout(io.StringIO()):  # it says what an instructor wants to know
+        with contextlib.redirect_stdout(io.StringIO()):  # its output is meant for an instructor
             make_handout(load_chapters(), [], handout)
         _copy_tree(ROOT / "web" / "python", handout / "web" / "python", "*.py")
         (handout / "web" / "__init__.py").write_text('"""The course in a browser."""\n')
@@ -68,7 +68,7 @@ def _stage_course(folder: Path, *, with_solutions: bool) -> None:
 
 
 def _stage_packages(folder: Path, course: Path) -> None:
-    """Put pytest and what it needs into a folder, and each package's license."""
+    """Put pytest and its dependencies into a folder, and their licenses into the course."""
     site = Path(get_path("purelib"))
     for name in WHOLE:
         _copy_tree(site / name, folder / name, "*.py")
@@ -82,7 +82,7 @@ def _stage_packages(folder: Path, course: Path) -> None:
 
 
 def _stage_library(folder: Path) -> None:
-    """Put Python's library, as Pyodide brings it, into a folder."""
+    """Put the standard library that comes with Pyodide into a folder, without unusable parts."""
     left_out = tuple(LEFT_OUT.split())
     with zipfile.ZipFile(PACKAGES / "pyodide" / "python_stdlib.zip") as archive:
         wanted = [name for name in archive.namelist() if not name.startswith(left_out)]

@@ -1,4 +1,4 @@
-"""Copy the pictures of the pages, smaller but looking the same, and note their sizes."""
+"""Copy the pictures of the pages as smaller files that look the same, and note their sizes."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from PIL import Image, ImageChops, ImageStat
 
 from autograder.manifest import ROOT
 
-PALETTES = (64, 128)  # colors that are enough where nobody sees the difference
+PALETTES = (64, 128)  # numbers of colors to try before the full picture is kept
 UNSEEN = 2.5  # of 255, root mean square
 
 
 def copy_pictures(out: Path) -> dict[str, dict[str, object]]:
-    """Copy all still pictures into a folder; return name, width and height by their path.
+    """Copy all still pictures into a folder, and return name, width and height for each path.
 
-    Animations stay behind: a scene that runs on the page takes the place of each.
+    Animations are left out, because a scene that runs on the page replaces each of them.
     """
     out.mkdir(parents=True, exist_ok=True)
     found = {}
@@ -31,7 +31,7 @@ def copy_pictures(out: Path) -> dict[str, dict[str, object]]:
 
 
 def _packed(picture: Image.Image) -> bytes:
-    """Return a picture as WebP, with fewer colors where that is not seen."""
+    """Return a picture as WebP, with fewer colors if the difference is invisible."""
     full = picture.convert("RGB")
     for colors in PALETTES:
         less = full.quantize(

@@ -1,8 +1,8 @@
 """Draw the pictures that stand for scenes until a reader starts them: python -m web.stills FOLDER.
 
-There is one for each scene, after the scripted player has played on the reference for a moment,
-and one for each `make lab SCENE=... SET=...` of a lesson, at its start: it must not give away what
-happens.
+Each scene gets a picture of the moment after the scripted player has played briefly on the
+reference. Each `make lab SCENE=... SET=...` of a lesson gets a picture of its start, which must not
+give away what happens.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ def scenes_of_students() -> list[Entry]:
 
 
 def wanted() -> list[tuple[str, str]]:
-    """Return the scenes and settings that pages show: each scene, and those of the lessons."""
+    """Return the scenes and settings that pages show: every scene, and the settings of lessons."""
     found = [(entry.name, "") for entry in scenes_of_students()]
     for lesson in sorted(ROOT.glob("chapters/*/README.md")):
         found += COMMAND.findall(lesson.read_text(encoding="utf-8").replace("\n> ", " "))
@@ -56,7 +56,7 @@ def wanted() -> list[tuple[str, str]]:
 
 
 def still_name(scene: str, settings: str) -> str:
-    """Return the name of a picture, such as one-spring_stiffness-36."""
+    """Return the name of a picture's file, such as one-spring_stiffness-36."""
     return "_".join([scene, *settings.replace("=", "-").split()])
 
 

@@ -1,4 +1,4 @@
-"""Draw what a scene's pen has recorded as an SVG with the page's light and dark colors."""
+"""Draw the items that a scene's pen has recorded as an SVG, in the page's light and dark colors."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from typing import Any
 from lab.pen import Item
 
 COLORS = Path(__file__).parent.parent / "lab" / "page" / "colors.css"
-WIDTH, HEIGHT = 640.0, 400.0  # pixels, of every picture
-TURNS = 24  # corners of a spring
-HIDDEN = ("force", "contact")  # arrows that a page shows only when it is asked to
+WIDTH, HEIGHT = 640.0, 400.0  # of every picture, in pixels
+TURNS = 24  # corners in the zigzag of a spring
+HIDDEN = ("force", "contact")  # arrows that a page shows only on request
 
 
 class View:
-    """Turns coordinates of a scene, in its units and +y up, into pixels, as the page does."""
+    """Convert coordinates of a scene (its own units, +y up) to pixels, as the page does."""
 
     def __init__(self, view: tuple[float, float, float, float]) -> None:
         left, right, bottom, top = view
@@ -33,12 +33,12 @@ class View:
         return round(self.dy - self.scale * y, 1)
 
     def points(self, flat: list[float]) -> list[tuple[float, float]]:
-        """Return points in pixels from their coordinates, x and y in turn."""
+        """Convert a flat list of coordinates (x, y, x, y, ...) to points in pixels."""
         return [(self.x(x), self.y(y)) for x, y in zip(flat[::2], flat[1::2], strict=True)]
 
 
 def svg(items: list[Item], view: tuple[float, float, float, float]) -> str:
-    """Return an SVG of what a pen has recorded in a view of a scene."""
+    """Return an SVG of the items that a pen has recorded, seen in a scene's view."""
     place = View(view)
     shapes = "\n".join(shape for kind, *values in items if (shape := DRAW[kind](place, *values)))
     width, height = f"{WIDTH:g}", f"{HEIGHT:g}"
@@ -50,7 +50,7 @@ def svg(items: list[Item], view: tuple[float, float, float, float]) -> str:
 
 
 def _style(names: set[str]) -> str:
-    """Return the rules for these colors, as the style sheet of the lab has them."""
+    """Return CSS rules for these color names, with the values of the lab's style sheet."""
     light, dark = COLORS.read_text(encoding="utf-8").split("@media")
     rules = []
     for sheet in (light, dark):

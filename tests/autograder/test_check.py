@@ -176,7 +176,7 @@ def test_a_python_without_the_packages_is_told_what_to_do() -> None:
         ("math.hypot(self.x, self.y, self.z)", SQUARES, "likely    The square of 1e200"),
         ("if length == 0.0:", "if length is None:", "likely    Zero has no direction"),
         ("math.hypot(self.x, self.y, self.z)", "mth.hypot(self.x)", "Did you mean math?"),
-        ("return self.x * v.x", "return self.x * v.magnitude", "is named but not called"),
+        ("return self.x * v.x", "return self.x * v.magnitude", "is used without being called"),
         ("def magnitude(self)", "def magnitude()", "Is self missing in a def"),
         ("def magnitude(self)", "def magnitud(self)", "renamed it to magnitud,"),
         ("return math.hypot(self.x, self.y, self.z)", "self.x = float(input())", "input or"),

@@ -17,7 +17,7 @@ SECTION = r"(?:chapter [2-9]|[2-9](?:\.\d+){1,2}|Eq\. [2-9]\.\d+|(?:exercise|pro
 # term, its other names, explanation with symbol and unit, place in the book (or none) and in code
 ENTRY = re.compile(
     r"\*\*(.+?)\*\*(?: \(([^)]+)\))?: ([A-Z\"].+?) "
-    rf"Book: (none known|{SECTION}(?:, {SECTION})*(?:, [^.]+)?)\. Code: (`.+)\."
+    rf"Book: (not covered|{SECTION}(?:, {SECTION})*(?:, [^.]+)?)\. Code: (`.+)\."
 )
 
 

@@ -9,7 +9,7 @@ import {build} from "esbuild";
 export const WEB = path.join(import.meta.dirname, "..");
 const PYODIDE = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm"]; // and what pack.py has written
 
-// Write assets/, and return the names of the entries: a name changes whenever its content does.
+// Write assets/, and return the names of the entries. A name changes whenever its content changes.
 export async function bundle(out, define) {
   const shared = {
     bundle: true,
@@ -47,12 +47,12 @@ export async function copyPyodide(out) {
   for (const name of PYODIDE) {
     await copyFile(path.join(WEB, "node_modules", "pyodide", name), path.join(out, "pyodide", name));
   }
-  // Its list of packages stays behind: none is used.
+  // Leave out its list of packages, because none is used.
   const lock = await readJson(path.join(WEB, "node_modules", "pyodide", "pyodide-lock.json"));
   await writeFile(path.join(out, "pyodide", "pyodide-lock.json"), JSON.stringify({...lock, packages: {}}));
 }
 
-// Data that a script fetches and unpacks: a third of the size, on any server.
+// Pack data that a script fetches and unpacks. This takes a third of the size on any server.
 export async function writePacked(file, data) {
   await mkdir(path.dirname(file), {recursive: true});
   await writeFile(file, deflateSync(JSON.stringify(data), {level: 9}));

@@ -7,7 +7,7 @@ import {readFile} from "node:fs/promises";
 import {loadPyodide} from "pyodide";
 
 const [from, out] = process.argv.slice(2);
-// With another seed in every build, sets would be written in another order.
+// With a different seed in every build, sets would be written in a different order.
 const pyodide = await loadPyodide({env: {HOME: "/home/pyodide", PYTHONHASHSEED: "0"}});
 for (const [folder, at] of [[from, "/in"], [out, "/out"]]) {
   pyodide.FS.mkdirTree(at);
@@ -16,6 +16,6 @@ for (const [folder, at] of [[from, "/in"], [out, "/out"]]) {
 try {
   pyodide.runPython(await readFile(path.join(import.meta.dirname, "compile.py"), "utf8"));
 } catch (error) {
-  console.error(error.message); // Node would show a megabyte of Pyodide before it
+  console.error(error.message); // Node itself would print a megabyte of Pyodide before the message
   process.exit(1);
 }

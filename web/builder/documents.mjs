@@ -1,4 +1,4 @@
-// Pages that are no lessons: what becomes of which Markdown file, and the glossary.
+// Pages that are not lessons: which Markdown file becomes which page, and the glossary.
 
 import {escape} from "./markdown.mjs";
 

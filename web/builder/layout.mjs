@@ -1,8 +1,8 @@
-// What every page has around its text.
+// The layout around the text of every page.
 
 import {escape} from "./markdown.mjs";
 
-// No other host, no script of a page's own. WebAssembly is Python; styles within formulas are MathML's.
+// Allow no other host and no inline script. Python needs WebAssembly, and MathML needs inline styles.
 const POLICY = [
   "default-src 'self'",
   "script-src 'self' 'wasm-unsafe-eval'",

@@ -1,11 +1,11 @@
-// What a lesson has beyond its text: a panel for each exercise, and figures that come alive.
+// What is added to the text of a lesson: a panel for each exercise, and live figures.
 
 import {code, escape} from "./markdown.mjs";
 import {termLink} from "./terms.mjs";
 
 const CHECK = /^make check EX=(\S+)/;
 const LAB = /make lab SCENE=([\w-]+)(?:\s+SET="([^"]*)")?/;
-const SHORT = 20; // letters of code that stay in one line
+const SHORT = 20; // code of at most this many letters is not broken over lines
 const STARS = ["", "★☆☆", "★★☆", "★★★"];
 
 export const anchor = (id) => `ex-${id.replace(".", "-")}`;
@@ -43,7 +43,7 @@ ${words ? `<p class="turn-terms">Terms: ${words}</p>` : ""}
 `;
 }
 
-// The panel that checks all of a chapter, at the end of its lesson.
+// The panel that checks a whole chapter, at the end of its lesson.
 export function chapterPanel(chapter, next) {
   const following = next ? `<p class="next"><a href="${next.name}.html">Next: chapter ${next.number}, ${escape(next.title)}</a></p>` : "";
   return `<h2 id="your-chapter">Your chapter ${chapter.number}</h2>
@@ -54,7 +54,7 @@ ${following}
 `;
 }
 
-// Commands in the middle of a sentence: a link to what they do, where the site can do it.
+// A command in a sentence becomes a link to what it does, if the site can do it.
 export function inlineCode(content, env) {
   const html = `<code${content.length <= SHORT ? ' class="short"' : ""}>${escape(content)}</code>`;
   const lab = LAB.exec(content);
@@ -68,7 +68,7 @@ export function labAddress(scene, settings = "") {
   return escape(`lab.html?${new URLSearchParams([["scene", scene], ...values])}`);
 }
 
-// Quotations that begin with bold words: an experiment, which brings its scene, or a question.
+// A quotation that begins with bold words is an experiment, which gets its scene, or a question.
 export function callouts(md) {
   md.renderer.rules.blockquote_open = (tokens, i, _, env) => {
     const words = tokens[i + 2]?.type === "inline" ? tokens[i + 2].content : "";
@@ -85,7 +85,7 @@ export function callouts(md) {
   };
 }
 
-// A figure that plays a scene once it is started. Until then, and without scripts, it is a picture.
+// A figure that plays a scene once the reader starts it. Before that, and without scripts, it is a picture.
 export function liveFigure(name, settings, env, picture = "") {
   const scene = env.scenes.find((each) => each.name === name);
   const still = [name, ...(settings ?? "").replaceAll("=", "-").split(/\s+/).filter(Boolean)].join("_");

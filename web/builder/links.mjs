@@ -17,8 +17,8 @@ export function pageOf(file) {
   }[file];
 }
 
-// A function that turns a link of a Markdown file into one of the site. A file that is no page is
-// in the repository, if its address is known; "" says that there is no link.
+// Return a function that turns a link of a Markdown file into one of the site. A file that is not a page
+// is linked in the repository if its address is known. The result "" means that there is no link.
 export function linker(source, repository) {
   return (href) => {
     if (/^(https?:|#)/.test(href)) return href;
@@ -30,7 +30,7 @@ export function linker(source, repository) {
   };
 }
 
-// A function that turns a picture of a Markdown file into one of the site.
+// Return a function that turns a picture of a Markdown file into one of the site.
 export function pictures(source, known) {
   return (src, alt) => {
     const file = path.posix.join(path.posix.dirname(source), src);

@@ -38,12 +38,12 @@ export function reader() {
   return md;
 }
 
-// The anchor of a heading, as GitHub makes it.
+// Return the anchor of a heading, in GitHub's form.
 export function slug(text) {
   return text.toLowerCase().replace(/[^\p{L}\p{N} _-]/gu, "").replaceAll(" ", "-");
 }
 
-// Headings get an anchor; the second one of the same words gets a number.
+// Headings get an anchor. If two headings have the same words, the second anchor gets a number.
 function anchors(state) {
   const seen = new Map();
   state.tokens.forEach((token, i) => {
@@ -64,7 +64,7 @@ export function formula(tex, display) {
   return display ? `<div class="formula" data-scrolls="Formula">${math}</div>` : math;
 }
 
-// A listing; Python's is colored.
+// A code listing. Python code is colored.
 export function code(language, content) {
   const html = ["python", "pycon"].includes(language) ? colored(content) : escape(content);
   return `<pre data-scrolls="Listing"><code>${html}</code></pre>\n`;
@@ -79,7 +79,7 @@ function colored(content) {
   return html + escape(content.slice(at));
 }
 
-// $x$, with no space inside the dollars and no digit behind them.
+// $x$, without a space just inside the dollars and without a digit after them.
 function inlineFormula(state, silent) {
   if (state.src[state.pos] !== "$") return false;
   const found = /^\$(?! )([^$]+?)(?<! )\$(?!\d)/s.exec(state.src.slice(state.pos));
@@ -103,8 +103,8 @@ function blockFormula(state, start, end, silent) {
   return true;
 }
 
-// A paragraph that is nothing but a picture, or a link around one, becomes a figure. A picture that
-// links to an animation of a scene remembers the scene.
+// A paragraph that contains only a picture, or a link around one, becomes a figure. A picture that
+// links to an animation of a scene stores the scene's name.
 function figures(state) {
   state.tokens.forEach((token, i) => {
     if (token.type !== "inline" || state.tokens[i - 1]?.type !== "paragraph_open") return;

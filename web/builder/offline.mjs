@@ -6,7 +6,7 @@ import {readdir, readFile, writeFile} from "node:fs/promises";
 
 import {WEB} from "./bundle.mjs";
 
-const LATER = /^(pyodide\/|course)/; // what Python needs: fetched once a page has been read
+const LATER = /^(pyodide\/|course)/; // the files for Python, which are fetched after the pages
 
 export async function writeServiceWorker(out) {
   const hashes = {};

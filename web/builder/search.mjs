@@ -1,4 +1,4 @@
-// The index of the search: words of every section of every page, made when the site is built.
+// The index of the search, made when the site is built: the words of every section of every page.
 
 import MiniSearch from "minisearch";
 
@@ -17,7 +17,7 @@ export function sectionsOf(tokens, page, title) {
   return sections;
 }
 
-// Return the index and where each of its entries leads, as data for search.js.
+// Return the index and the target of each entry, as data for search.js.
 export function indexOf(sections, titles) {
   const pages = [...new Set(sections.map(({page}) => page))];
   const index = new MiniSearch(OPTIONS);

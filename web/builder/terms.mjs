@@ -1,4 +1,4 @@
-// The glossary: its terms, links to them, and what a reader sees who stops at such a link.
+// The glossary: its terms, the links to them, and the tooltips of these links.
 
 import {escape, slug, textOf} from "./markdown.mjs";
 
@@ -10,14 +10,14 @@ export function termsOf(glossary) {
   });
 }
 
-// What says what a term means: without its symbol, unit, and where it appears.
+// Return the explanation of a term, without its symbol, its unit and where it appears.
 function short(text) {
   const meaning = text.replace(/ (Symbol|Unit|Book|Code): .*$/, "");
   const sentences = meaning.split(/(?<=\.) (?=[A-Z])/);
   return (meaning.length > 260 ? sentences.slice(0, 2).join(" ") : meaning).replaceAll("`", "");
 }
 
-// A function that finds a term by a word of a text, also where the word is a plural.
+// Return a function that finds the term for a word of a text, even if the word is a plural.
 export function finder(terms) {
   const known = new Map();
   for (const term of terms) for (const name of [term.name, ...term.others]) known.set(name.toLowerCase(), term);
@@ -27,7 +27,7 @@ export function finder(terms) {
   };
 }
 
-// Link terms: those that a page emphasizes, and the first mention of each of the wanted ones.
+// Link the terms that a page emphasizes, and the first mention of each wanted term.
 export function linkTerms(md) {
   md.core.ruler.push("terms", (state) => {
     const {env} = state;
@@ -89,7 +89,7 @@ export function termLink({id}) {
   return `<a class="term" href="glossary.html#${id}" aria-describedby="tip-${id}">`;
 }
 
-// The meanings of all terms that a page links, for the tooltips.
+// Return the explanations of all terms that a page links, for the tooltips.
 export function tips(used) {
   const each = [...used.values()].map(({id, short}) => `<p id="tip-${id}" role="tooltip" class="tip">${escape(short)}</p>`);
   return each.length ? `<div id="tips" hidden>${each.join("")}</div>` : "";

@@ -1,15 +1,15 @@
-// The student's work as a zip: for make grade, and to go on at another computer.
+// The student's work as a zip, for make grade and for continuing on another computer.
 
 import {strToU8, unzipSync, zipSync} from "fflate";
 
 import {allStubs} from "./course.js";
 import {workspace} from "./workspace.js";
 
-const LARGEST = 5_000_000; // bytes of a zip, as make grade has it
+const LARGEST = 5_000_000; // bytes of a zip, the same limit as in make grade
 const LARGEST_FILE = 200_000; // bytes of one text
 const MOST = 5_000; // entries
 
-// Return the zip of every chapter in which something is written; null where nothing is.
+// Return a zip of every chapter in which the student has written something, or null if there is none.
 export async function zipped() {
   const [written, stubs] = [workspace.written(), await allStubs()];
   const chapters = new Set(Object.keys(written).map((path) => path.split("/")[0]));
@@ -18,8 +18,8 @@ export async function zipped() {
   return zipSync(Object.fromEntries(paths.map((path) => [path, strToU8(written[path] ?? stubs[path])])));
 }
 
-// Return the texts in a zip that are files of the course, and the names of the others. Raises an
-// Error with words for the student where it cannot be read.
+// Return the texts in a zip that are files of the course, and the names of all other files. Throws an
+// Error with a message for the student if the zip cannot be read.
 export async function unzipped(file) {
   if (file.size > LARGEST) throw new Error(`The file is larger than ${LARGEST / 1e6} MB. A zip of your work is far smaller.`);
   const stubs = await allStubs();
@@ -44,7 +44,7 @@ export async function unzipped(file) {
   return {texts, others};
 }
 
-// The path of a file of the course, wherever it is in the zip; undefined for any other.
+// Return the path of a file within the course, wherever it is in the zip; undefined for other files.
 function pathOf(name, stubs) {
   const path = name.replaceAll("\\", "/").split("/").slice(-2).join("/");
   return path in stubs ? path : undefined;

@@ -2,7 +2,7 @@
 
 import {button, el} from "./dom.js";
 
-// Return the answer to a question: true only for the button that says so.
+// Ask a question and return the answer: true only if the reader presses the confirming button.
 export function ask(title, content, yes, no = "Cancel") {
   return new Promise((resolve) => {
     const dialog = el("dialog", {className: "ask", "aria-labelledby": "ask-title"});

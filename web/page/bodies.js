@@ -26,20 +26,20 @@ export function functionsOf(text) {
 
 const range = (node) => (node ? [node.from, node.to] : [0, 0]);
 
-// A body ends with its last line, not with the blank lines or comments that follow.
+// A body ends with its last line. Blank lines or comments that follow do not belong to it.
 function endOf(node, text) {
   let end = node.to;
   while (end > node.from && /\s/.test(text[end - 1])) end--;
   return end;
 }
 
-// The functions of an exercise in one file: edit has names such as vector.Vector3.copy.
+// Return the functions of an exercise in one file. `edit` has names such as vector.Vector3.copy.
 export function namesIn(exercise, path) {
   const module = path.split("/")[1].replace(/\.py$/, "");
   return exercise.edit.filter((name) => name.startsWith(`${module}.`)).map((name) => name.slice(module.length + 1));
 }
 
-// Return the text with the stubs of these functions, and those that could not be put back.
+// Return the text with these functions replaced by their stubs, and the names that could not be replaced.
 export function putStubsBack(text, stub, names) {
   const pristine = functionsOf(stub);
   const lost = [];
@@ -53,7 +53,7 @@ export function putStubsBack(text, stub, names) {
   return {text, lost};
 }
 
-// Insert a function that was deleted behind the nearest one that comes before it in the stub.
+// Insert a deleted function after the nearest function that comes before it in the stub.
 function insert(text, stub, name, pristine) {
   const there = functionsOf(text);
   const {scope, from, to} = pristine.get(name);

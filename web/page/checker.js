@@ -1,14 +1,14 @@
-// Check in one worker after the other. A check that does not end costs its worker; what the worker has
-// told goes to the next one, which continues. What the check is worth is for Python's runner to say.
+// Run checks in one worker after the other. A worker whose check does not end is ended. Its reports go
+// to the next worker, which continues. Python's runner decides what the check is worth.
 
-const MORE = 1; // s beyond the limit of a check, for a loop that Python cannot interrupt
-const SILENCE = 10; // s beyond it in which nothing is told between two checks
-const CRASHED = -11; // as a process ends that has overrun its stack
+const MORE = 1; // s of grace after the limit of a check, for a loop that Python cannot interrupt
+const SILENCE = 10; // s of grace without a report between two checks
+const CRASHED = -11; // the exit code of a process that has overrun its stack
 const nothing = () => undefined;
 
-// Return the report on what is asked. `next` promises the interpreter to go on with. `onProgress` hears
-// how many checks are done, of how many. `onTrouble` hears of a failure that is known while the rest is
-// not: of the first check that did not end, or of what is found before earlier chapters are checked.
+// Return the report on a request. `next` returns a promise of the interpreter to continue with.
+// `onProgress` is called with the number of finished checks and of all checks. `onTrouble` is called with
+// a failure that is known early: a check that did not end, or one found before earlier chapters are checked.
 export async function runChecks(asked, next, {onProgress = nothing, onTrouble = nothing}) {
   const past = [];
   const first = (failure) => {
@@ -23,14 +23,14 @@ export async function runChecks(asked, next, {onProgress = nothing, onTrouble = 
     if (end.kind === "failed" || end.kind === "lost") throw new Error(end.why);
     interpreter.end("It was checking something that did not end.");
     if (end.kind !== "crashed") continue;
-    // A browser's stack is small. What overruns it is run again with fewer nested calls, of which
-    // Python says that they are too many.
+    // A browser's stack is small. Checks that overrun it are run again with a lower limit on nested
+    // calls, so that Python reports too deep a recursion.
     if (!end.during) throw new Error(`Python stopped: ${end.why}`);
     asked = {...asked, shallow: true};
   }
 }
 
-// Have one interpreter check, as far as it comes, and add what it tells to the past.
+// Let one interpreter run checks as far as it gets, and add its reports to the past.
 function attempt(interpreter, asked, past, hear) {
   return new Promise((resolve) => {
     let process = null;
@@ -81,7 +81,7 @@ function attempt(interpreter, asked, past, hear) {
   });
 }
 
-// The student's code is about to run: a check begins, or the import of a module.
+// Whether the student's code is about to run, because a check or the import of a module begins.
 function isBegun(line) {
   const [kind] = Object.keys(JSON.parse(line));
   return kind === "Started" || kind === "Importing";

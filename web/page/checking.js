@@ -7,9 +7,9 @@ import {chaptersGiven, keep} from "./results.js";
 import {ownerOf, panels} from "./turn.js";
 import {workspace} from "./workspace.js";
 
-const SLOW = 700; // ms, after which a reader learns why nothing happens yet
+const SLOW = 700; // ms until the page explains why there is no result yet
 
-// Run checks for a panel, which has say, checking, result and data. Returns the report, if there is one.
+// Run checks for a panel, which has say, checking, result and data. Return the report if there is one.
 export async function runChecks(panel, exercise) {
   if (panel.running) return null;
   panel.running = true;
@@ -55,7 +55,7 @@ export async function check(panel) {
   showReport(panel, report, parts);
 }
 
-// Show what is wrong with a check that did not end, while the others still run.
+// Show the failure of a check that did not end while other checks are still running.
 export async function showTrouble(panel, failure) {
   panel.result.replaceChildren(failureOf(failure, panel.level, await stepsFor({failure}, panel)));
   panel.result.hidden = false;

@@ -1,4 +1,4 @@
-// Earlier versions: texts that something else has replaced.
+// Earlier versions: texts that have been replaced.
 
 import {button, count, download, el} from "./dom.js";
 import {readAll} from "./store.js";

@@ -1,4 +1,4 @@
-// What the site knows of the course: an outline, and the files and exercises of each chapter.
+// The site's data about the course: an outline, and the files and exercises of each chapter.
 
 import {site} from "./dom.js";
 
@@ -19,12 +19,12 @@ async function fetched(name) {
 export const outline = () => packed("course");
 export const chapterOf = (name) => packed(name);
 
-// The stub of a file, such as ch02_vectors/vector.py; undefined where there is no such file.
+// Return the stub of a file such as ch02_vectors/vector.py; undefined if there is no such file.
 export async function stubOf(path) {
   return (await chapterOf(path.split("/")[0])).files[path];
 }
 
-// All files that a student may write, by path, with their stubs.
+// Return the stubs of all files that a student may edit, by path.
 export async function allStubs() {
   const {chapters} = await outline();
   const each = await Promise.all(chapters.map(({name}) => chapterOf(name)));

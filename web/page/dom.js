@@ -15,10 +15,10 @@ export function button(words, onclick, properties = {}) {
   return el("button", {type: "button", onclick, ...properties}, words);
 }
 
-// The address of a file of the site: all pages are in one folder.
+// Return the address of a file of the site. All pages are in one folder.
 export const site = (file) => new URL(file, document.baseURI).href;
 
-// Call a function once, when an element comes near what is seen.
+// Call a function once, when an element comes near the visible part of the page.
 export function whenNear(element, act) {
   const watcher = new IntersectionObserver(
     (entries) => {
@@ -35,7 +35,7 @@ export function count(number, one, many = `${one}s`) {
   return `${number} ${number === 1 ? one : many}`;
 }
 
-// Save text or bytes as a file of the reader's.
+// Save text or bytes as a file on the reader's computer.
 export function download(name, content, type) {
   const link = el("a", {href: URL.createObjectURL(new Blob([content], {type})), download: name});
   link.click();

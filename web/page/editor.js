@@ -22,22 +22,22 @@ import {functionsOf, namesIn} from "./bodies.js";
 import {workspace} from "./workspace.js";
 
 const fromElsewhere = Annotation.define();
-const markWrong = StateEffect.define(); // a line that a check has named; 0 for none
+const markWrong = StateEffect.define(); // the line that a check has named; 0 for none
 const ownLine = Decoration.line({class: "cm-own"});
 const wrongLine = Decoration.line({class: "cm-wrong"});
 
 export class Editor {
-  // place: where it goes; exercise: whose functions are highlighted; onCheck: what Ctrl-Enter does.
+  // `place` is the parent element. The functions of `exercise` are highlighted. Ctrl-Enter calls `onCheck`.
   constructor(place, {exercise, onCheck}) {
     this.place = place;
     this.exercise = exercise;
     this.onCheck = onCheck;
     this.path = "";
-    this.states = new Map(); // of the files that are not shown now
+    this.states = new Map(); // editor states of the files that are not shown now
     workspace.addEventListener("text", ({detail}) => this.follow(detail));
   }
 
-  // Show a file, where it was left; a file that students do not write is read only.
+  // Show a file at its last position. A file that students do not edit is read-only.
   async show(path, given = null) {
     if (path === this.path) return;
     const text = given ?? (await workspace.text(path));
@@ -95,7 +95,7 @@ export class Editor {
     this.view.dispatch({changes: change, annotations: [fromElsewhere.of(true), Transaction.addToHistory.of(false)]});
   }
 
-  // Change the whole text as one step, which can be undone.
+  // Change the whole text in one step that can be undone.
   change(text) {
     const change = difference(this.view.state.doc.toString(), text);
     if (change) this.view.dispatch({changes: change, userEvent: "input.reset"});
@@ -105,7 +105,7 @@ export class Editor {
     return this.view.state.doc.toString();
   }
 
-  // Scroll to a function, and put the cursor at its first line to write.
+  // Scroll to a function, and put the cursor on the first line of its body.
   goTo(name, {focus = true} = {}) {
     const where = functionsOf(this.text).get(name);
     if (!where) return false;
@@ -128,7 +128,7 @@ export class Editor {
   }
 }
 
-// The lines of these functions, and the line that a check has named, are highlighted.
+// Highlight the lines of these functions and the line that a check has named.
 function highlights(names) {
   const decorate = (state, wrong) => {
     const lines = new Set();
@@ -153,7 +153,7 @@ function highlights(names) {
   });
 }
 
-// The one change that turns a text into another: what is common at both ends stays.
+// Return the single change that turns one text into another. It keeps the common start and end.
 function difference(before, after) {
   if (before === after) return null;
   let start = 0;

@@ -1,12 +1,12 @@
-// The engines of a page: workers with Python. One checks, one plays scenes when somebody opens one, and
-// one more is kept warm to take the place of one that has to be ended.
+// The engines of a page: workers that run Python. One runs checks, one plays scenes when the reader opens
+// one, and one more is kept warm to replace a worker that has to be ended.
 //
 //   const engines = new Engines({base, worker});  the addresses of the site's folder and of worker.js
 //   engines.start();        start Python; the first call of check or lab does so as well
 //   await engines.ready;    Python is ready
 //   await engines.check({files, chapter, exercise, given, seed, onProgress, onTrouble});
 //   engines.lab(onAnswer);  returns a link: send(message), close() and busy
-//   engines.stop();         end all of it
+//   engines.stop();         end all workers
 
 import {runChecks} from "./checker.js";
 import {Interpreter} from "./interpreter.js";
@@ -16,15 +16,15 @@ export class Engines {
   constructor({base, worker = new URL("worker.js", base)}) {
     Object.assign(this, {base, worker});
     this.all = new Set();
-    this.warm = null; // an interpreter that nobody uses yet
-    this.checker = null; // promises the one that checks
-    this.turn = Promise.resolve(); // of the checks: one after the other
+    this.warm = null; // an interpreter that is not in use yet
+    this.checker = null; // a promise of the interpreter that runs checks
+    this.turn = Promise.resolve(); // the queue of checks, which run one after the other
     this.scenes = new Scenes(() => this.take());
     this.ready = new Promise((resolve) => (this.tellReady = resolve));
   }
 
   start() {
-    this.forChecks().catch(() => undefined); // whoever checks hears of it
+    this.forChecks().catch(() => undefined); // a later check reports the error
   }
 
   check({files, chapter, exercise = null, given = [], seed = "1", ...hear}) {
@@ -56,7 +56,7 @@ export class Engines {
     return this.checker;
   }
 
-  // Promise an interpreter that is ready, and keep another one warm from then on.
+  // Return a promise of a ready interpreter, and keep another one warm from then on.
   async take() {
     const interpreter = this.warm ?? this.make();
     this.warm = null;

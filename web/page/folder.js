@@ -1,5 +1,5 @@
-// A folder of the reader's own computer, where the browser can open one: what is in it is taken, and
-// what is written on the page is saved there as well.
+// A folder on the reader's own computer, if the browser can open one. Its files are imported, and changes
+// on the page are saved there as well.
 
 import {decoded} from "./archive.js";
 import {allStubs} from "./course.js";
@@ -9,7 +9,7 @@ export const canOpenFolders = () => "showDirectoryPicker" in window;
 
 let linked = null; // {folder, known: Map of path -> text as it is in the folder}
 
-// Let the reader choose a folder; return its texts. A folder with chapters/ in it stands for that.
+// Let the reader choose a folder, and return its texts. If it contains chapters/, use that folder.
 export async function chooseFolder() {
   const chosen = await window.showDirectoryPicker({mode: "readwrite"});
   const folder = await chosen.getDirectoryHandle("chapters").catch(() => chosen);
@@ -30,7 +30,7 @@ async function textsIn(folder) {
   return texts;
 }
 
-// From now on keep the folder and the page the same, until the tab is closed.
+// Keep the folder and the page in step until the tab is closed.
 export function link(folder, texts) {
   linked = {folder, known: new Map(Object.entries(texts))};
 }
@@ -52,7 +52,7 @@ workspace.addEventListener("saved", async ({detail: {path}}) => {
   }
 });
 
-// Take what an editor outside the browser has saved meanwhile.
+// Read the changes that an editor outside the browser has saved meanwhile.
 addEventListener("focus", async () => {
   if (!linked) return;
   for (const [path, text] of Object.entries(await textsIn(linked.folder))) {

@@ -4,9 +4,9 @@ export class Interpreter {
   constructor(worker, base) {
     this.hear = () => undefined; // takes its messages, and {kind: "lost"} when it is ended from here
     this.whenEnded = () => undefined;
-    this.words = null; // what to say of a scene that Python can tell nothing of any more
+    this.words = null; // what to say about a scene when Python can no longer explain its failure
     this.ready = new Promise((resolve, reject) => Object.assign(this, {resolve, reject}));
-    this.ready.catch(() => undefined); // whoever waits for it hears of it
+    this.ready.catch(() => undefined); // the code that waits for it reports the error
     this.worker = new Worker(worker, {type: "module"});
     this.worker.onmessage = ({data}) => this.heard(JSON.parse(data));
     this.worker.onerror = (event) => this.heard({kind: "crashed", why: event.message ?? "its script could not be loaded"});

@@ -1,4 +1,4 @@
-// The page of the lab: a choice of scenes in the address, and one lab.
+// The page of the lab: a list of scenes, the chosen one in the address, and one lab.
 
 import {outline} from "./course.js";
 import {el} from "./dom.js";
@@ -30,7 +30,7 @@ export async function startLabPage() {
     $("lesson").replaceChildren(el("a", {href: `${chapter.name}.html`}, `Lesson: chapter ${chapter.number}`));
     lab.open(scene.name, values, rivals);
     const still = {src: `stills/${scene.name}.svg`, width: 640, height: 400, alt: "A still picture of the scene."};
-    lab.$("stage").replaceChildren(el("img", still)); // until Python has started
+    lab.$("stage").replaceChildren(el("img", still)); // shown until Python has started
     lab.say("Python is starting. This takes some seconds, once.");
   };
   const given = chaptersGiven();

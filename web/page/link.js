@@ -1,4 +1,4 @@
-// Links between a lab and the engines of this page, and what a lab of the site offers.
+// Links between a lab and the engines of this page, and the options of a lab on the site.
 
 import {outline} from "./course.js";
 import {el, site} from "./dom.js";
@@ -32,7 +32,7 @@ function connect(onAnswer, given) {
   };
 }
 
-// Where a scene waits for an exercise, link to it.
+// If a scene needs an exercise that is not done, link to that exercise.
 function linkExercise(words, place, chapters) {
   const id = /Exercise ([BGP]?\d\.\w+)/.exec(words)?.[1];
   const chapter = chapters.find(({exercises}) => exercises.some((exercise) => exercise.id === id));
@@ -43,7 +43,7 @@ function linkExercise(words, place, chapters) {
 
 let loading = null;
 
-// The charts' library, which is a script of its own, and the lab's modules.
+// Load the library for charts, which is a separate script, and the lab's modules.
 export function loadLab() {
   loading ??= new Promise((resolve, reject) => {
     const script = el("script", {src: site("vendor/uPlot.iife.min.js"), onload: resolve, onerror: () => reject(new Error("The charts could not be loaded."))});

@@ -1,4 +1,4 @@
-// What every page does once its text is there. The parts are loaded where they are needed.
+// Set up a page once its text is loaded. Each part is loaded only on the pages that need it.
 
 import {startOffline} from "./offline.js";
 import {startTips} from "./tips.js";
@@ -18,7 +18,7 @@ document.addEventListener("keydown", (event) => {
 const contents = document.querySelector(".contents details");
 if (contents && matchMedia("(max-width: 1099px)").matches) contents.open = false;
 
-// What is too wide for its place can be scrolled with the keyboard.
+// Content that is too wide for the page can be scrolled with the keyboard.
 const wide = new ResizeObserver((entries) => {
   for (const {target} of entries) {
     const scrolls = target.scrollWidth > target.clientWidth;

@@ -1,4 +1,4 @@
-// Offline use: a service worker keeps all pages, and then what Python needs.
+// Offline use: a service worker stores all pages, and then the files that Python needs.
 
 import {button} from "./dom.js";
 import {workspace} from "./workspace.js";
@@ -14,7 +14,7 @@ export async function startOffline() {
   service.addEventListener("controllerchange", async () => {
     if (!hadOne) return;
     await workspace.saveAll();
-    location.reload(); // the new version
+    location.reload(); // show the new version
   });
   try {
     const registration = await service.register("sw.js");

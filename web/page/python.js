@@ -1,4 +1,4 @@
-// The one pool of engines of this page. Python starts when somebody is about to need it.
+// The single pool of engines of this page. Python starts when the reader is about to need it.
 
 import {site} from "./dom.js";
 import {Engines} from "./engines.js";

@@ -1,11 +1,11 @@
-// A report of checks as elements, in the words of `make check`.
+// Turn a report of checks into elements, in the words of `make check`.
 
 import {count, el} from "./dom.js";
 import {shown} from "./results.js";
 
 const CODE = ["called", "got", "wanted", "where", "printed", "check"];
 
-// The first failure with its rows; and what to do next, by buttons.
+// The first failure with its rows, and buttons for the next steps.
 export function failureOf(failure, level, buttons) {
   const rows = failure.rows.flatMap(([label, words]) => row(label, words));
   if (failure.printed) rows.push(...row("printed", failure.printed));
@@ -34,7 +34,7 @@ export function tableOf(results, titles) {
   return el("div", {className: "scores", tabIndex: 0, role: "group", "aria-label": "Exercises and their states"}, table);
 }
 
-// A bar of points, with the same in words.
+// A bar of points, and the same numbers in words.
 export function meter(earned, points, more = "") {
   const bar = el("i");
   bar.style.width = `${points ? (100 * earned) / points : 0}%`;

@@ -1,4 +1,4 @@
-// Put the stub of an exercise back: asks first, keeps a copy, and can be undone.
+// Replace an exercise with its stub. This asks first, keeps a copy, and can be undone.
 
 import {ask} from "./ask.js";
 import {namesIn, putStubsBack} from "./bodies.js";

@@ -1,4 +1,4 @@
-// What the last checks found, exercise by exercise, and which chapters come from the reference.
+// The results of the last checks by exercise, and which chapters come from the reference.
 
 import {fact, setFact} from "./store.js";
 import {workspace} from "./workspace.js";
@@ -11,7 +11,7 @@ export async function results() {
   return known;
 }
 
-// Keep what a report says of its exercises, with what their files were when they were checked.
+// Store a report's results for its exercises, with a hash of the files that were checked.
 export async function keep(report, exercises) {
   await results();
   for (const {id, state, score, points} of report.results) {
@@ -32,13 +32,13 @@ export async function forget() {
   workspace.announce("results");
 }
 
-// Whether the files of an exercise have changed since it was checked.
+// Return whether the files of an exercise have changed since it was checked.
 export async function isStale(chapter, exercise) {
   const result = (await results())[exercise.id];
   return Boolean(result) && result.files !== (await sumOf(chapter, exercise));
 }
 
-// A short number for the texts that an exercise is written in.
+// Return a short hash of the files of an exercise.
 async function sumOf(chapter, exercise) {
   const names = [...new Set([...exercise.edit.map((name) => `${name.split(".")[0]}.py`), ...exercise.files])];
   let sum = 5381;
@@ -48,7 +48,7 @@ async function sumOf(chapter, exercise) {
   return sum;
 }
 
-// The chapters that are taken from the reference, where the site has it.
+// Return the chapters that are taken from the reference, if the site includes it.
 export const chaptersGiven = () => given;
 
 export async function setGiven(numbers) {
@@ -57,7 +57,7 @@ export async function setGiven(numbers) {
   workspace.announce("results");
 }
 
-// Points earned and possible of a chapter's exercises, written ones left out.
+// Return the points earned and possible in a chapter's exercises, without written ones.
 export async function pointsOf(chapter) {
   const all = await results();
   const checked = chapter.exercises.filter(({kind}) => kind !== "written");
@@ -65,7 +65,7 @@ export async function pointsOf(chapter) {
   return {earned, points: checked.reduce((sum, {points}) => sum + points, 0), begun: checked.some(({id}) => all[id])};
 }
 
-// A list of numbers as people write it, such as 2-5 or 2, 4.
+// Write a list of numbers the way people do, such as 2-5 or 2, 4.
 export function numbersOf(numbers) {
   const parts = [];
   for (const number of numbers) {

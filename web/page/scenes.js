@@ -1,14 +1,14 @@
-// Scenes play in one worker. Each link has an engine of its own there, and messages are answered in
-// turn. When one does not end, its worker is ended, and the scenes of the other links begin again.
+// All scenes play in one worker. Each link has its own engine there, and messages are answered in turn.
+// If the answer to one never ends, the worker is ended, and the scenes of the other links begin again.
 
-const MORE = 1; // s beyond the limit of a message, for a loop that Python cannot interrupt
+const MORE = 1; // s of grace after the limit of a message, for a loop that Python cannot interrupt
 
 export class Scenes {
   constructor(next) {
     this.next = next; // promises an interpreter
     this.interpreter = null;
     this.links = new Map();
-    this.waiting = []; // messages, of all links
+    this.waiting = []; // waiting messages of all links
     this.busy = false;
     this.count = 0;
   }
@@ -53,7 +53,7 @@ export class Scenes {
   }
 }
 
-// Send a message; promise its answers, or why there are none.
+// Send a message, and return a promise of its answers or of the reason why there are none.
 function attempt(interpreter, link, message) {
   const {hung, left, limit} = interpreter.words;
   return new Promise((resolve) => {
@@ -71,7 +71,7 @@ function attempt(interpreter, link, message) {
 class Link {
   constructor(scenes, number, onAnswer) {
     Object.assign(this, {scenes, number, onAnswer});
-    this.pending = 0; // messages that are not answered yet
+    this.pending = 0; // the number of messages that are not answered yet
     this.load = null; // the last message that loaded a scene
     this.closed = false;
   }
@@ -86,7 +86,7 @@ class Link {
     this.scenes.send(this, message);
   }
 
-  // The worker has been ended under this link: its scene begins again.
+  // The worker of this link has been ended, so its scene begins again.
   begin() {
     if (this.load) this.send(this.load);
   }

@@ -29,7 +29,7 @@ function make() {
   field.oninput = async () => {
     const query = field.value.trim();
     const found = query.length > 1 ? await search(query) : [];
-    if (field.value.trim() !== query) return; // somebody has typed on
+    if (field.value.trim() !== query) return; // the reader has typed more meanwhile
     status.textContent = query.length > 1 ? (found.length ? count(found.length, "result") : "Nothing found.") : "";
     list.replaceChildren(...found.map(({page, title, id, heading}) =>
       el("li", {}, el("a", {href: `${page}${id ? `#${id}` : ""}`, onclick: () => made.close()}, heading, el("small", {}, title))),

@@ -1,6 +1,6 @@
 // The browser's database: files that the student has written, earlier versions, and small facts.
 
-const NAME = `game-physics-companion ${new URL(".", document.baseURI).pathname}`; // one for each site
+const NAME = `game-physics-companion ${new URL(".", document.baseURI).pathname}`; // each site has its own
 let opening = null;
 
 function open() {
@@ -17,7 +17,7 @@ function open() {
   return opening;
 }
 
-// Run a function on object stores in one transaction; what it returns may be a request.
+// Run a function on object stores in one transaction. The function may return a request.
 export async function run(names, mode, act) {
   const database = await open();
   return new Promise((resolve, reject) => {
@@ -33,7 +33,7 @@ export const readAll = (name) => run(name, "readonly", (store) => store.getAll()
 export const fact = (key) => run("facts", "readonly", (store) => store.get(key));
 export const setFact = (key, value) => run("facts", "readwrite", (store) => store.put(value, key));
 
-// Write a file whose version was base. Return its new version, or what another tab has written since.
+// Write a file if its version is still `base`. Return the new version, or what another tab has written.
 export function putFile(file, base) {
   return run("files", "readwrite", (store) => {
     const outcome = {};
@@ -51,7 +51,7 @@ export function putFile(file, base) {
 
 const MOST_COPIES = 60;
 
-// Keep a text that is about to be replaced; the oldest copies go.
+// Keep a copy of a text that is about to be replaced, and delete the oldest copies.
 export function keepCopy(path, text, why) {
   return run("copies", "readwrite", (store) => {
     store.add({path, text, why, time: Date.now()});

@@ -1,6 +1,6 @@
 // The service worker. Above this line the build writes VERSION, and the lists FIRST and LATER of all
-// files with a hash of what each contains. A file is kept under its hash, so versions never mix, and
-// what has not changed is not fetched again.
+// files with a hash of each file's content. A file is stored under its hash, so versions never mix, and
+// unchanged files are not fetched again.
 
 const CACHE = "game-physics-companion";
 const FILES = {...FIRST, ...LATER};

@@ -1,4 +1,4 @@
-// Tooltips: what a term means, when the pointer or the focus is on it. Escape closes them.
+// Tooltips that explain a term when the pointer or the focus is on it. Escape closes them.
 
 let shown = null;
 
@@ -10,7 +10,7 @@ export function startTips() {
     const tip = document.getElementById(link.getAttribute("aria-describedby"));
     if (!tip) return;
     shown = {tip, link};
-    document.querySelector("main").append(tip); // out of the hidden list
+    document.querySelector("main").append(tip); // move it out of the hidden list
     const box = link.getBoundingClientRect();
     const left = Math.min(box.left, document.documentElement.clientWidth - tip.offsetWidth - 8);
     const below = box.bottom + tip.offsetHeight + 8 < innerHeight;

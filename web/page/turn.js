@@ -35,7 +35,7 @@ class Turn {
     section.addEventListener("pointerdown", warmUp, {once: true});
   }
 
-  // Make the editor and the buttons, once.
+  // Create the editor and the buttons once.
   mounted() {
     this.mounting ??= this.mount().catch((error) => {
       this.mounting = null;
@@ -134,12 +134,12 @@ class Turn {
   }
 }
 
-// The name of a function without its class; what sets a property keeps the property's name.
+// Return the name of a function without its class. A setter gets the name of its property.
 function shortName(name) {
   return name.split(".").slice(name.endsWith(".setter") ? -2 : -1).join(".");
 }
 
-// Two tabs have changed a file at the same time. The other tab's text is shown; nothing is lost.
+// Two tabs have changed a file at the same time. Show the other tab's text, and offer this tab's.
 function showConflict({path, mine}) {
   for (const panel of panels.values()) {
     if (panel.editor?.path !== path) continue;
@@ -154,7 +154,7 @@ function showConflict({path, mine}) {
   }
 }
 
-// The exercise whose function a line of a file is in.
+// Return the exercise whose function contains a line of a file.
 export function ownerOf(path, line, text, exercises) {
   const at = text.split("\n").slice(0, line).join("\n").length;
   const found = [...functionsOf(text)].filter(([name, {from, to}]) => !name.startsWith("class ") && from <= at && at <= to + 1);

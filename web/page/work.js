@@ -1,4 +1,4 @@
-// Your work, on the start page: take it with you, bring it back, and begin anew.
+// The section "Your work" of the start page: download your work, bring it back, or start over.
 
 import {unzipped, zipped} from "./archive.js";
 import {ask} from "./ask.js";
@@ -75,10 +75,10 @@ export async function startWork(section) {
   await show();
 }
 
-// What is left of a name that is safe as the name of a file.
+// Return the part of a name that is safe in a file's name.
 const fileName = (words) => words.trim().replace(/[^\p{L}\p{N} ._-]/gu, "").replace(/^[. ]+/, "");
 
-// Take texts from a zip or a folder, and ask first where they would replace what is written.
+// Import texts from a zip or a folder. Ask first if they would replace the student's own text.
 async function take({texts, others}, from, say) {
   const changed = [];
   for (const [path, text] of Object.entries(texts)) if ((await workspace.text(path)) !== text) changed.push(path);
@@ -99,7 +99,7 @@ async function take({texts, others}, from, say) {
   return true;
 }
 
-// How far each chapter is, in the list of chapters.
+// Show the progress of each chapter in the list of chapters.
 export async function startProgress() {
   const {meter} = await import("./report.js");
   const {pointsOf} = await import("./results.js");

@@ -1,4 +1,4 @@
-// Python in a thread of its own. It takes the messages of engines.js, and Python answers them.
+// Python in its own thread. It receives the messages of engines.js, and Python answers them.
 
 const UNPACK = `
 import os, sys, zipfile
@@ -13,17 +13,17 @@ with zipfile.ZipFile("/course.zip") as archive:
 os.remove("/course.zip")
 sys.path.insert(0, "/course")
 `;
-const POLLS = 16; // of Python, between two looks at the clock
+const POLLS = 16; // the number of times that Python asks before the clock is read again
 const SIGALRM = 14;
 const quiet = () => undefined;
 
-console.error = quiet; // Pyodide says there what the page is told below, by say
+console.error = quiet; // what Pyodide prints there is reported to the page below, by say
 
 let receive = null;
 let deadline = Infinity;
 let polls = 0;
 
-// Python reads number 0 very often, as a sign that somebody has pressed Ctrl-C. It takes any signal.
+// Python reads entry 0 very often, to see whether Ctrl-C has been pressed. Any signal works there.
 const clock = {
   get 0() {
     if (++polls % POLLS || performance.now() < deadline) return 0;
@@ -47,8 +47,8 @@ async function start(base) {
   const course = fetch(new URL("course.zip", base)).then((answer) => answer.arrayBuffer());
   const {loadPyodide} = await import(`${folder}pyodide.mjs`);
   const python = await loadPyodide({
-    indexURL: folder.replace("file://", ""), // Node, which tests run this in, takes a path
-    packageBaseUrl: folder, // nothing is asked of another host
+    indexURL: folder.replace("file://", ""), // Node, in which tests run this, needs a path
+    packageBaseUrl: folder, // nothing is requested from another host
     stdout: quiet,
     stderr: quiet,
   });
@@ -61,7 +61,7 @@ async function start(base) {
   main.start();
 }
 
-// What went wrong below Python: an os._exit in the student's code, or the end of the memory.
+// Report a failure below Python, such as an os._exit in the student's code or exhausted memory.
 function say(error) {
   const code = error.status ?? error.exitCode;
   self.postMessage(JSON.stringify(code === undefined ? {kind: "crashed", why: error.message} : {kind: "left", code}));

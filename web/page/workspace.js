@@ -1,16 +1,16 @@
-// The student's folder: files by path, such as ch02_vectors/vector.py. A file that is absent is the
-// stub. Every change is saved at once, and every other tab of the site follows.
+// The student's folder: files by path, such as ch02_vectors/vector.py. A file that is not stored equals
+// its stub. Every change is saved at once, and every other tab of the site follows.
 
 import {stubOf} from "./course.js";
 import {eraseAll, keepCopy, putFile, readAll, run} from "./store.js";
 
-const SAVED_AFTER = 150; // ms, while somebody types
-const UNSAVED = `unsaved ${new URL(".", document.baseURI).pathname} `; // what a tab had when it was closed
+const SAVED_AFTER = 150; // ms after the last key
+const UNSAVED = `unsaved ${new URL(".", document.baseURI).pathname} `; // what a closed tab had not saved
 
 class Workspace extends EventTarget {
   constructor() {
     super();
-    this.files = new Map(); // path -> {text, version}; text is null where the stub is back
+    this.files = new Map(); // path -> {text, version}; text is null if the stub was restored
     this.waiting = new Map(); // path -> timer of a change that is not saved yet
     this.saving = Promise.resolve();
     this.channel = new BroadcastChannel(UNSAVED);
@@ -19,7 +19,7 @@ class Workspace extends EventTarget {
     document.addEventListener("visibilitychange", () => (document.hidden ? this.saveAll() : this.reread()));
   }
 
-  // Read everything. It may be awaited any number of times.
+  // Read all files. You may await this any number of times.
   opened() {
     this.opening ??= (async () => {
       for (const file of await readAll("files")) this.files.set(file.path, file);
@@ -29,7 +29,7 @@ class Workspace extends EventTarget {
     return this.opening;
   }
 
-  // The files that differ from the stubs, as the engines take them.
+  // Return the files that differ from the stubs, in the form that the engines need.
   written() {
     const own = [...this.files].filter(([, {text}]) => text !== null && text !== undefined);
     return Object.fromEntries(own.map(([path, {text}]) => [path, text]));
@@ -39,7 +39,7 @@ class Workspace extends EventTarget {
     return this.files.get(path)?.text ?? (await stubOf(path));
   }
 
-  // Change a text, as an editor does. `from` is who did, and need not be shown it again.
+  // Change a text as an editor does. `from` made the change, so it is not notified.
   edit(path, text, from = null) {
     const file = this.files.get(path) ?? {path, version: 0};
     if (file.text === text) return;
@@ -49,7 +49,7 @@ class Workspace extends EventTarget {
     this.waiting.set(path, setTimeout(() => this.save(path), SAVED_AFTER));
   }
 
-  // Put another text in place of a file, and keep a copy of what was there.
+  // Replace the text of a file, and keep a copy of the old text.
   async replace(path, text, why) {
     const there = await this.text(path);
     if (there === text) return;
@@ -81,7 +81,7 @@ class Workspace extends EventTarget {
     navigator.storage?.persist?.();
   }
 
-  // Two tabs have changed a file at the same time: the one that saved first wins, and nothing is lost.
+  // Two tabs have changed a file at the same time. The first one to save wins, and the other text is kept.
   async yieldTo(theirs, mine) {
     await keepCopy(theirs.path, mine, "changed in two tabs at the same time");
     await this.adopt(theirs);
@@ -96,7 +96,7 @@ class Workspace extends EventTarget {
   async heard({kind, path}) {
     if (kind === "erased") return location.reload();
     if (kind !== "saved") return this.tell(kind, {elsewhere: true});
-    if (this.waiting.has(path)) return; // it is about to be saved here: then both are compared
+    if (this.waiting.has(path)) return; // this tab is about to save it, and then compares both
     const file = await run("files", "readonly", (store) => store.get(path));
     if (file && this.isNewer(file)) await this.adopt(file);
   }
@@ -105,7 +105,7 @@ class Workspace extends EventTarget {
     return !this.waiting.has(path) && version > (this.files.get(path)?.version ?? 0);
   }
 
-  // A tab that slept may have missed what others said.
+  // A tab that was asleep may have missed messages of other tabs.
   async reread() {
     for (const file of await readAll("files")) {
       if (this.isNewer(file)) await this.adopt(file);
@@ -127,7 +127,7 @@ class Workspace extends EventTarget {
     } else if (there?.text !== text) await keepCopy(path, text, "not saved when its tab was closed");
   }
 
-  // Tell this tab, and the others, that something has changed that is not a file.
+  // Notify this tab and the others of a change that is not in a file.
   announce(kind) {
     this.tell(kind, {});
     this.channel.postMessage({kind});

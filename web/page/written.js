@@ -1,4 +1,4 @@
-// A question that is answered in words: its section of answers.md, as a text field.
+// A question to answer in words: a text field for its section of answers.md.
 
 import {el} from "./dom.js";
 import {workspace} from "./workspace.js";

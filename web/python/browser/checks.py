@@ -21,26 +21,27 @@ from web.python.browser.page import post
 from web.python.browser.past import Processes
 from web.python.browser.report import failure_to_page, report_of_written, report_to_page
 
-memories: dict[str, Memory] = {}  # by the seed: what earlier chapters' checks have found
+memories: dict[str, Memory] = {}  # by seed: the results of earlier chapters' checks
 
 
 class Progress(ProgressBar):
-    """Tells the page how many checks are done."""
+    """A progress bar that reports to the page."""
 
     def __init__(self, processes: Processes) -> None:
         self.processes = processes
 
     def show(self, done: int, of: int) -> None:
-        """Tell the page, unless it has been told by a worker before this one."""
+        """Report how many checks are done, unless an earlier worker has reported this already."""
         if self.processes.is_live:
             post("progress", done=done, of=of)
 
 
 class Runs:
-    """Runs checks. What it finds in other chapters than the asked one, it remembers.
+    """A callable that runs checks and remembers the results of other chapters.
 
-    Before it runs another chapter, which takes seconds, it shows what was found in this one. It
-    runs none where a loop did not end: that failure names its line, and others would wait for it.
+    Running another chapter takes seconds, so the page is first shown the failure found in this
+    one. If a loop did not end, no other chapter is run: that failure already names the line, and
+    other chapters would run into the same loop.
     """
 
     def __init__(
@@ -52,11 +53,11 @@ class Runs:
         self.seed = seed
         self.memory = memories.setdefault(seed, Memory(seed))
         self.memory.run = self.run
-        self.found: list[Verdict] = []  # in the chapter that was asked for
+        self.found: list[Verdict] = []  # in the chapter that the page asked for
         self.shown = False
 
     def __call__(self, chapter: Chapter, engine: list[Path], **options: Any) -> list[Verdict]:
-        """Return verdicts as run_checks does."""
+        """Return the verdicts on a chapter, as run_checks does."""
         if chapter == self.chapter:
             self.found = self.run(chapter, engine, seed=self.seed, **options)
             return self.found
@@ -67,7 +68,7 @@ class Runs:
         return self.memory(chapter, engine, **options)
 
     def show(self, engine: list[Path]) -> None:
-        """Tell the page what to work on, before all is known of where it comes from."""
+        """Show the page the first failure before the earlier chapters have been checked."""
         self.shown = True
         wanted = {verdict.exercise for verdict in self.found}
         results = [r for r in results_of(self.chapter, self.found) if r.exercise.id in wanted]
@@ -78,7 +79,12 @@ class Runs:
 
 
 def check(request: dict[str, Any], folder: Folder) -> dict[str, Any]:
-    """Return the report on what the page asks for. Raises ValueError and GraderError."""
+    """Return the report that the page asks for.
+
+    Raises:
+        ValueError: if the request cannot be met.
+        GraderError: if the checks themselves fail to run.
+    """
     chapters = load_chapters()
     chapter = _chapter(chapters, request["chapter"])
     exercise = chapter.exercise(request["exercise"]) if request["exercise"] else None
@@ -97,7 +103,7 @@ def check(request: dict[str, Any], folder: Folder) -> dict[str, Any]:
 
 
 def _chapter(chapters: list[Chapter], name: str) -> Chapter:
-    """Return the chapter of that name. Raises ValueError where there is none."""
+    """Return the chapter of that name, or raise ValueError if there is none."""
     for chapter in chapters:
         if chapter.name == name:
             return chapter

@@ -1,4 +1,4 @@
-"""The student's folder: the files of the page over the stubs, where the commands expect them."""
+"""Keep the student's folder: the page's files replace the stubs where the commands expect them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ TAKEN = re.compile(r"ch\d\d_[a-z0-9_]+/[^/]+")
 
 
 class Folder:
-    """A folder of chapters whose files are stubs until the page has others."""
+    """A folder of chapters whose files are stubs until the page provides others."""
 
     def __init__(self, folder: Path = CHAPTERS) -> None:
         self.folder = folder
@@ -25,7 +25,11 @@ class Folder:
         self.there = dict(self.stubs)
 
     def lay(self, files: Mapping[str, str]) -> None:
-        """Make the folder what the page has. Raises ValueError for a path of another form."""
+        """Make the folder contain the page's files, and stubs for all others.
+
+        Raises:
+            ValueError: for a path that is not of the form chNN_name/name.
+        """
         for path in files:
             if not TAKEN.fullmatch(path):
                 raise ValueError(f"a file must be chNN_name/name, got {path!r}")

@@ -1,4 +1,4 @@
-"""What the worker calls: it starts Python's side, and answers one message after the other."""
+"""Start Python's side of the worker, and answer its messages one after the other."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ links: dict[int, Link] = {}
 
 
 def start() -> None:
-    """Be ready for messages, and tell the page so.
+    """Prepare for messages, and report to the page that Python is ready.
 
-    It is told as well what to say of a scene that Python can tell nothing of any more.
+    The message includes the words that the page shows if Python can no longer explain a failure.
     """
     os.chdir(ROOT)
     watchdog.install()

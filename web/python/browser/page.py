@@ -1,11 +1,11 @@
-"""What the worker does for Python: it sends messages to the page, and has a clock."""
+"""Use the worker from Python: send messages to the page, and start and stop the clock."""
 
 from __future__ import annotations
 
 import json
 from typing import Any
 
-import worker  # type: ignore[import-not-found]  # worker.js makes it
+import worker  # type: ignore[import-not-found]  # worker.js creates this module
 
 
 def post(kind: str, **values: Any) -> None:
@@ -14,10 +14,10 @@ def post(kind: str, **values: Any) -> None:
 
 
 def start_clock(seconds: float) -> None:
-    """Have the signal SIGALRM come in this many seconds."""
+    """Ask the worker to send the signal SIGALRM in this many seconds."""
     worker.startClock(seconds)
 
 
 def stop_clock() -> None:
-    """Have no signal come."""
+    """Cancel the signal."""
     worker.stopClock()

@@ -1,7 +1,7 @@
-"""Continue a run that another worker has begun: what its processes told comes first.
+"""Continue a run that another worker has begun, by first repeating what that worker reported.
 
-A check that does not end costs its worker. The page keeps what the worker told, and a new one
-starts from the beginning: what is known already is not run again.
+The page has to end a worker whose check does not end. It keeps that worker's reports. A new worker
+starts from the beginning, but does not run again the checks whose results are known.
 """
 
 from __future__ import annotations
@@ -29,10 +29,10 @@ from web.python.browser.watchdog import watchdog
 
 @dataclass(frozen=True)
 class Past:
-    """A process that another worker has had: what it told, and how it ended.
+    """A process of an earlier worker: what it reported, and how it ended.
 
-    ``run`` says which checks of which chapter it was to run. It began ``left`` seconds before the
-    time for all of them was used up, and took ``seconds``.
+    ``run`` names the chapter and the checks that it was to run. When it began, ``left`` seconds
+    remained of the time for all checks. It took ``seconds``.
     """
 
     run: str
@@ -53,13 +53,13 @@ class Processes:
 
     @property
     def is_live(self) -> bool:
-        """Whether what is told now is told for the first time."""
+        """Whether reports are new, and not repeated from an earlier worker."""
         return not self.past
 
     def judge(self, run: Run) -> Ending:
-        """Have a run take what its next process tells."""
+        """Run the next process, pass its reports to a run, and return how it ended."""
         order = run.order
-        # Folders with given modules have another name each time.
+        # Folders with given modules have a different name each time, so only their number counts.
         key = f"{order.chapter.name} on {len(order.engine)}: {' '.join(order.exercises)}"
         for past in self.past:
             if past.run == key:
@@ -78,7 +78,7 @@ class Processes:
         return ending
 
     def _repeat(self, run: Run, past: Past) -> Ending:
-        """Have a run take what a process told before, as if it were told now."""
+        """Pass the reports of an earlier process to a run, as if they arrived now."""
         for line in past.lines:
             run.hear(line)
         run.deadline = time.monotonic() + past.left - past.seconds
@@ -89,13 +89,13 @@ class Processes:
 
 
 def failure_of_hang(run: Run, stack: str) -> dict[str, Any] | None:
-    """Return what to show of the check that has just not ended, before the others are done."""
+    """Return the failure of a check that did not end, to be shown before the others are done."""
     if not isinstance(run.current, Started):
         return None
     check, order = run.checks[run.current.name], run.order
     why = explain_hang(stack, run.limit, order.engine)
     verdict = Verdict(check.name, check.exercise, check.weight, "failed", why, robust=check.robust)
     result = result_of(order.chapter.exercise(check.exercise), [verdict])
-    os.chdir(ROOT)  # the student's code was elsewhere
+    os.chdir(ROOT)  # the student's code ran in another folder
     failure = failure_of(order.chapter, result, order.engine)
     return failure_to_page(failure) if failure else None

@@ -1,6 +1,7 @@
 """Run checks in this interpreter as a new process would, since a browser starts no processes.
 
-What a process leaves behind is removed: modules, entries of sys.path, and the working folder.
+Afterward, everything that would end with a process is undone: imported modules, entries of
+sys.path, and the working folder.
 """
 
 from __future__ import annotations
@@ -27,12 +28,12 @@ from autograder.manifest import ROOT
 from web.python.browser.watchdog import watchdog
 
 OF_A_RUN = re.compile(r"ch\d\d_\w+|tests|conftest")  # packages whose modules one run imports
-SHALLOW = 250  # nested calls, each through an operator, that fit on the stack of every browser
-code = StudentsCode([], {})  # whose acts are limited: the engine that is checked
+SHALLOW = 250  # nested operator calls that fit on every browser's stack
+code = StudentsCode([], {})  # the engine that is checked, whose acts are limited
 
 
 def install_limits() -> None:
-    """Limit what the student's code may import and do, once for all runs."""
+    """Limit what the student's code may import and do. Call this once, before the first run."""
     limit_imports(code)
     limit_acts(code)
 
@@ -41,27 +42,27 @@ class InBrowser(InProcess):
     """The student's modules, imported in a browser, where there is no process to end."""
 
     def surround(self) -> None:
-        """Let the code find a grader's surroundings, and do no more than there."""
+        """Give the code the same surroundings and the same limits as in the grader."""
         leave_home()
         code.change(self.engine, self.graded)
 
     def after_collection(self) -> None:
-        """Do nothing: this process is not copied."""
+        """Do nothing, because this process is not copied."""
 
     def start_clock(self) -> None:
-        """Have the watchdog look when the time is up."""
+        """Start the watchdog's clock with the time limit."""
         watchdog.start(self.time_limit)
 
     def stop_clock(self) -> None:
-        """Forget the time limit."""
+        """Stop the watchdog's clock."""
         watchdog.stop()
 
 
 class BrowserRecorder(Recorder):
-    """A recorder that reads no more files than it needs: WebAssembly takes three times as long."""
+    """A recorder that reads only the files it needs, because WebAssembly is three times slower."""
 
     def pytest_ignore_collect(self, collection_path: Path) -> bool | None:
-        """Leave out a file of checks that names none of the exercises."""
+        """Ignore a file of checks that names none of the exercises."""
         if not collection_path.name.startswith("test_"):
             return None
         text = collection_path.read_text(encoding="utf-8")
@@ -72,7 +73,7 @@ class BrowserRecorder(Recorder):
 def run_here(config: Config, send: Send, *, shallow: bool) -> Ending:
     """Run the checks that a configuration names, and send their events.
 
-    With ``shallow`` the student's code may nest fewer calls than where it is graded.
+    With ``shallow``, the student's code may nest fewer calls than in the grader.
     """
     said = io.StringIO()
     with as_a_process(), contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
@@ -93,7 +94,7 @@ def run_here(config: Config, send: Send, *, shallow: bool) -> Ending:
 
 @contextlib.contextmanager
 def as_a_process() -> Iterator[None]:
-    """Have what is done here leave nothing behind in the interpreter."""
+    """Undo all changes to the interpreter when the context ends."""
     path, limit = list(sys.path), sys.getrecursionlimit()
     forget_modules()
     os.chdir(ROOT)
@@ -107,7 +108,7 @@ def as_a_process() -> Iterator[None]:
 
 
 def forget_modules() -> None:
-    """Forget the student's modules, the checks, and what checks share."""
+    """Forget the student's modules, the checks, and the modules that checks share."""
     shared = str(ROOT / "tests")
     for name, module in list(sys.modules.items()):
         file = getattr(module, "__file__", None) or ""
@@ -117,7 +118,7 @@ def forget_modules() -> None:
 
 
 def forget_folders() -> None:
-    """Forget which files are in the folders of the course; Python's own stay as they are."""
+    """Clear Python's cache of which files are in the course's folders."""
     for folder in list(sys.path_importer_cache):
         if not folder.startswith(sys.prefix):
             del sys.path_importer_cache[folder]

@@ -1,4 +1,4 @@
-"""What the page shows of a check, as plain data in the words of make check."""
+"""Turn the results of checks into plain data for the page, in the words of make check."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from autograder.student.screen import (
 def report_to_page(
     report: Report, exercise: Exercise | None, engine: list[Path], given: list[Chapter]
 ) -> dict[str, Any]:
-    """Return what make check would print of a chapter, or of an exercise and what it needs."""
+    """Return what make check prints for a chapter, or for an exercise and its prerequisites."""
     chapter, reports = report.chapter, [report]
     first = first_open(reports, exercise)
     failure = failure_of(*first, engine) if first else None
@@ -49,7 +49,7 @@ def report_to_page(
 
 
 def report_of_written(chapter: Chapter, exercise: Exercise, engine: list[Path]) -> dict[str, Any]:
-    """Return what there is to tell of a written exercise, which has no checks."""
+    """Return the report on a written exercise, which has no checks."""
     report = Report(chapter, [result_of(exercise, [])], [], [])
     question = next(one for one in questions_of(chapter, engine) if one.exercise == exercise)
     told = report_to_page(report, exercise, engine, [])
@@ -76,7 +76,7 @@ def _results(report: Report, engine: list[Path]) -> list[dict[str, Any]]:
 
 
 def failure_to_page(failure: Failure) -> dict[str, Any]:
-    """Return a failure; the place to open as file and line, 0 for a file without lines."""
+    """Return a failure as plain data. `line` is 0 if the file is to be opened without a line."""
     file, _, line = failure.place.removeprefix("chapters/").partition(":")
     return {
         "heading": failure.heading,

@@ -1,7 +1,7 @@
-"""Play scenes for the page: each link has a host and an engine of its own, in one interpreter.
+"""Play scenes for the page. Each link has its own host and engine, all in one interpreter.
 
-The modules of all engines have the same names. So each link keeps those that it has imported, and
-they are in sys.modules only while it answers a message.
+The modules of all engines have the same names. So each link keeps the modules that it has imported,
+and puts them into sys.modules only while it answers a message.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ from web.python.browser.process import SHALLOW, code, forget_folders
 from web.python.browser.watchdog import watchdog
 
 NOT_HERE = {"pymunk": "pymunk is not available in the browser."}
-OF_A_LINK = re.compile(r"(ch\d\d_|(lab|studies)\.)")  # modules of an engine, or that import some
-SHARED = set(sys.modules)  # what all links use
+OF_A_LINK = re.compile(r"(ch\d\d_|(lab|studies)\.)")  # an engine's modules, and their importers
+SHARED = set(sys.modules)  # modules that all links share
 
 
 class Link:
@@ -38,10 +38,10 @@ class Link:
         self.engine: list[Path] = []
         self.known: tuple[list[Path], dict[str, list[str]], list[str]] = ([], {}, [])
         self.loaded: tuple[dict[str, str], list[int]] | None = None
-        self.given = ExitStack()  # the reference's modules, as long as the link lives
+        self.given = ExitStack()  # the reference's modules, kept until the link is closed
 
     def receive(self, message: Message) -> list[Message]:
-        """Return the answers to a message of the page. A load brings the student's files along."""
+        """Return the answers to a message of the page. A load message has the student's files."""
         try:
             if message.get("kind") == "load":
                 if why := NOT_HERE.get(message.get("peer", "")):
@@ -51,17 +51,17 @@ class Link:
             watchdog.start(TIME_LIMIT)
             with self._at_work():
                 return self.host.receive(message)
-        except (ValueError, OSError) as error:  # a chapter that cannot be given, say
+        except (ValueError, OSError) as error:  # for example, a chapter that cannot be given
             return [{"kind": "stopped", "why": str(error)}]
         finally:
             watchdog.stop()
 
     def close(self) -> None:
-        """Remove what the link has made."""
+        """Remove the folders that the link has created."""
         self.given.close()
 
     def _choose(self, files: dict[str, str], numbers: list[int]) -> None:
-        """Make the engine of these files, and of the reference's given chapters."""
+        """Build the engine from these files and the reference's given chapters."""
         if self.loaded == (files, numbers):
             return
         self.loaded = None
@@ -78,11 +78,11 @@ class Link:
 
     @contextmanager
     def _at_work(self) -> Iterator[None]:
-        """Have the engine of this link be the one that is imported and limited."""
+        """Make this link's engine the one that is imported and limited, until the context ends."""
         code.change(*self.known)
         sys.setrecursionlimit(SHALLOW)
         path, sys.path = sys.path, [*sys.path, *map(str, self.engine)]
-        sys.dont_write_bytecode = True  # it would be taken for that of a file saved a moment later
+        sys.dont_write_bytecode = True  # stale bytecode could hide a change made at once
         sys.modules.update(self.modules)
         try:
             yield

@@ -1,9 +1,9 @@
-"""Notice that the time is up in a student's code, in the one thread that a worker has.
+"""Interrupt student code when its time is up, in the only thread that a worker has.
 
-No other thread and no alarm can interrupt it. But Python asks the worker, thousands of times in a
-second, whether a signal has come. When the time is up, the worker answers with SIGALRM, and Python
-calls ``Watchdog.hear`` in the middle of whatever the code is doing. The page then ends the worker.
-A loop inside a function of C, such as sum, never asks: the page ends that a second later.
+No other thread and no alarm can interrupt this thread. But thousands of times per second, Python
+asks the worker whether a signal has arrived. When the time is up, the worker answers with SIGALRM,
+and Python calls ``Watchdog.hear`` in the middle of whatever the code is doing. The page then ends
+the worker. A loop inside a C function such as sum never asks, so the page ends it a second later.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ from web.python.browser.page import post, start_clock, stop_clock
 
 
 class Watchdog:
-    """Tells the page of code that does not end, in the words of who has started the clock."""
+    """Reports code that does not end to the page, explained by whichever caller set `explain`."""
 
     def __init__(self) -> None:
         self.explain: Callable[[str], dict[str, Any]] = lambda _: {}
 
     def install(self) -> None:
-        """Have Python call us when the worker says that the time is up."""
+        """Make Python call `hear` when the worker signals that the time is up."""
         signal.signal(signal.SIGALRM, self.hear)
 
     def start(self, seconds: float) -> None:
@@ -35,7 +35,7 @@ class Watchdog:
         stop_clock()
 
     def hear(self, _: int, frame: FrameType | None) -> None:
-        """Tell the page where the code is, and wait for the end."""
+        """Report to the page where the code is, and wait until the page ends the worker."""
         stack = stack_of(frame)
         post("hung", stack=stack, **self.explain(stack))
         while True:
@@ -43,7 +43,7 @@ class Watchdog:
 
 
 def stack_of(frame: FrameType | None) -> str:
-    """Return a stack as faulthandler writes it, the innermost call first."""
+    """Return a stack in faulthandler's format, with the innermost call first."""
     lines = []
     while frame is not None:
         code = frame.f_code

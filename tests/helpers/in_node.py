@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import json
 import subprocess
 from collections.abc import Iterator
@@ -13,6 +14,7 @@ import pytest
 from autograder.manifest import ROOT, Chapter, load_chapters
 from course_site import BELOW, built
 
+_running: dict[Path, NodeEngines] = {}
 SCRIPT = ROOT / "tests" / "web" / "engines.mjs"
 
 
@@ -58,9 +60,13 @@ class NodeEngines:
         self.process.wait()
 
 
-def engines(tmp_path_factory: pytest.TempPathFactory) -> Iterator[NodeEngines]:
-    """Yield the engines of the site, for a fixture."""
-    yield from engines_of(built(tmp_path_factory) / BELOW)
+def engines(tmp_path_factory: pytest.TempPathFactory) -> NodeEngines:
+    """Return the engines of the site, for a fixture: one process for all tests of ours."""
+    site = built(tmp_path_factory) / BELOW
+    if site not in _running:
+        _running[site] = NodeEngines(site)
+        atexit.register(_running[site].close)
+    return _running[site]
 
 
 def engines_of(site: Path) -> Iterator[NodeEngines]:

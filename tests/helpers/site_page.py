@@ -18,10 +18,9 @@ PASTE = """([text]) => {
 
 
 @contextmanager
-def visit(browser: Any, width: int = 1280, scheme: str = "light") -> Iterator[Any]:
+def visit(browser: Any, width: int = 1280, **options: Any) -> Iterator[Any]:
     """Yield the context of a new visitor. No page may fail, or ask for another host."""
-    size = {"width": width, "height": 900}
-    context = browser.new_context(viewport=size, color_scheme=scheme, accept_downloads=True)
+    context = browser.new_context(viewport={"width": width, "height": 900}, **options)
     context.set_default_timeout(60_000.0)  # ms; machines of CI are slow
     context.troubles, context.hosts = [], set()
     context.on("request", lambda request: context.hosts.add(urlsplit(request.url).hostname))

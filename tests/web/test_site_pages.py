@@ -64,7 +64,8 @@ def test_these_are_all_pages(site: Served) -> None:
 @pytest.mark.parametrize("name", PAGES)
 def test_a_page_is_accessible_and_fits(browser: Any, site: Served, name: str, width: int) -> None:
     scheme = "dark" if PAGES.index(name) % 2 else "light"
-    with visit(browser, width, scheme) as context:
+    # A service worker would keep the whole site for each of these visitors.
+    with visit(browser, width, color_scheme=scheme, service_workers="block") as context:
         page = context.new_page()
         page.goto(site.address + name)
         page.locator("#search-open").wait_for()

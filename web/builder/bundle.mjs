@@ -10,7 +10,7 @@ export const WEB = path.join(import.meta.dirname, "..");
 const PYODIDE = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm"]; // and what pack.py has written
 
 // Write assets/, and return the names of the entries. A name changes whenever its content changes.
-export async function bundle(out, define) {
+export async function bundle(out) {
   const shared = {
     bundle: true,
     minify: true,
@@ -31,7 +31,7 @@ export async function bundle(out, define) {
     entryPoints: [page("main.js"), page("site.css")],
     entryNames: "[name]-[hash]",
     chunkNames: "[name]-[hash]",
-    define: {...define, WORKER: JSON.stringify(path.basename(workerFile))},
+    define: {WORKER: JSON.stringify(path.basename(workerFile))},
   });
   const names = entries(made.metafile);
   return {script: names["main.js"], style: names["site.css"]};

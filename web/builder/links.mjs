@@ -30,11 +30,14 @@ export function linker(source, repository) {
   };
 }
 
+const BROAD = 900; // pixels; a picture that is wider links to itself in full size
+
 // Return a function that turns a picture of a Markdown file into one of the site.
 export function pictures(source, known) {
   return (src, alt) => {
     const file = path.posix.join(path.posix.dirname(source), src);
     const {name, width, height} = known[file];
-    return `<img src="figures/${name}" width="${width}" height="${height}" loading="lazy" alt="${escape(alt.replaceAll("\n", " "))}">`;
+    const image = `<img src="figures/${name}" width="${width}" height="${height}" loading="lazy" alt="${escape(alt.replaceAll("\n", " "))}">`;
+    return width < BROAD ? image : `<a href="figures/${name}">${image}</a>`;
   };
 }

@@ -35,7 +35,7 @@ md.renderer.rules.image = (tokens, i, options, env) => {
   return tokens[i].meta ? liveFigure(tokens[i].meta.scene, "", env, picture) : picture;
 };
 
-const assets = await bundle(out, {WITH_SOLUTIONS: JSON.stringify(settings.solutions)});
+const assets = await bundle(out);
 const [found, titles] = [[], {}];
 
 // Write a page that a Markdown file becomes.
@@ -102,7 +102,7 @@ const outline = course.chapters.map(({name, number, title, builds_on, exercises}
   builds_on,
   exercises: exercises.map(({id, points, kind}) => ({id, points, kind})),
 }));
-await writePacked(path.join(out, "data", "course.data"), {chapters: outline, scenes});
+await writePacked(path.join(out, "data", "course.data"), {chapters: outline, scenes, solutions: settings.solutions});
 await writePacked(path.join(out, "data", "search.data"), indexOf(found, titles));
 for (const folder of ["figures", "stills"]) {
   await cp(path.join(from, folder), path.join(out, folder), {recursive: true, filter: (file) => !file.endsWith(".json")});

@@ -21,7 +21,7 @@ Development</cite>. Read a lesson, write a function right under it, and see at o
 to install.</p>
 <p><a class="button" id="begin" href="ch02_vectors.html">Begin with chapter 2</a> <a class="quiet" href="learning_path.html">I have only ten hours</a></p>
 </div>
-<img src="figures/ch08_mass_aggregate-trebuchet_still.webp" width="640" height="400" alt="A trebuchet made of particles, rods and cables, at the moment when its sling lets go. A smaller drawing beside it shows the machine.">
+<img src="stills/bridge.svg" width="640" height="400" alt="A rope bridge of planks, rods and cables, with a heavy ball that rolls over it.">
 </div>
 <section aria-labelledby="chapters">
 <h2 id="chapters">Chapters</h2>

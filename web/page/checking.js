@@ -1,8 +1,9 @@
 // Check an exercise or a chapter, and show what was found.
 
+import {outline} from "./course.js";
 import {button, el} from "./dom.js";
 import {engines} from "./python.js";
-import {failureOf, lineOf} from "./report.js";
+import {failureOf, lineOf, linked} from "./report.js";
 import {chaptersGiven, keep} from "./results.js";
 import {ownerOf, panels} from "./turn.js";
 import {workspace} from "./workspace.js";
@@ -64,8 +65,9 @@ export async function showTrouble(panel, failure) {
 // Show a report below the buttons of a panel.
 export async function showReport(panel, report, parts) {
   if (report.failure) parts.push(failureOf(report.failure, panel.level, await stepsFor(report, panel)));
-  parts.push(...[...report.notes, ...report.finish].filter(Boolean).map((words) => el("p", {}, words)));
-  if (WITH_SOLUTIONS && report.results.some(({state}) => state === "inherited" || state === "blocked")) {
+  const {chapters, solutions} = await outline();
+  parts.push(...[...report.notes, ...report.finish].filter(Boolean).map((words) => el("p", {}, linked(words, chapters))));
+  if (solutions && report.results.some(({state}) => state === "inherited" || state === "blocked")) {
     parts.push(el("p", {}, el("a", {href: "#your-chapter"}, "Take earlier chapters from the reference")));
   }
   panel.result.replaceChildren(...parts);

@@ -59,6 +59,7 @@ export class Editor {
         highlightActiveLineGutter(),
         highlightActiveLine(),
         drawSelection(),
+        EditorView.lineWrapping,
         rectangularSelection(),
         crosshairCursor(),
         history(),

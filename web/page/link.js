@@ -10,10 +10,10 @@ const ABSENT = {pymunk: "pymunk cannot be compared here, because it is not avail
 
 // The options that every lab of the site has.
 export async function labOptions() {
-  const {chapters} = await outline();
+  const {chapters, solutions} = await outline();
   const all = chapters.map(({number}) => number);
   return {
-    engines: WITH_SOLUTIONS ? ["yours", "reference"] : ["yours"],
+    engines: solutions ? ["yours", "reference"] : ["yours"],
     absent: ABSENT,
     connect: (engine, onAnswer) => connect(onAnswer, () => (engine === "reference" ? all : chaptersGiven())),
     troubled: (words, place) => linkExercise(words, place, chapters),

@@ -17,6 +17,23 @@ function row(label, words) {
   return [el("dt", {}, label), el("dd", {className: CODE.includes(label) ? "code" : ""}, words)];
 }
 
+// Words in which commands are links to what they do here: to a lesson, an exercise or a scene.
+export function linked(words, chapters) {
+  const parts = words.split(/(make (?:check|lab|hint) [A-Z]+=\S*[\w](?: [A-Z]+=\S*[\w])*)/);
+  return parts.map((part, i) => {
+    const href = i % 2 && addressOf(Object.fromEntries(part.split(" ").slice(2).map((word) => word.split("="))), chapters);
+    return href ? el("a", {href}, part) : part;
+  });
+}
+
+function addressOf({CH, EX, SCENE}, chapters) {
+  if (SCENE) return `lab.html?scene=${SCENE}`;
+  const chapter = chapters.find(({number, exercises}) => (EX ? exercises.some(({id}) => id === EX) : number === parseInt(CH, 10)));
+  return chapter && `${chapter.name}.html#${EX ? anchor(EX) : "your-chapter"}`;
+}
+
+export const anchor = (id) => `ex-${id.replace(".", "-")}`;
+
 // All exercises with their states and points.
 export function tableOf(results, titles) {
   const head = ["", "exercise", "state", "physics", "robust", "points"].map((words) => el("th", {scope: "col"}, words));
@@ -24,7 +41,7 @@ export function tableOf(results, titles) {
     el(
       "tr",
       {},
-      el("th", {scope: "row"}, el("a", {href: `#ex-${id.replace(".", "-")}`}, id)),
+      el("th", {scope: "row"}, el("a", {href: `#${anchor(id)}`}, id)),
       el("td", {}, titles[id] ?? ""),
       el("td", {}, el("span", {className: "state", "data-state": state}, state)),
       [physics, robust, `${shown(score)}/${points}`].map((words) => el("td", {}, words)),

@@ -78,9 +78,11 @@ class Turn {
     const {edit, files} = this.exercise;
     const modules = [...new Set(edit.map((name) => `${name.split(".")[0]}.py`))];
     this.paths = [...modules, ...files].map((name) => `${this.chapter}/${name}`);
+    const short = edit.map(shortName);
+    const isOnce = (name) => short.indexOf(shortName(name)) === short.lastIndexOf(shortName(name));
     const parts = this.paths.flatMap((path) => [
       el("span", {className: "file"}, `${path.split("/")[1]}:`),
-      ...namesIn(this.exercise, path).map((name) => button(shortName(name), () => this.goTo(path, name))),
+      ...namesIn(this.exercise, path).map((name) => button(isOnce(name) ? shortName(name) : name, () => this.goTo(path, name))),
       namesIn(this.exercise, path).length ? "" : button("open", () => this.open(path)),
     ]);
     const {data} = this;

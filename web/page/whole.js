@@ -1,7 +1,7 @@
 // The panel of a whole chapter: check everything, and take earlier chapters from the reference.
 
 import {runChecks, showReport, showTrouble} from "./checking.js";
-import {chapterOf} from "./course.js";
+import {chapterOf, outline} from "./course.js";
 import {button, count, el, whenNear} from "./dom.js";
 import {warmUp} from "./python.js";
 import {meter, tableOf} from "./report.js";
@@ -19,6 +19,7 @@ class Whole {
 
   async mount() {
     this.data = await chapterOf(this.section.dataset.whole);
+    this.solutions = (await outline()).solutions;
     await workspace.opened();
     await results();
     this.points = el("p", {className: "note"});
@@ -44,7 +45,7 @@ class Whole {
   // Which earlier chapters come from the reference, on a site that has it.
   given() {
     const {builds_on: below} = this.data;
-    if (!WITH_SOLUTIONS || !below.length) return null;
+    if (!this.solutions || !below.length) return null;
     const boxes = below.map((number) => {
       const box = el("input", {type: "checkbox", checked: chaptersGiven().includes(number), value: number});
       box.onchange = () => {

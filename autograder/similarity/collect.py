@@ -63,7 +63,7 @@ def collect(
         with tempfile.TemporaryDirectory(prefix="similarity-") as folder:
             staged = stage(submission.path, ground.chapters, Path(folder), root)
             files = {
-                f"{chapter.name}/{name}": path.read_text(encoding="utf-8")
+                f"{chapter.name}/{name}": path.read_text(encoding="utf-8-sig")
                 for chapter in ground.chapters
                 for name in chapter.edited_files
                 if (path := Path(folder) / chapter.name / name).exists()

@@ -89,7 +89,7 @@ def _text_of(question: Question, file: Path) -> tuple[str, str]:
         return "", ""
     if question.problems:
         note = question.problems[0].replace(str(question.file), FILE)
-        return file.read_text(encoding="utf-8"), f"This is the whole file. {note}"
+        return file.read_text(encoding="utf-8-sig"), f"This is the whole file. {note}"
     section = question.section
     if section is None:
         return "", ""

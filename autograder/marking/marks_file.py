@@ -72,7 +72,7 @@ class MarksFile:
 
     @contextmanager
     def _alone(self) -> Iterator[None]:
-        """Keep every other one who changes marks waiting."""
+        """Hold the lock on the marks. Everybody else who changes one waits."""
         with (self.path.parent / ".marks.lock").open("w", encoding="utf-8") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)
             yield

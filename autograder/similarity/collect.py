@@ -5,7 +5,6 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
 
 from autograder.manifest import ROOT, Chapter, load_chapters
@@ -64,7 +63,7 @@ def collect(
         with tempfile.TemporaryDirectory(prefix="similarity-") as folder:
             staged = stage(submission.path, ground.chapters, Path(folder), root)
             files = {
-                f"{chapter.name}/{name}": path.read_text(encoding="utf-8")
+                f"{chapter.name}/{name}": path.read_text(encoding="utf-8-sig")
                 for chapter in ground.chapters
                 for name in chapter.edited_files
                 if (path := Path(folder) / chapter.name / name).exists()
@@ -99,11 +98,6 @@ def _our_files(root: Path, chapters: list[str]) -> Iterator[str]:
                 yield path.read_text(encoding="utf-8")
 
 
-@cache
-def _words(text: str, known: frozenset[str]) -> dict[str, int]:
-    return {function.name: len(function.tokens) for function in read_functions(text, known)[0]}
-
-
 def _reference_sizes(
     chapter: Chapter, known: frozenset[str], root: Path
 ) -> dict[tuple[str, str], int]:
@@ -111,6 +105,6 @@ def _reference_sizes(
     sizes = {}
     for name in chapter.edited_files:
         text = (root / "solutions" / chapter.name / name).read_text(encoding="utf-8")
-        for function, words in _words(text, known).items():
-            sizes[f"{chapter.name}/{name}", function] = words
+        for function in read_functions(text, known)[0]:
+            sizes[f"{chapter.name}/{name}", function.name] = len(function.tokens)
     return sizes

@@ -80,7 +80,7 @@ class Comparison:
         self.measure = measure
 
     def stands_out(self, pair: Pair) -> bool:
-        """Say whether chance alone would hardly make such a pair in a class like this one."""
+        """Say whether chance is unlikely to make such a pair in a class like this one."""
         if self.line is None or pair.surprise is None:
             return False
         return pair.surprise >= self.line

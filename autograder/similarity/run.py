@@ -27,7 +27,10 @@ def similarity(folder: Path, out: Path, chapters: list[Chapter], root: Path = RO
     ground = ground_of(chapters, root)
     works: list[Work] = []
     arriving = collect(submissions, ground, root)
-    for work, more in track(arriving, "reading", len(submissions), console=console, transient=True):
+    silent = not console.is_terminal
+    for work, more in track(
+        arriving, "reading", len(submissions), console=console, transient=True, disable=silent
+    ):
         notes += [f"{work.student}: {note}" for note in more]
         if work.parts:
             works.append(work)
@@ -38,7 +41,7 @@ def similarity(folder: Path, out: Path, chapters: list[Chapter], root: Path = RO
     for note in notes:
         console.print(note, markup=False, soft_wrap=True)
     if comparison.line is None:
-        console.print(f"There is no surprise: it needs {FEWEST} students, and code that differs.")
+        console.print(f"Nothing stands out: that takes {FEWEST} students, and code that differs.")
     else:
         of_all = f"{comparison.outstanding} of {len(comparison.pairs)}"
         console.print(f"{of_all} pairs stand out. This proves nothing.")

@@ -156,15 +156,15 @@ def test_helpers_that_a_student_has_added_are_compared_too(ground: Ground) -> No
 
 
 def test_submissions_are_staged_and_never_run(tmp_path: Path, ground: Ground) -> None:
-    code = f"open({str(tmp_path / 'ran')!r}, 'w')\n"
+    code = f"\ufeffopen({str(tmp_path / 'ran')!r}, 'w').write(__file__ + 2 * __name__)\n"
     for student in ("ann", "bob"):
         (tmp_path / "class" / student / "ch02_vectors").mkdir(parents=True)
     (tmp_path / "class/ann/ch02_vectors/vector.py").write_text(code, encoding="utf-8")
     (tmp_path / "class/bob/ch02_vectors/vector.py").symlink_to("/etc/passwd")
     submissions, _ = find_submissions(tmp_path / "class")
-    (_, notes_of_ann), (bob, notes_of_bob) = collect(submissions, ground)
+    (ann, notes_of_ann), (bob, notes_of_bob) = collect(submissions, ground)
     assert not (tmp_path / "ran").exists()
-    assert notes_of_ann == []
+    assert (len(ann.parts), notes_of_ann) == (1, [])
     assert bob.parts == {}
     assert notes_of_bob == ["ch02_vectors/vector.py was not taken: it is a symbolic link"]
 

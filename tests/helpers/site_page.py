@@ -105,7 +105,7 @@ def reference(*chapters: str) -> dict[str, str]:
     from autograder.manifest import ROOT, load_chapters
 
     return {
-        f"{chapter.name}/{name}": (ROOT / "solutions" / chapter.name / name).read_text("utf-8")
+        f"{chapter.name}/{name}": (ROOT / "solutions" / chapter.name / name).read_text(encoding="utf-8")
         for chapter in load_chapters()
         if not chapters or chapter.name in chapters
         for name in chapter.handed_in

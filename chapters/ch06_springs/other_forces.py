@@ -1,6 +1,6 @@
 """Forces that depend on the position of a particle: water, a balloon, a crowd and a homing bullet.
 
-The units and the checks of arguments are those of springs.py. You can import these classes from
+Units and checks of arguments are the same as in springs.py. You can import these classes from
 either module.
 """
 

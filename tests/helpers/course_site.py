@@ -27,7 +27,7 @@ def built(factory: pytest.TempPathFactory, *, with_solutions: bool = False) -> P
     if os.environ.get("PYTEST_XDIST_WORKER"):
         shared = shared.parent
     folder = shared / ("site-with-solutions" if with_solutions else "site")
-    with (shared / "site.lock").open("w") as lock:
+    with (shared / "site.lock").open("w", encoding="utf-8") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         if not (folder / BELOW).exists():
             build(folder / BELOW, with_solutions=with_solutions)

@@ -19,7 +19,8 @@ def missing() -> str:
     if node is None or shutil.which("npm") is None:
         what = "node" if node is None else "npm"
         return f"there is no {what}: install Node.js {OLDEST} or newer, from https://nodejs.org"
-    version = subprocess.run([node, "--version"], capture_output=True, text=True, check=True).stdout
+    command = [node, "--version"]
+    version = subprocess.run(command, capture_output=True, encoding="utf-8", check=True).stdout
     number = re.match(r"v(\d+)", version)
     if number is None or int(number[1]) < OLDEST:
         return f"Node.js {OLDEST} or newer is needed, and this is {version.strip()}"

@@ -50,7 +50,8 @@ def _stage_course(folder: Path, *, with_solutions: bool) -> None:
         with contextlib.redirect_stdout(io.StringIO()):  # its output is meant for an instructor
             make_handout(load_chapters(), [], handout)
         _copy_tree(ROOT / "web" / "python", handout / "web" / "python", "*.py")
-        (handout / "web" / "__init__.py").write_text('"""The course in a browser."""\n')
+        text = '"""The course in a browser."""\n'
+        (handout / "web" / "__init__.py").write_text(text, encoding="utf-8")
         for part in CHECKED:
             _copy_tree(handout / part, folder / part, "*")
         for name in ("pyproject.toml", "stubs.lock", "LICENSE"):

@@ -79,7 +79,7 @@ def engines_of(site: Path) -> Iterator[NodeEngines]:
 def reference() -> dict[str, str]:
     """Return what the reference hands in, of all chapters, by its path."""
     return {
-        f"{chapter.name}/{name}": (ROOT / "solutions" / chapter.name / name).read_text("utf-8")
+        f"{chapter.name}/{name}": (ROOT / "solutions" / chapter.name / name).read_text(encoding="utf-8")
         for chapter in load_chapters()
         for name in chapter.handed_in
     }

@@ -1,7 +1,7 @@
 """Matrices that rotate, scale and move points, and a change of basis (book 9.4.2 to 9.4.6).
 
-The conventions for columns, products and errors are the same as in matrix3.py. You can import Matrix3
-from here, too.
+The conventions for columns, products and errors are the same as in matrix3.py. You can import
+Matrix3 from here, too.
 """
 
 from __future__ import annotations

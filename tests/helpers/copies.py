@@ -1,9 +1,11 @@
-"""Copy a folder without its bytecode."""
+"""Copy a folder without its bytecode, and read what the reference hands in."""
 
 from __future__ import annotations
 
 import shutil
 from pathlib import Path
+
+from autograder.manifest import ROOT, load_chapters
 
 
 def copy_tree(source: Path, target: Path) -> None:
@@ -11,3 +13,14 @@ def copy_tree(source: Path, target: Path) -> None:
     shutil.copytree(
         source, target, dirs_exist_ok=True, ignore=shutil.ignore_patterns("__pycache__")
     )
+
+
+def reference(*chapters: str) -> dict[str, str]:
+    """Return the files that the reference hands in for these chapters, or for all, by path."""
+    files = [
+        f"{chapter.name}/{name}"
+        for chapter in load_chapters()
+        if not chapters or chapter.name in chapters
+        for name in chapter.handed_in
+    ]
+    return {file: (ROOT / "solutions" / file).read_text(encoding="utf-8") for file in files}

@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.manifest import ROOT, Chapter
 from course_site import BELOW, built
 
 _running: dict[Path, NodeEngines] = {}
@@ -74,12 +74,3 @@ def engines_of(site: Path) -> Iterator[NodeEngines]:
     engines = NodeEngines(site)
     yield engines
     engines.close()
-
-
-def reference() -> dict[str, str]:
-    """Return what the reference hands in, of all chapters, by its path."""
-    return {
-        f"{chapter.name}/{name}": (ROOT / "solutions" / chapter.name / name).read_text(encoding="utf-8")
-        for chapter in load_chapters()
-        for name in chapter.handed_in
-    }

@@ -100,18 +100,6 @@ def rows(panel: Any) -> list[tuple[str, str]]:
     return labeled
 
 
-def reference(*chapters: str) -> dict[str, str]:
-    """Return the reference's modules of these chapters, by their paths; of all without any."""
-    from autograder.manifest import ROOT, load_chapters
-
-    return {
-        f"{chapter.name}/{name}": (ROOT / "solutions" / chapter.name / name).read_text(encoding="utf-8")
-        for chapter in load_chapters()
-        if not chapters or chapter.name in chapters
-        for name in chapter.handed_in
-    }
-
-
 def upload(page: Any, address: str, texts: dict[str, str], folder: Path) -> None:
     """Bring texts to the site as a zip, on its start page."""
     import zipfile

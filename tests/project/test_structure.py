@@ -69,11 +69,12 @@ def test_a_chapters_checks_import_no_later_chapter_and_nothing_heavy(path: Path)
 
 
 @pytest.mark.parametrize(
-    "folder", ["autograder", "chapters", "sample_class", "solutions", "studies", "tests"]
+    "folder", ["autograder", "chapters", "sample_class", "solutions", "studies", "tests", "web"]
 )
 def test_no_module_is_too_long_to_be_read_at_once(folder: str) -> None:
     most = 400 if folder == "tests" else 300
-    files = (ROOT / folder).rglob("*.py")
+    files = [f for f in (ROOT / folder).rglob("*.*") if f.suffix in (".py", ".js", ".mjs")]
+    files = [file for file in files if "node_modules" not in file.parts]
     lengths = {file: len(file.read_text(encoding="utf-8").splitlines()) for file in files}
     assert {file: length for file, length in lengths.items() if length > most} == {}
 
@@ -84,7 +85,7 @@ def test_the_readme_of_the_tests_has_a_line_for_each_helper() -> None:
     assert sorted(listed) == sorted([*SHARED, *HELPERS])
 
 
-@pytest.mark.parametrize("path", python_files("autograder", "studies"), ids=str)
+@pytest.mark.parametrize("path", python_files("autograder", "studies", "web"), ids=str)
 def test_the_tools_import_no_tests_and_the_autograder_no_chapter(path: Path) -> None:
     assert imported(path).isdisjoint({"tests", *SHARED, *HELPERS})
     if "autograder" in path.parts:

@@ -16,6 +16,7 @@ from autograder.manifest import ROOT
 JOBS = yaml.safe_load((ROOT / ".github/workflows/ci.yml").read_text(encoding="utf-8"))["jobs"]
 STEPS = [step for job in JOBS.values() for step in job["steps"]]
 LINES = [line for step in STEPS for line in step.get("run", "").splitlines()]
+PAGES = yaml.safe_load((ROOT / ".github/workflows/pages.yml").read_text(encoding="utf-8"))["jobs"]
 COMMANDS = re.findall(r"-m (autograder|studies|lab) (\w+)(.*)", "\n".join(LINES))
 
 
@@ -32,7 +33,8 @@ def test_it_runs_on_three_systems_with_the_pythons_of_the_readme() -> None:
 
 
 def test_every_action_is_pinned() -> None:
-    actions = [step["uses"] for step in STEPS if "uses" in step]
+    steps = [*STEPS, *PAGES["publish"]["steps"]]
+    actions = [step["uses"] for step in steps if "uses" in step]
     assert actions
     assert all(re.fullmatch(r"[\w/-]+@v\d+\.\d+\.\d+", action) for action in actions), actions
 
@@ -41,6 +43,15 @@ def test_linux_runs_the_test_command_of_the_readme() -> None:
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     *_, line = [step["run"] for step in JOBS["everything"]["steps"] if "run" in step]
     assert f"```sh\n{line}\n```" in readme
+
+
+def test_the_site_is_published_as_the_make_command_builds_it() -> None:
+    steps = PAGES["publish"]["steps"]
+    assert {"run": "make site"} in steps
+    assert "TAKES_site :=" in (ROOT / "instructor.mk").read_text(encoding="utf-8")
+    assert [step["with"]["path"] for step in steps if "artifact" in step.get("uses", "")] == [
+        "build/site"
+    ]
 
 
 def test_students_systems_run_each_of_their_commands() -> None:

@@ -10,8 +10,9 @@ from pathlib import Path
 import pytest
 
 from autograder.manifest import ROOT, load_chapters
+from copies import reference
 from course_site import BELOW, built
-from in_node import NodeEngines, engines_of, reference
+from in_node import NodeEngines, engines_of
 from made import made_stubs
 from web.pack import pack
 

@@ -10,7 +10,8 @@ from typing import Any
 import pytest
 
 from autograder.manifest import ROOT
-from in_node import NodeEngines, engines, reference
+from copies import reference
+from in_node import NodeEngines, engines
 from lab.catalog import entries
 
 RIGHT = reference()

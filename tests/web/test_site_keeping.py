@@ -16,8 +16,9 @@ import browser as browsers
 import course_site
 import site_page
 from autograder.manifest import ROOT, load_chapters
+from copies import reference
 from course_site import BELOW, Served
-from site_page import accessible, check, reference, turn, upload, visit, write
+from site_page import accessible, check, turn, upload, visit, write
 
 VECTOR = "ch02_vectors/vector.py"
 STUB = (ROOT / "chapters" / VECTOR).read_text(encoding="utf-8")

@@ -11,8 +11,9 @@ import browser as browsers
 import course_site
 import site_page
 from autograder.manifest import load_chapters
+from copies import reference
 from course_site import Served
-from site_page import accessible, reference, upload, visit
+from site_page import accessible, upload, visit
 from web.stills import scenes_of_students
 from wrong import Wrong, write_wrong
 

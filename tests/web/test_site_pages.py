@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+import zipfile
+import zlib
 from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
@@ -12,7 +14,7 @@ import pytest
 import browser as browsers
 import course_site
 import site_page
-from autograder.manifest import load_chapters
+from autograder.manifest import ROOT, load_chapters
 from course_site import BELOW, Served
 from site_page import accessible, visit
 from web.stills import scenes_of_students
@@ -103,18 +105,29 @@ def test_every_exercise_has_its_panel_and_every_experiment_its_figure(site: Serv
         assert "$" not in re.sub(r"<(pre|code).*?</\1>|<[^>]*>", "", text, flags=re.S)
 
 
-def test_the_site_is_small(site: Served) -> None:
-    """All of it takes at most 20 MB, and what is ours 1.5 MB.
+TEXT = (".html", ".js", ".css", ".svg")  # what every server sends compressed
+SOURCES = ("web/page/*.js", "lab/page/*.js")
 
-    Not ours are Pyodide with Python's library, pytest, CodeMirror and the library of the charts.
+
+def test_the_site_is_small(site: Served) -> None:
+    """All of it takes at most 20 MB, and what is ours 1.5 MB as it is sent, pictures left out.
+
+    Not ours are Pyodide with Python's library, pytest, CodeMirror and the other libraries of the
+    scripts. The pictures of the lessons take at most 0.6 MB more.
     """
     folder = site.folder / BELOW
-    sizes = {f.relative_to(folder).as_posix(): f.stat().st_size for f in folder.rglob("*")}
-    sizes = {name: size for name, size in sizes.items() if (folder / name).is_file()}
-    assert sum(sizes.values()) <= 20_000_000
-    others = re.compile(r"pyodide/|vendor/|course\.zip|assets/(editor|chunk|search)-.*\.js")
-    ours = sum(size for name, size in sizes.items() if not others.match(name))
-    assert ours <= 1_500_000
+    files = {f.relative_to(folder).as_posix(): f for f in folder.rglob("*") if f.is_file()}
+    assert sum(file.stat().st_size for file in files.values()) <= 20_000_000
+    others = re.compile(r"pyodide/|vendor/|assets/.*\.(js|txt)|course\.zip|figures/")
+    ours = [file for name, file in files.items() if not others.match(name)]
+    ours += [file for pattern in SOURCES for file in ROOT.glob(pattern)]
+    sent = sum(
+        len(zlib.compress(f.read_bytes())) if f.suffix in TEXT else f.stat().st_size for f in ours
+    )
+    with zipfile.ZipFile(folder / "course.zip") as archive:
+        sent += sum(e.compress_size for e in archive.infolist() if e.filename.startswith("course/"))
+    assert sent <= 1_500_000
+    assert sum(file.stat().st_size for file in folder.glob("figures/*")) <= 600_000
 
 
 def test_search_finds_a_term_and_an_exercise(visitor: Any, site: Served) -> None:

@@ -16,8 +16,9 @@ import course_site
 import site_page
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.message import laid_out
+from copies import reference
 from course_site import Served
-from site_page import check, reference, rows, turn, upload, visit, write
+from site_page import check, rows, turn, upload, visit, write
 from wrong import Wrong, read_wrong, write_wrong
 
 CHAPTERS = load_chapters()

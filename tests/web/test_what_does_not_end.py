@@ -7,7 +7,8 @@ from typing import Any
 import pytest
 
 from autograder.manifest import load_chapters
-from in_node import NodeEngines, engines, reference
+from copies import reference
+from in_node import NodeEngines, engines
 
 CHAPTER = load_chapters()[0]
 FILE = "ch02_vectors/vector.py"

@@ -1,0 +1,67 @@
+"""Chapters from the reference: only a site that was built with solutions has them."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import zipfile
+import zlib
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import browser as browsers
+import course_site
+from course_site import BELOW, Served, served_site
+from site_page import check, reference, turn, visit, write
+from web.pack import pack
+
+browser = pytest.fixture(browsers.browser_alone, scope="module")
+site = pytest.fixture(course_site.site, scope="module")
+
+
+@pytest.fixture(scope="module")
+def generous(site: Served, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
+    """The same pages with the pack of `make site SOLUTIONS=1`."""
+    folder = tmp_path_factory.mktemp("generous")
+    below = folder / BELOW
+    shutil.copytree(site.folder / BELOW, below)
+    pack(below, with_solutions=True)
+    data = below / "data" / "course.data"
+    course = json.loads(zlib.decompress(data.read_bytes()))
+    data.write_bytes(zlib.compress(json.dumps({**course, "solutions": True}).encode()))
+    with served_site(folder) as server:
+        yield server
+
+
+def names_in(folder: Path) -> list[str]:
+    with zipfile.ZipFile(folder / BELOW / "course.zip") as archive:
+        return archive.namelist()
+
+
+def test_by_default_there_is_no_solution(site: Served, generous: Served) -> None:
+    assert not [name for name in names_in(site.folder) if "solutions" in name]
+    given = [name for name in names_in(generous.folder) if "solutions" in name]
+    assert given
+    assert all(name.endswith((".pyc", ".csv")) for name in given), "nobody reads them"
+
+
+def test_a_chapter_is_taken_from_the_reference(browser: Any, generous: Served) -> None:
+    with visit(browser, service_workers="block") as context:
+        page = context.new_page()
+        page.goto(f"{generous.address}ch03_laws_of_motion.html")
+        panel = turn(page, "B3.4")
+        for path, text in reference("ch03_laws_of_motion").items():
+            write(page, panel, path.split("/")[1], text)
+        assert not check(panel).startswith("All checks of B3.4 pass")
+        panel.get_by_role("link", name="Take earlier chapters from the reference").click()
+        whole = page.locator("[data-whole]")
+        whole.get_by_label("2", exact=True).check()
+        assert check(panel).startswith("All checks of B3.4 pass on the reference's chapter 2.")
+        page.reload()
+        assert whole.get_by_label("2", exact=True).is_checked()
+        page.goto(f"{generous.address}lab.html?scene=frame-rates")
+        page.locator("#add option", has_text="the reference").wait_for(state="attached")
+        assert "on the reference's chapters 2" in page.inner_text("#whose")

@@ -67,7 +67,9 @@ def test_answers_are_collected_as_they_were_handed_in(folder: Path) -> None:
 def test_the_order_is_no_order_of_names_and_stays_as_it_is(tmp_path: Path) -> None:
     for i in range(20):
         (tmp_path / f"s{i:02}/ch02_vectors").mkdir(parents=True)
-        (tmp_path / f"s{i:02}/ch02_vectors/answers.md").write_text(HANDED_IN["ann"] or "")
+        (tmp_path / f"s{i:02}/ch02_vectors/answers.md").write_text(
+            HANDED_IN["ann"] or "", encoding="utf-8"
+        )
     orders = []
     for _ in range(2):
         tasks = collect_tasks(find_submissions(tmp_path)[0], select_chapters("2"))
@@ -164,6 +166,8 @@ def test_the_server_knows_its_own_page_alone_and_no_names(address: str, folder: 
 def test_it_says_why_there_is_nothing_to_mark(folder: Path, chapters: str, words: str) -> None:
     from autograder.marking.server import mark
 
-    (folder / "marks.csv").write_text("student,exercise,points,comment\nzoe,2.3,1,\n")
+    (folder / "marks.csv").write_text(
+        "student,exercise,points,comment\nzoe,2.3,1,\n", encoding="utf-8"
+    )
     with pytest.raises(ValueError, match=re.escape(words)):
         mark(folder, select_chapters(chapters), browser=False)

@@ -33,7 +33,8 @@ function panel(id, env, command) {
   const terms = exercise.terms.map((name) => env.findTerm(name)).filter(Boolean);
   for (const term of terms) env.used.set(term.id, term);
   const words = terms.map((term) => `${termLink(term)}${escape(term.name)}</a>`).join(", ");
-  return `<section class="turn" id="${anchor(id)}" data-exercise="${id}" aria-labelledby="${anchor(id)}-title">
+  const kind = exercise.kind === "written" ? "turn written" : "turn";
+  return `<section class="${kind}" id="${anchor(id)}" data-exercise="${id}" aria-labelledby="${anchor(id)}-title">
 <div class="turn-head"><h${level} id="${anchor(id)}-title">${id} ${escape(exercise.title)}</h${level}>
 <p class="turn-meta">${stars} <span>${points}</span> <span class="state" data-state="">not checked yet</span></p></div>
 ${words ? `<p class="turn-terms">Terms: ${words}</p>` : ""}

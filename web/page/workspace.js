@@ -53,7 +53,7 @@ class Workspace extends EventTarget {
   async replace(path, text, why) {
     const there = await this.text(path);
     if (there === text) return;
-    await keepCopy(path, there, why);
+    if (this.files.get(path)?.text) await keepCopy(path, there, why); // a stub can be had any time
     this.edit(path, text);
     await this.save(path);
   }

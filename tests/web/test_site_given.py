@@ -61,6 +61,7 @@ def test_a_chapter_is_taken_from_the_reference(browser: Any, generous: Served) -
         whole.get_by_label("2", exact=True).check()
         assert check(panel).startswith("All checks of B3.4 pass on the reference's chapter 2.")
         page.reload()
+        whole.scroll_into_view_if_needed()
         assert whole.get_by_label("2", exact=True).is_checked()
         page.goto(f"{generous.address}lab.html?scene=frame-rates")
         page.locator("#add option", has_text="the reference").wait_for(state="attached")

@@ -184,6 +184,23 @@ def test_the_keyboard_reaches_the_text_and_leaves_an_editor(visitor: Any, site: 
     assert page.evaluate("document.activeElement.textContent") == "Check"
 
 
+@pytest.mark.parametrize("width", [360, 1280])
+def test_a_link_into_a_lesson_stays_where_it_leads(browser: Any, site: Served, width: int) -> None:
+    """The editors that appear above and below must not move the page."""
+    with visit(browser, width, service_workers="block") as context:
+        page = context.new_page()
+        page.goto(f"{site.address}ch09_rotations.html")
+        page.locator("#search-open").wait_for()
+        for anchor in ("ex-B9-9", "your-chapter", "ex-B9-4"):
+            page.evaluate("id => (location.hash = id)", anchor)
+            page.wait_for_timeout(1000)
+            top = page.evaluate(
+                "id => document.getElementById(id).getBoundingClientRect().top", anchor
+            )
+            assert -50 <= top <= 500, anchor
+        assert page.locator("#ex-B9-4 .cm-own").first.is_visible()
+
+
 def test_without_scripts_a_lesson_has_its_text_its_pictures_and_the_commands(
     browser: Any, site: Served
 ) -> None:

@@ -21,6 +21,7 @@ import {classHighlighter} from "@lezer/highlight";
 import {functionsOf, namesIn} from "./bodies.js";
 import {workspace} from "./workspace.js";
 
+const MARGIN = 24; // pixels above what is scrolled to
 const fromElsewhere = Annotation.define();
 const markWrong = StateEffect.define(); // the line that a check has named; 0 for none
 const ownLine = Decoration.line({class: "cm-own"});
@@ -120,11 +121,18 @@ export class Editor {
     this.reveal(line.from, line.to, true);
   }
 
+  // Scroll within the editor alone: the page stays where it is.
   reveal(from, to, focus) {
-    this.view.dispatch({
-      selection: {anchor: focus ? to : from},
-      effects: EditorView.scrollIntoView(from, {y: "start", yMargin: 24}),
-    });
+    this.view.dispatch({selection: {anchor: focus ? to : from}});
+    const scroll = (left) =>
+      this.view.requestMeasure({
+        read: (view) => view.lineBlockAt(from).top,
+        write: (top, view) => {
+          view.scrollDOM.scrollTop = top - MARGIN;
+          if (left) requestAnimationFrame(() => scroll(left - 1)); // lines that are seen now are measured now
+        },
+      });
+    scroll(2);
     if (focus) this.view.focus();
   }
 }

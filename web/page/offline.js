@@ -4,7 +4,7 @@ import {button} from "./dom.js";
 import {workspace} from "./workspace.js";
 
 export async function startOffline() {
-  if (!("serviceWorker" in navigator)) return;
+  if (!navigator.serviceWorker) return; // not on this browser, or not without https
   const status = document.getElementById("offline");
   const service = navigator.serviceWorker;
   const hadOne = Boolean(service.controller);

@@ -33,16 +33,20 @@ def run_node(script: str, *arguments: str) -> None:
     Raises:
         ValueError: with advice on what to do, if the script cannot be run or fails.
     """
-    if why := missing():
-        raise ValueError(why)
-    install()
+    prepare()
     done = subprocess.run(["node", script, *arguments], cwd=WEB, check=False)
     if done.returncode:
         raise ValueError(f"node {script} failed, see above")
 
 
-def install() -> None:
-    """Install the pinned packages, unless they are installed already."""
+def prepare() -> None:
+    """Install the pinned packages, unless they are installed already.
+
+    Raises:
+        ValueError: with advice on what to do, if Node is missing or cannot install them.
+    """
+    if why := missing():
+        raise ValueError(why)
     wanted = hashlib.sha256((WEB / "package-lock.json").read_bytes()).hexdigest()
     stamp = PACKAGES / ".installed"
     if stamp.is_file() and stamp.read_text(encoding="utf-8") == wanted:

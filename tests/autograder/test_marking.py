@@ -159,7 +159,8 @@ def test_the_server_knows_its_own_page_alone_and_no_names(address: str, folder: 
         file.write("ann,2.3,nine,\n")
     broken = ask(address, "marks.json", {**good, "seen": good["mark"], "mark": None})
     assert broken.code == 503
-    assert "line 3: points 'nine'" in json.loads(broken.body)["why"]
+    why = json.loads(broken.body)["why"]
+    assert "line 3: the points for 2.3 must be a number from 0 to 2, got 'nine'" in why
 
 
 @pytest.mark.parametrize(

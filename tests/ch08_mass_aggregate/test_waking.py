@@ -139,9 +139,12 @@ def test_what_is_pushed_otherwise_wakes(old: float, new: float, late: bool) -> N
 def test_what_is_pushed_as_before_sleeps_on(rng: Random) -> None:
     push = positive_number(rng, 2.0, 9.0)
     about(f"a particle asleep, pushed by {push} N/kg against a wall", read=f"{WAKE}wake_pushed")
-    about.cause = "A change by SAME or less must not wake it. Compare with the acceleration that "
-    about.cause += "is stored in its Sleep."
+    compare = "Compare with the acceleration that is stored in its Sleep."
     for new in (push, 1.009 * push, 0.991 * push):
+        about.cause = f"A change by SAME or less must not wake it. {compare}"
+        if new == push:
+            about.cause = "The same force as before must not wake it. After the generators were "
+            about.cause += f"called, set its inverse_mass back to 0. {compare}"
         seen = woken_by_force(push, new, 25)
         expect_exactly(
             seen,

@@ -197,7 +197,7 @@ def test_a_link_into_a_lesson_stays_where_it_leads(browser: Any, site: Served, w
             top = page.evaluate(
                 "id => document.getElementById(id).getBoundingClientRect().top", anchor
             )
-            assert -50 <= top <= 500, anchor
+            assert -50 <= top <= (850 if anchor == "your-chapter" else 100), anchor  # the page ends
         assert page.locator("#ex-B9-4 .cm-own").first.is_visible()
 
 

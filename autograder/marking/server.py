@@ -147,9 +147,9 @@ def mark_of(value: Any, most: float) -> Mark | None:
 
 
 def mark(folder: Path, chapters: list[Chapter], *, browser: bool = True, root: Path = ROOT) -> int:
-    """Serve the page for a class until Ctrl-C.
+    """Serve the marking page for a class until Ctrl-C is pressed.
 
-    Raises ValueError where there is nothing to mark, or marks.csv has a mistake.
+    Raises ValueError if there is nothing to mark, or if marks.csv contains a mistake.
     """
     submissions, notes = find_submissions(folder)
     tasks = collect_tasks(submissions, chapters, root)

@@ -143,7 +143,7 @@ def fake_spring() -> Picture:
 
 
 def cloth_frame_rates() -> Picture:
-    """Draw how long a cloth of springs lasts at each frame rate with two integrators."""
+    """Plot how long a spring cloth stays stable at each frame rate, for two integrators."""
     figure, axes = pyplot.subplots(figsize=(9, 5.2), layout="constrained")
     rows: list[Sequence[object]] = []
     book = (30, 60, 120, 240, 480, 960)

@@ -3,7 +3,8 @@
 - A test whose parameters have a chapter, or a path of one, is about that chapter.
 - Every other test is about the latest chapter that its file imports, or names: the earlier ones are
   what it builds on. A file that has none is asked for the modules of studies that it imports.
-- The tests of the tools, in tests/autograder/, are about no chapter; nor is a file that names none.
+- The tests of the tools, in tests/autograder/ and tests/web/, are about no chapter; nor is a file
+  that names none.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ import pytest
 from autograder.manifest import ROOT, Chapter
 
 NAME = re.compile(r"\bch(\d\d)_")
+TOOLS = (ROOT / "tests/autograder", ROOT / "tests/web")
 IMPORT = re.compile(r"^ *from (studies[\w.]*) import (.*)$", re.MULTILINE)
 
 
@@ -37,7 +39,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 def chapters_of(item: pytest.Item) -> set[int]:
     """Return the chapters that a test is about; one at most, but for odd parameters."""
-    if item.path.is_relative_to(ROOT / "tests/autograder"):
+    if any(item.path.is_relative_to(folder) for folder in TOOLS):
         return set()
     parameters = item.callspec.params.values() if hasattr(item, "callspec") else ()
     found = {value.number for value in parameters if isinstance(value, Chapter)}

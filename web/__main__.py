@@ -12,7 +12,7 @@ from pathlib import Path
 
 from autograder.manifest import ROOT
 from web.course import course
-from web.node import run_node
+from web.node import missing, run_node
 from web.pack import pack
 from web.pictures import copy_pictures
 
@@ -45,6 +45,8 @@ def build(out: Path, *, with_solutions: bool) -> None:
     """Build the site into a folder that is new, empty, or an earlier build."""
     if out.exists() and any(out.iterdir()) and not (out / "sw.js").is_file():
         raise ValueError(f"{out} is not empty, and is no earlier build of the site")
+    if why := missing():
+        raise ValueError(why)
     shutil.rmtree(PARTS, ignore_errors=True)
     PARTS.mkdir(parents=True)
     _say("Reading the chapters ...")

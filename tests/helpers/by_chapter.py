@@ -3,8 +3,8 @@
 - If the parameters of a test contain a chapter, or a path in one, the test is about that chapter.
 - Any other test is about the latest chapter that its file imports or names, since earlier chapters
   are only what it builds on. If the file names none, the modules of studies that it imports decide.
-- The tests of the tools in tests/autograder/ are about no chapter, and neither is a file that names
-  none.
+- The tests of the tools in tests/autograder/ and tests/web/ are about no chapter, and neither is a
+  file that names none.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ import pytest
 from autograder.manifest import ROOT, Chapter
 
 NAME = re.compile(r"\bch(\d\d)_")
+TOOLS = (ROOT / "tests/autograder", ROOT / "tests/web")
 IMPORT = re.compile(r"^ *from (studies[\w.]*) import (.*)$", re.MULTILINE)
 
 
@@ -38,7 +39,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 def chapters_of(item: pytest.Item) -> set[int]:
     """Return the chapters that a test is about, which is rarely more than one."""
-    if item.path.is_relative_to(ROOT / "tests/autograder"):
+    if any(item.path.is_relative_to(folder) for folder in TOOLS):
         return set()
     parameters = item.callspec.params.values() if hasattr(item, "callspec") else ()
     found = {value.number for value in parameters if isinstance(value, Chapter)}

@@ -32,6 +32,7 @@ def item(file: str, **parameters: object) -> SimpleNamespace:
         ("project/test_structure.py", {"path": ROOT / "solutions/ch05_forces/forces.py"}, {5}),
         ("project/test_structure.py", {}, set()),
         ("autograder/test_runner.py", {"chapter": CHAPTERS[2]}, set()),
+        ("web/test_site_solving.py", {"chapter": CHAPTERS[2]}, set()),
     ],
 )
 def test_a_test_is_about_the_chapter_of_its_parameters_or_of_its_file(

@@ -118,16 +118,29 @@ def test_a_scene_says_which_exercise_it_waits_for(visitor: Any, site: Served) ->
     page.wait_for_url("**/ch02_vectors.html#ex-B2-*")
 
 
-def test_a_loop_in_a_scene_is_ended(visitor: Any, site: Served, tmp_path: Path) -> None:
+def with_forces(body: str, folder: Path) -> dict[str, str]:
+    """Return the reference with another body of the method that every frame calls."""
     chapter = next(chapter for chapter in load_chapters() if chapter.number == 5)
-    body = "while True:\n    pass"
-    write_wrong(chapter, [Wrong("forces.ForceRegistry.update_forces", "", "", body=body)], tmp_path)
+    write_wrong(chapter, [Wrong("forces.ForceRegistry.update_forces", "", "", body=body)], folder)
     path = "ch05_forces/forces.py"
-    texts = {**reference(), path: (tmp_path / path).read_text(encoding="utf-8")}
+    return {**reference(), path: (folder / path).read_text(encoding="utf-8")}
+
+
+def test_a_loop_in_a_scene_is_ended(visitor: Any, site: Served, tmp_path: Path) -> None:
     page = visitor.new_page()
-    upload(page, site.address, texts, tmp_path)
+    upload(page, site.address, with_forces("while True:\n    pass", tmp_path), tmp_path)
     page.goto(f"{site.address}lab.html?scene=one-spring")
     page.locator("#contenders tbody tr").wait_for()
     page.locator("#step").click()
     page.locator("#trouble").wait_for()
     assert "forces.py, line" in page.inner_text("#trouble")
+
+
+def test_a_scene_that_is_too_slow_says_so(visitor: Any, site: Served, tmp_path: Path) -> None:
+    page = visitor.new_page()
+    slow = "for _ in range(1_000_000):\n    pass"
+    upload(page, site.address, with_forces(slow, tmp_path), tmp_path)
+    page.goto(f"{site.address}lab.html?scene=one-spring")
+    page.locator("#contenders tbody tr").wait_for()
+    page.locator("#play").click()
+    page.get_by_text("of the speed that was asked for").wait_for()

@@ -18,7 +18,7 @@ from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.message import laid_out
 from copies import reference
 from course_site import Served
-from site_page import check, rows, turn, upload, visit, write
+from site_page import accessible, check, rows, turn, upload, visit, write
 from wrong import Wrong, read_wrong, write_wrong
 
 CHAPTERS = load_chapters()
@@ -186,11 +186,13 @@ def test_hints_come_one_by_one_and_a_reset_can_be_undone(visitor: Any, site: Ser
     page = visitor.new_page()
     page.goto(f"{site.address}ch02_vectors.html")
     panel = turn(page, "B2.2")
-    hint = panel.get_by_role("button", name="hint", exact=False)
+    hint = panel.locator(".row").get_by_role("button", name="hint", exact=False)
     for number in range(1, 4):
         hint.click()
         assert panel.locator(".hints li").count() == number
     assert hint.inner_text() == "No more hints"
+    check(panel)
+    accessible(page)  # with hints, a failure and its buttons
     mine = reference("ch02_vectors")["ch02_vectors/vector.py"]
     write(page, panel, "vector.py", mine)
     panel.get_by_role("button", name="Reset").click()

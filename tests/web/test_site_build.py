@@ -1,0 +1,87 @@
+"""The build of the site: what it needs, what it refuses, and what its parts are made of."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+from autograder.manifest import ROOT
+from autograder.stubs import make_stubs
+from lab.pen import ARROWS, COLORS, Pen
+from web import __main__ as site
+from web import node
+from web.course import course
+from web.svg import HEIGHT, WIDTH, svg
+
+
+def run(*arguments: str, path: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "web", *arguments],
+        cwd=ROOT,
+        env={"PATH": path},
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+    )
+
+
+def test_without_node_it_says_what_to_install(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert "there is no node: install Node.js" in node.missing()
+    for name, version in (("node", "v18.1.0"), ("npm", "9")):
+        (tmp_path / name).write_text(f"#!/bin/sh\necho {version}\n", encoding="utf-8")
+        (tmp_path / name).chmod(0o755)
+    assert node.missing() == "Node.js 20 or newer is needed, and this is v18.1.0"
+
+
+def test_a_folder_with_something_else_in_it_is_left_alone(tmp_path: Path) -> None:
+    (tmp_path / "thesis.txt").write_text("mine", encoding="utf-8")
+    with pytest.raises(ValueError, match="is not empty, and is no earlier build of the site"):
+        site.build(tmp_path, with_solutions=False)
+    assert (tmp_path / "thesis.txt").read_text(encoding="utf-8") == "mine"
+
+
+def test_a_missing_node_is_told_before_anything_is_built(tmp_path: Path) -> None:
+    done = run("--out", str(tmp_path / "site"), path=str(tmp_path))
+    assert done.returncode == 1
+    assert done.stderr.startswith("make site: there is no node")
+    assert done.stdout == ""
+
+
+def test_the_pages_get_the_stubs_and_no_solution() -> None:
+    files = {path: text for c in course()["chapters"] for path, text in c["files"].items()}
+    assert {f"chapters/{path}": text for path, text in files.items()} == make_stubs()
+
+
+def test_a_picture_has_all_that_a_pen_draws_in_both_colors() -> None:
+    pen = Pen()
+    pen.circle((0.0, 0.0), 1.0, "blue")
+    pen.circle((0.0, 0.0), 1.0, "red", fill=False)
+    pen.dots([(1.0, 1.0), (2.0, 2.0)], "green")
+    pen.line([(0.0, 0.0), (1.0, 1.0)], "black", dashed=True)
+    pen.segments([((0.0, 0.0), (1.0, 1.0))], "gray")
+    pen.area([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)], "water")
+    pen.spring((0.0, 0.0), (2.0, 0.0), "brown")
+    for kind in ("", *ARROWS):
+        pen.arrow((0.0, 0.0), (1.0, 1.0), "orange", kind)
+    pen.text((0.0, 1.0), "a < b", "violet")
+    pen.ground(-1.0)
+    drawn = ElementTree.fromstring(svg(pen.items, (-2.0, 2.0, -2.0, 2.0)))
+    assert drawn.get("viewBox") == f"0 0 {WIDTH:g} {HEIGHT:g}"
+    style, *shapes = drawn
+    assert len(shapes) == 12  # the ground is two shapes, and arrows of two kinds are hidden
+    assert [shape.text for shape in shapes if shape.tag.endswith("text")] == ["a < b"]
+    light, dark = (style.text or "").split("@media")
+    for name in {shape.get("class") for shape in shapes}:
+        assert name in COLORS
+        assert f".{name}{{color:#" in light
+        assert f".{name}{{color:#" in dark
+    circle = shapes[0]  # in the middle, with the scale of the height
+    assert circle.get("cx") == "320"
+    assert circle.get("r") == "100.0"

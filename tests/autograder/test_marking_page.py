@@ -185,7 +185,7 @@ def test_what_cannot_be_saved_is_said_and_kept(page: Page, folder: Path) -> None
     assert page.tab.input_value("#comment") == "No points yet."
     (folder / "marks.csv").write_text("oops\n", encoding="utf-8")
     page.press("Escape", "1")
-    page.wait("trouble", "line 1: 'oops'")
+    page.wait("trouble", "got 'oops'")
     (folder / "marks.csv").unlink()
     page.tab.click("text=Try again")
     page.wait("status", "Saved: 1 of 1.")

@@ -109,7 +109,7 @@ def test_an_endless_loop_ends_the_worker_and_other_scenes_begin_again(
     load(engines, 2, "one-spring", files=RIGHT | {SPRINGS: hangs})
     (answer,) = engines.scene(2, "run", frames=6)
     lines = [n for n, line in enumerate(hangs.split("\n"), 1) if "while True: pass" in line]
-    words = "did not end within 2.5 seconds: an endless loop?\nwhere     "
+    words = "did not finish within 2.5 seconds. Is there an endless loop?\nwhere     "
     places = [f"{SPRINGS}, line {line}, in update_force" for line in lines]
     assert answer["kind"] == "stopped"
     assert answer["why"] in [words + place for place in places]

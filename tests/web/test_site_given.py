@@ -14,8 +14,9 @@ import pytest
 
 import browser as browsers
 import course_site
+from copies import reference
 from course_site import BELOW, Served, served_site
-from site_page import check, reference, turn, visit, write
+from site_page import check, turn, visit, write
 from web.pack import pack
 
 browser = pytest.fixture(browsers.browser_alone, scope="module")

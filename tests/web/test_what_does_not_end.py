@@ -51,7 +51,7 @@ def test_an_endless_loop_is_told_in_four_seconds_with_its_line(engines: NodeEngi
     line = 1 + files[FILE].partition("while True:")[0].count("\n")
     for failure in (trouble["failure"], answer["report"]["failure"]):
         *_, (_, words), (label, place) = failure["rows"]
-        assert words == "did not end within 3 seconds: an endless loop?"
+        assert words == "did not finish within 3 seconds. Is there an endless loop?"
         assert (label, failure["file"]) == ("where", FILE)
         assert place == f"{FILE}, line {failure['line']}, in normalize"
         assert failure["line"] in (line, line + 1)
@@ -63,19 +63,19 @@ def test_an_endless_loop_is_told_in_four_seconds_with_its_line(engines: NodeEngi
 def test_a_loop_in_c_is_ended_by_the_page(engines: NodeEngines) -> None:
     answer = ask(engines, with_zero("sum(iter(int, 1))"), NORMALIZE)
     words = [said for _, said in answer["report"]["failure"]["rows"]]
-    assert "did not end within 3 seconds: an endless loop?" in words
+    assert "did not finish within 3 seconds. Is there an endless loop?" in words
 
 
 def test_a_module_that_does_not_end_is_told_as_such(engines: NodeEngines) -> None:
     report = ask(engines, RIGHT | {FILE: "while True:\n    pass\n"})["report"]
-    words = f"{FILE}, while it is imported: did not end within 3 seconds: an endless loop?"
+    words = f"{FILE} cannot be imported: did not finish within 3 seconds. Is there an endless loop?"
     assert words in [said for _, said in report["failure"]["rows"]]
 
 
 def test_leaving_python_is_told_with_its_code(engines: NodeEngines) -> None:
     answer = ask(engines, with_zero("import os", "os._exit(3)"), NORMALIZE)
     words = [said for _, said in answer["report"]["failure"]["rows"]]
-    assert "the process ended in the middle, with exit code 3: is there an os._exit?" in words
+    assert "the process ended early, with exit code 3. Does the code call os._exit?" in words
 
 
 @pytest.mark.parametrize(
@@ -89,7 +89,7 @@ def test_what_calls_itself_is_a_recursion_error(engines: NodeEngines, line: str)
     """The calls of the second go through C, and fewer of those fit on a browser's stack."""
     rows = dict(ask(engines, with_length(line))["report"]["failure"]["rows"])
     assert rows["got"] == "RecursionError: maximum recursion depth exceeded"
-    assert rows["likely"].startswith("Something calls itself")
+    assert rows["likely"].startswith("A function calls itself")
     assert line in rows["where"]
 
 
@@ -129,7 +129,7 @@ def test_nothing_of_a_check_is_left_for_the_next(engines: NodeEngines) -> None:
 def test_what_cannot_be_run_is_a_clear_error(engines: NodeEngines) -> None:
     asked = {"files": RIGHT, "chapter": "ch03_laws_of_motion", "given": [2]}
     words = engines.ask("check", asked=asked)["error"]
-    assert words == "chapter 2 cannot be given: this folder has no reference of it"
+    assert words == "chapter 2 cannot be given: its reference is not in this folder"
     asked = {"files": {"../x.py": ""}, "chapter": CHAPTER.name}
     words = engines.ask("check", asked=asked)["error"]
     assert words == "a file must be chNN_name/name, got '../x.py'"

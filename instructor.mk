@@ -63,7 +63,7 @@ else
 endif
 
 say-what-test-is:
-	@echo "This tests the companion itself, and takes $(if $(CH),half a minute,about 15 minutes)."
+	@echo "This tests the companion itself, and takes $(if $(CH),half a minute,about 18 minutes)."
 	@echo "To check what you wrote, run make check or make watch."
 
 .venv/extras: extras.lock $(READY)

@@ -18,7 +18,7 @@ Columns = tuple[list[float], list[float], list[float]]  # x, y and z of all ends
 # The ends of a link, the vector along it, its length squared, by how much that may be wrong, kind.
 Rows = list[tuple[int, int, float, float, float, float, float, int]]
 
-EXACT = 2e-10  # the fraction by which the square of a length may be wrong after a step
+EXACT = 2e-10  # relative error allowed in the square of a length after a step
 FINER = 1e-3  # of EXACT, after a correction
 MOST = 60  # corrections of the pulls in a step
 TOO_FAR = "the links turn too far in one step; use shorter steps"

@@ -20,8 +20,8 @@ from ch02_vectors.arguments import positive
 from ch05_forces.particle import Particle
 from ch07_constraints.net import Net, Way
 
-EXACT = 1e-11  # the fraction by which the square of a length may be wrong after a step
-NEAR = 1e-9  # the fraction by which a link may be from its limit and still be tried as active
+EXACT = 1e-11  # relative error allowed in the square of a length after a step
+NEAR = 1e-9  # relative distance from its limit within which a link is tried as active
 CORRECTIONS = 4  # of the positions after a step
 MOST = 5000  # impacts in a step
 LEAST = 1e-9  # the fraction of a step that is not worth a step

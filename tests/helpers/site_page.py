@@ -9,6 +9,8 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
+from copies import reference
+
 PASTE = """([text]) => {
   const data = new DataTransfer();
   data.setData("text/plain", text);
@@ -36,6 +38,15 @@ def visitor(browser: Any) -> Iterator[Any]:
     """Yield the context of a visitor who has nothing stored yet, for a fixture."""
     with visit(browser) as context:
         yield context
+
+
+@contextmanager
+def everything_written(browser: Any, address: str, folder: Path) -> Iterator[Any]:
+    """Yield the page of a visitor who has brought all of the reference's files as a zip."""
+    with visit(browser) as context:
+        page = context.new_page()
+        upload(page, address, reference(), folder)
+        yield page
 
 
 def _hear(context: Any, message: Any) -> None:

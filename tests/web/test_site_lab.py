@@ -13,7 +13,7 @@ import site_page
 from autograder.manifest import load_chapters
 from copies import reference
 from course_site import Served
-from site_page import accessible, upload, visit
+from site_page import accessible, everything_written, upload
 from web.stills import scenes_of_students
 from wrong import Wrong, write_wrong
 
@@ -27,9 +27,7 @@ visitor = pytest.fixture(site_page.visitor)
 @pytest.fixture(scope="module")
 def player(browser: Any, site: Served, tmp_path_factory: pytest.TempPathFactory) -> Any:
     """A page of somebody who has written everything."""
-    with visit(browser) as context:
-        page = context.new_page()
-        upload(page, site.address, reference(), tmp_path_factory.mktemp("zip"))
+    with everything_written(browser, site.address, tmp_path_factory.mktemp("zip")) as page:
         yield page
 
 

@@ -18,7 +18,7 @@ from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.message import laid_out
 from copies import reference
 from course_site import Served
-from site_page import accessible, check, rows, turn, upload, visit, write
+from site_page import accessible, check, everything_written, rows, turn, write
 from wrong import Wrong, read_wrong, write_wrong
 
 CHAPTERS = load_chapters()
@@ -33,11 +33,9 @@ visitor = pytest.fixture(site_page.visitor)
 @pytest.fixture(scope="module")
 def solver(browser: Any, site: Served, tmp_path_factory: pytest.TempPathFactory) -> Any:
     """A visitor whose folder has the reference's modules, brought as a zip."""
-    with visit(browser) as context:
-        page = context.new_page()
-        upload(page, site.address, reference(), tmp_path_factory.mktemp("zip"))
+    with everything_written(browser, site.address, tmp_path_factory.mktemp("zip")) as page:
         page.close()
-        yield context
+        yield page.context
 
 
 @pytest.mark.parametrize("chapter", CHAPTERS[:2], ids=lambda chapter: chapter.name)
@@ -141,19 +139,20 @@ def test_an_endless_loop_ends_and_the_page_stays_responsive(visitor: Any, site: 
     body = text[text.index("def clear") : text.index("def invert")]
     looping = text.replace(body, f"{LOOP}\n    ")
     page.evaluate(WATCH)
-    spent = []
+    tries = []  # s until the message, and the longest pause of the page in ms
     for _ in range(3):  # another test may be using this machine
+        page.evaluate("window.longest = 0")
         write(page, panel, "vector.py", looping)
         began = time.monotonic()
         panel.get_by_role("button", name="Check", exact=True).click()
         panel.locator(".failure").wait_for()
-        spent.append(time.monotonic() - began)
-        if spent[-1] < 4.0:
+        tries.append((time.monotonic() - began, page.evaluate("window.longest")))
+        if tries[-1][0] < 4.0 and tries[-1][1] < 1000.0:
             break
         write(page, panel, "vector.py", text)
         check(panel)
-    assert spent[-1] < 4.0, spent
-    assert page.evaluate("window.longest") < 1000.0
+    assert tries[-1][0] < 4.0, tries
+    assert tries[-1][1] < 1000.0, tries
     line = looping[: looping.index("while True")].count("\n") + 1
     where = dict(rows(panel))["where"]
     assert where in {f"ch02_vectors/vector.py, line {line + n}, in clear" for n in (0, 1)}

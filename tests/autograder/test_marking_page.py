@@ -71,6 +71,14 @@ class Page:
         for key in keys:
             self.tab.keyboard.press(key)
 
+    def saves(self, folder: Path, *rows: tuple[str, str, str]) -> None:
+        """Wait until marks.csv holds these rows: a page saves while its reader goes on."""
+        for _ in range(200):
+            if marks_in(folder) == [*rows]:
+                return
+            self.tab.wait_for_timeout(25)
+        assert marks_in(folder) == [*rows]
+
     def close(self) -> None:
         assert self.errors == []
         assert self.hosts <= {"127.0.0.1", None}
@@ -101,8 +109,9 @@ def test_the_keyboard_is_enough_and_every_change_is_saved(page: Page, folder: Pa
     page.press("c")
     page.tab.keyboard.type("Say why, 0 is not enough.\nj")
     page.press("Escape")
-    page.wait("bank", "Say why")
-    assert marks_in(folder) == [("2.2b", "1", "Say why, 0 is not enough.\nj")]
+    first = ("2.2b", "1", "Say why, 0 is not enough.\nj")
+    page.saves(folder, first)
+    page.wait("bank", "j")
     page.press("j", "h")
     page.wait("which", "Answer 2 of 5")
     page.wait("status", "Saved: 0.5 of 1.")
@@ -114,7 +123,7 @@ def test_the_keyboard_is_enough_and_every_change_is_saved(page: Page, folder: Pa
     page.press("n")
     page.wait("which", "Answer 3 of 5")
     assert page.tab.evaluate("document.activeElement.id") == "which"
-    assert marks_in(folder)[1:] == [("2.2b", "0.5", "j")]
+    page.saves(folder, first, ("2.2b", "0.5", "j"))
     page.press("k", "x")
     page.wait("progress", "1 of 5 marked")
     assert len(marks_in(folder)) == 1
@@ -125,7 +134,8 @@ def test_the_keyboard_is_enough_and_every_change_is_saved(page: Page, folder: Pa
     assert page.text("text") == "Nothing was written here."
     page.press("0", "n")
     page.wait("title", "2.3 A vector times itself")
-    assert [points for _, points, _ in marks_in(folder)] == ["1", "0", "1", "1", "0"]
+    rest = [("2.2b", points, "") for points in ("0", "1", "1", "0")]
+    page.saves(folder, first, *rest)
     page.press("?")
     page.tab.wait_for_selector("#keys[open]")
     page.tab.uncheck("#single")

@@ -1,10 +1,10 @@
 // Set up a page once its text is loaded. Each part is loaded only on the pages that need it.
 
 import {startOffline} from "./offline.js";
+import {openSearch} from "./search.js";
 import {startTips} from "./tips.js";
 
 const search = document.getElementById("search-open");
-const openSearch = async () => (await import("./search.js")).openSearch();
 search.hidden = false;
 search.onclick = openSearch;
 document.addEventListener("keydown", (event) => {

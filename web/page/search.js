@@ -1,7 +1,5 @@
 // Search all pages: a dialog that / opens, with an index that was made when the site was built.
 
-import MiniSearch from "minisearch";
-
 import {packed} from "./course.js";
 import {button, count, el} from "./dom.js";
 import {OPTIONS} from "./words.js";
@@ -9,6 +7,7 @@ import {OPTIONS} from "./words.js";
 const MOST = 20;
 let dialog = null;
 
+// The dialog is part of every page, so that it takes the first key; what finds is loaded with it.
 export function openSearch() {
   dialog ??= make();
   dialog.showModal();
@@ -28,7 +27,13 @@ function make() {
   );
   field.oninput = async () => {
     const query = field.value.trim();
-    const found = query.length > 1 ? await search(query) : [];
+    let found = [];
+    try {
+      if (query.length > 1) found = await search(query);
+    } catch (error) {
+      status.textContent = `The search does not work now: ${error.message}`;
+      return;
+    }
     if (field.value.trim() !== query) return; // the reader has typed more meanwhile
     status.textContent = query.length > 1 ? (found.length ? count(found.length, "result") : "Nothing found.") : "";
     list.replaceChildren(...found.map(({page, title, id, heading}) =>
@@ -60,6 +65,11 @@ async function search(query) {
 let loading = null;
 
 function data() {
-  loading ??= packed("search").then(({index, ...rest}) => ({...rest, index: MiniSearch.loadJS(index, OPTIONS)}));
+  loading ??= load().catch((error) => ((loading = null), Promise.reject(error)));
   return loading;
+}
+
+async function load() {
+  const [{default: MiniSearch}, {index, ...rest}] = await Promise.all([import("minisearch"), packed("search")]);
+  return {...rest, index: MiniSearch.loadJS(index, OPTIONS)};
 }

@@ -31,11 +31,11 @@ def test_when_a_gap_closes(rng: Random) -> None:
         (0.5 * pull * t * t, 0.0, -pull, t, rest),
         (1e-6, -1e-6, 0.0, 1.0, "Even a slow approach closes the gap."),
         (5e-7, 0.0, -1e-6, 1.0, "Even a weak acceleration closes the gap."),
-        (0.0, 10.0, -10.0, 2.0, "The body leaves the ground now. The impact is when it comes "
-                                "back."),
-        (-0.01, 10.0, -10.0, 1.0 + math.sqrt(0.998), "The body starts a little inside the ground "
-                                                     "and leaves it. The impact is when it comes "
-                                                     "back."),
+        (0.0, 10.0, -10.0, 2.0,
+         "The body leaves the ground now. The impact is the moment when it returns."),
+        (-0.01, 10.0, -10.0, 1.0 + math.sqrt(0.998),
+         "The body starts slightly inside the ground and leaves it. The impact is the moment "
+         "when it returns."),
         (-5.0, 3.0, -10.0, 0.3, "The body is too deep to get out. Its impact is when its "
                                 "velocity reverses and it starts to close."),
     ):  # fmt: skip
@@ -45,7 +45,7 @@ def test_when_a_gap_closes(rng: Random) -> None:
                               "and acceleration.")]  # fmt: skip
         if a:
             other = -2.0 * v / a - wanted  # the sum of both solutions is -2 v / a
-            mistakes.append((other, f"This is the other solution of the equation. {cause}"))
+            mistakes.append((other, f"The result is the other solution of the equation. {cause}"))
         if not v:
             half = wanted / math.sqrt(2.0)
             mistakes.append((half, "The factor 1/2 is missing: solve gap + v t + a t^2 / 2 = 0."))

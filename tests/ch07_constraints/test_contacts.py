@@ -53,8 +53,8 @@ def test_two_part_as_one_sees_the_other(rng: Random) -> None:
             (-wanted, "The sign is wrong. Compute (va - vb) . n, the velocity of a relative to b."),
             (dot(v, n), "The velocity of b is missing. Compute (va - vb) . n."),
             (dot(v, n) + dot(w, n), "The velocities were added. Subtract the velocity of b."),
-            (over, "This is the velocity along the line between the two positions. Use the "
-             "contact's normal as the direction."),
+            (over, "The result is the velocity along the line between the two positions. Use the "
+                "contact's normal as the direction."),
         ]  # fmt: skip
         blame(got, mistakes)
         # A few roundings of numbers up to 20.
@@ -119,15 +119,23 @@ def test_what_closes_bounces(rng: Random) -> None:
         about.call = f"a with velocity {v}, b with {w}; Contact(a, b, Vector3{n}, "
         about.call += f"{restitution}).velocity_after()"
         about.cause = f"They approach at {-closing} m/s and must separate at the restitution times "
-        about.cause += "that speed. This rule holds for slow contacts too."
+        about.cause += "that speed. This rule also holds for slow contacts."
         a, b = Particle(velocity=Vector3(*v)), Particle(velocity=Vector3(*w), mass=3.0)
         got = Contact(a, b, Vector3(*n), restitution).velocity_after()
         wanted = -restitution * closing
         mistakes = [
             (-wanted, "The sign is wrong. A bounce makes the contact separate: return -c v_s."),
             (-closing, "The restitution is missing. Return -c v_s."),
-            (closing, "This is the velocity before the bounce. Return -c v_s, the one after it."),
-            (wanted - closing, "This is the change of velocity. Return -c v_s, the result of it."),
+            (
+                closing,
+                "The result is the velocity before the bounce. Return -c v_s, the velocity after "
+                "it.",
+            ),
+            (
+                wanted - closing,
+                "The result is the change of velocity. Return -c v_s, the velocity after the "
+                "change.",
+            ),
         ]
         if closing < -1e-3:  # below, all of these are near 0
             blame(got, mistakes)
@@ -183,12 +191,13 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
                           "step has added, or a resting body jitters."),
             (c * closing - G * h, "Subtract the built-up velocity before you multiply by the "
              "restitution: c (-v_s + a . n h)."),
-            (c * (closing + G * h), "Here a . n is negative, so it makes the bounce smaller. Add "
-                                    "a . n h to -v_s."),
-            (c * (closing - size * h), "This uses the whole |a|. Only a . n, its component along "
-             "the normal, closes the contact."),
-            (0.0, "Nothing bounces here, but the time step added only 0.1962 of the 5 m/s. Did you "
-             "multiply a . n by the duration? Return c (-v_s + a . n h)."),
+            (c * (closing + G * h),
+             "Here a . n is negative, so it reduces the bounce. Add a . n h to -v_s."),
+            (c * (closing - size * h),
+             "The result uses the whole |a|. Only a . n, its component along the normal, "
+             "closes the contact."),
+            (0.0, "The contact does not bounce, although the time step added only 0.1962 of the 5 "
+                "m/s. Did you multiply a . n by the duration? Return c (-v_s + a . n h)."),
         ]  # fmt: skip
         v = along(n, -closing, rng)
         about.call = f"a of 3 kg with velocity {v}, acceleration {pull}, damping 0.25; Contact(a, "
@@ -244,7 +253,7 @@ def test_forces_build_up_as_well(rng: Random) -> None:
     expect_close(got, c * (1.0 - 9.0 * h), tolerance=1e-12)
     about.call = f"b of {mass} kg, pushed up by {7.0 * mass} N; b.integrate({h}); b.velocity.y = "
     about.call += f"1; Contact(a, b, Vector3(0, 1, 0), {c}).velocity_after({h}), a at rest"
-    about.cause = "Forces on the other particle can close the contact too. Use (aa - ab) . n."
+    about.cause = "Forces on the other particle can also close the contact. Use (aa - ab) . n."
     b = Particle(mass=mass)
     b.add_force(Vector3(0.0, 7.0 * mass, 0.0))
     b.integrate(h)

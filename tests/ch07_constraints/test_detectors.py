@@ -175,11 +175,13 @@ def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
         expect_close(restitution, right[3], then=": restitution")
         apart = size - right[4]
         mistakes = [
-            (size * size - apart * apart, "These are squares. Subtract the distance itself from "
-                                          "two radii, not its square."),
+            (size * size - apart * apart,
+             "The squares were subtracted. Subtract the distance itself from two radii."),
             (-right[4], "The sign is wrong. The penetration of overlapping spheres is positive."),
             (0.5 * size - apart, "Each sphere has a radius. Subtract the distance from two radii."),
-            (apart, "This is the distance of the centers. Subtract it from two radii."),
+            (apart,
+             "The penetration is the distance of the centers. Subtract this distance from two "
+             "radii."),
         ]  # fmt: skip
         otherwise = "The penetration is two radii minus the distance of the centers."
         about.cause = cause_of(depth, mistakes, otherwise)

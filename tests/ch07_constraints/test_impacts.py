@@ -60,8 +60,11 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     time, contact = impact[0], impact[1]
     whole = min((fall + radius) / speed for fall, speed in zip(falls, speeds, strict=True))
     mistakes = [
-        (max(times), "This is the last impact. Return the earliest one."),
-        (times[0], "This is the impact of the first particle in the list. Compare all of them."),
+        (max(times), "The result is the last impact. Return the earliest one."),
+        (
+            times[0],
+            "The result is the impact of the first particle in the list. Compare all particles.",
+        ),
         (whole, "The radius is missing. The lowest point of the sphere arrives first."),
     ]
     seen = cause_of(time, mistakes, about.cause)
@@ -88,7 +91,7 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     name = f"{about.call}; g.next_impact({0.999 * first}) is None"
     got = ground.next_impact(0.999 * first)
     expect_exactly(got is None, True, call=name)
-    about.cause = "An impact exactly at the end of the duration counts too."
+    about.cause = "An impact exactly at the end of the duration counts, too."
     got = ground.next_impact(float(time))
     name = f"{about.call}; g.next_impact({time!r}) is None"
     expect_exactly(got is None, False, call=name)
@@ -211,11 +214,13 @@ def test_when_two_spheres_meet(rng: Random) -> None:
         impact = expect_impact(ParticlePairs(pair, radius, c).next_impact(10.0))
         if p == far:
             mistakes = [
-                (5.2, "This is the second solution, when the spheres separate. Take the first."),
-                (3.6 - math.sqrt(4.29) / 3.0, "This uses one radius. The spheres touch when their "
-                 "centers are two radii apart."),
-                (3.6, "This is when the centers are closest. The spheres touch earlier, when the "
-                 "centers are two radii apart."),
+                (5.2, "The result is the second solution, when the spheres separate. Return the "
+                    "first."),
+                (3.6 - math.sqrt(4.29) / 3.0,
+                 "The result uses one radius. The spheres touch when their centers are two "
+                 "radii apart."),
+                (3.6, "The result is the time when the centers are closest. The spheres touch "
+                    "earlier, when the centers are two radii apart."),
                 (3.0, "The velocity of b is missing. Use the relative velocity va - vb."),
                 (6.0, "The velocities were added. Use the relative velocity va - vb."),
             ]  # fmt: skip

@@ -72,8 +72,7 @@ def expect_contacts(
         expect_close(restitution, right[3], then=": restitution", cause=why)
         depths = [
             (-right[4], "The sign is wrong. A penetration is positive when the limit is passed."),
-            (far, "This is the distance of the ends. The penetration is only the excess over the "
-             "limit."),
+            (far, "The penetration is the distance of the ends. Subtract the limit from it."),
         ]  # fmt: skip
         why = cause_of(depth, depths, about.cause)
         # Lengths of up to 20 m, rounded a few times.

@@ -160,13 +160,13 @@ def test_only_what_closes_is_resolved(rng: Random) -> None:
     about.read = FASTEST
     n = direction(rng)
     for closing, depth, wanted, cause in (
-        (1e-13, 0.0, 0, "A closing speed below VELOCITY_TOLERANCE is rounding error. Leave it."),
+        (1e-13, 0.0, 0, "A closing speed below VELOCITY_TOLERANCE is a rounding error. Ignore it."),
         (1e-11, 0.0, 1, "This contact closes faster than VELOCITY_TOLERANCE. Resolve it."),
         (0.5, -1.0, 1, "This contact is closing. Its penetration does not matter here."),
-        (-0.5, 1.0, 0, "This contact is separating. Leave it, however deep it is."),
+        (-0.5, 1.0, 0, "This contact is separating. Ignore it, however deep it is."),
         (0.0, 1.0, 0, "Deep contacts are left to resolve_penetrations, unlike in the book's "
          "listing."),
-        (1e-13, 1.0, 0, "A closing speed below VELOCITY_TOLERANCE is rounding error. Leave it."),
+        (1e-13, 1.0, 0, "A closing speed below VELOCITY_TOLERANCE is a rounding error. Ignore it."),
         (1e-11, 1.0, 1, "This contact closes faster than VELOCITY_TOLERANCE. Resolve it."),
     ):  # fmt: skip
         about.cause = cause
@@ -271,8 +271,9 @@ def test_what_is_deepest_is_first() -> None:
              "(E-8)."),
             ((0.125, 0.0), "The left contact became less deep, but the middle ball moved into it. "
              "Check the sign."),
-            ((0.875, -0.75), "The resolved contact was updated twice. resolve_penetration already "
-             "sets it to 0, so skip it in your loop."),
+            ((0.875, -0.75),
+             "The resolved contact was updated twice. resolve_penetration already sets it to "
+             "0, so skip it in your loop."),
             ((0.0, 0.0), "The right contact is still 0. There the middle ball is contact.other: "
                          "update contacts for that case too."),
             ((0.0, -0.4375), "The sign is wrong for a contact's other. When contact.other moves "
@@ -301,8 +302,8 @@ def test_one_contact_is_resolved_once(rng: Random) -> None:
         (depth, 1, "After one resolution the particle only touches the ground, so stop. The "
                    "book's listing moves it again (E-8)."),
         (2e-9, 1, "This contact is deeper than DEPTH_TOLERANCE. Resolve it."),
-        (5e-10, 0, "A depth below DEPTH_TOLERANCE counts as touching. Leave it."),
-        (-1.0, 0, "The particle is apart from the ground. Leave it."),
+        (5e-10, 0, "A depth below DEPTH_TOLERANCE counts as touching. Ignore it."),
+        (-1.0, 0, "The particle is apart from the ground. Ignore it."),
     ):  # fmt: skip
         about.cause = cause
         about.call = f"a of {mass} kg; resolve_penetrations([Contact(a, None, Vector3{n}, 0, "

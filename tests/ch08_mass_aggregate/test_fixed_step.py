@@ -32,8 +32,8 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
         mistakes = [
             (
                 steps + 1,
-                "This is one step too many. A time shorter than a step stays in "
-                "self.left for the next call.",
+                "One step too many was made. A time shorter than a step stays in self.left for "
+                "the next call.",
             ),
             (1, "Only one step was made. Repeat while there is enough time left."),
         ]
@@ -129,8 +129,8 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
             ),
             (
                 (left, STEP),
-                "This is only what the last call dropped. Add it to dropped instead "
-                "of replacing dropped.",
+                "dropped contains only the time that the last call dropped. Add to dropped "
+                "instead of replacing it.",
             ),
         ]
         seen = cause_of(row[1:], mistakes, about.cause)

@@ -71,7 +71,7 @@ def test_rods_are_as_long_as_their_ends_are_apart(rng: Random) -> None:
     expect_exactly(len(rods) > 0, True, then=" of each rod; is there a rod")
     for i, j, length in rods:
         wanted = math.dist(places[i], places[j])
-        old = "This is the distance in PLACES. Use the current positions of the particles."
+        old = "The length is the distance in PLACES. Use the current positions of the particles."
         seen = cause_of(length, [(math.dist(PLACES[i], PLACES[j]), old)], about.cause)
         expect_close(
             length, wanted, then=f" of the rod from {i} to {j}", cause=seen, tolerance=1e-12
@@ -89,9 +89,9 @@ def test_what_balances_a_platform(rng: Random) -> None:
                      "= -sum / x."),
         (14.0 / 3.0, "Keep the signs of the positions. They are negative on the left of the "
          "pivot."),
-        (2.0, "This is the sum of mass times position. Divide it by -x."),
-        (-2.0, "This is minus the sum of mass times position. Divide it by x."),
-        (0.5, "This is right for a mass at the other end. Divide by x, which is -3 m."),
+        (2.0, "The result is the sum of mass times position. Divide it by -x."),
+        (-2.0, "The result is minus the sum of mass times position. Divide it by x."),
+        (0.5, "The result is right for a mass at the other end. Divide by x, which is -3 m."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, 2.0 / 3.0)

@@ -41,10 +41,10 @@ def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
     about.call += "-10, 0)"
     got = energy_of([simple])
     mistakes = [
-        (16.0, "This is the kinetic energy alone. Add the potential energy, m g y = 60 J."),
-        (60.0, "This is the potential energy alone. Add the kinetic energy, 16 J."),
+        (16.0, "The result is the kinetic energy alone. Add the potential energy, m g y = 60 J."),
+        (60.0, "The result is the potential energy alone. Add the kinetic energy, 16 J."),
         (-44.0, "The potential energy has the wrong sign. It is - m a . p, with a = (0, -g, 0)."),
-        (74.86, "This uses 9.81 m/s^2. Use the particle's own acceleration, here 10 m/s^2."),
+        (74.86, "The result uses 9.81 m/s^2. Use the particle's own acceleration, here 10 m/s^2."),
         (92.0, "The kinetic energy is m v^2 / 2. The half is missing."),
         (38.0, "The mass is missing from the potential energy. It is - m a . p."),
         (46.0, "The mass is missing from the potential energy. It is - m a . p."),
@@ -139,7 +139,7 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
     hand = components(rng)
     bodies = [draw_body(rng) for _ in range(2)]
     about.cause = "Call self.integrator(self.particles, self.registry.update_forces, duration). "
-    about.cause += "Forces that were added after start_frame count too."
+    about.cause += "Forces that were added after start_frame count, too."
     about.call = f"world of two particles, integrator={integrator}, forces -{k} x: start_frame(); "
     about.call += f"add_force(Vector3{hand}); run_physics({h})"
     done = frame(bodies, "run_physics", h, integrator=integrator, k=k, late=hand)
@@ -169,7 +169,7 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
         # A few roundings of numbers of some hundreds.
         expect_close(got[1], velocity, call=f"{name}.velocity", cause=seen, tolerance=1e-11)
         other = [p[j] + v[j] * h for j in range(3)]
-        seen = "This is a step of explicit Euler. Use self.integrator, which differs here."
+        seen = "The world made a step of explicit Euler. Use self.integrator, which differs here."
         blame(got[0], [(other, seen)])
         expect_close(got[0], place, call=f"{name}.position", tolerance=1e-11)
 

@@ -293,6 +293,6 @@ def test_how_near_to_singular_is_too_near() -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_what_is_not_finite_has_no_inverse(bad: float) -> None:
-    about.cause = "Test `if not abs(determinant) > limit`, which refuses NaN too."
+    about.cause = "Test `if not abs(determinant) > limit`, which also refuses NaN."
     expect_no_inverse((bad, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0))
     expect_no_inverse((1.0, 2.0, 0.0, 3.0, bad, 0.0, 0.0, 0.0, 1.0))

@@ -250,7 +250,9 @@ def test_back_from_a_matrix(rng: Random) -> None:
     for _ in range(4):
         expect_back(draw_quad(rng))
     expect_back(quad(components(rng), -0.9))
-    about.cause = "This is a rotation, although the product of its diagonal is negative. Check it "
+    about.cause = (
+        "This matrix is a rotation, although the product of its diagonal is negative. Check it "
+    )
     about.cause += "with is_rotation()."
     expect_back(quad((2.0, 2.1, 1.0), 3.0))
 

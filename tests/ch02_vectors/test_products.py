@@ -196,7 +196,10 @@ def test_the_scalar_product_is_the_sum_of_the_products(rng: Random) -> None:
             wanted / (math.hypot(*a) * math.hypot(*b)),
             "The result is the cosine of the angle. Do not divide by the lengths.",
         ),
-        (a[0] * b[0] + a[1] * b[1], "The product of the z components is missing."),
+        (
+            a[0] * b[0] + a[1] * b[1],
+            "The product of the z components is missing. Add it to the sum.",
+        ),
         (
             math.hypot(*a) * math.hypot(*b),
             "The result is |v| |w|. The cosine of the angle is missing.",
@@ -238,7 +241,7 @@ def test_nan_and_infinity_stay_visible_in_the_scalar_product() -> None:
     w = Vector3(1.0, 1.0, 1.0)
     about(
         "Vector3(nan, 1, 1).dot(Vector3(1, 1, 1))",
-        cause="If any component is NaN, the scalar product must be NaN too.",
+        cause="If any component is NaN, the scalar product must also be NaN.",
     )
     about.read = "the docstring of Vector3"
     expect_nan(Vector3(math.nan, 1.0, 1.0).dot(w))

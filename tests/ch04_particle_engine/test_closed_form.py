@@ -307,7 +307,10 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
             [number - start for number in wanted],
             "The start position is missing. Add it to each result.",
         ),
-        ([start + speed * t for speed in speeds], "The term acceleration x fallen is missing."),
+        (
+            [start + speed * t for speed in speeds],
+            "The term acceleration x fallen is missing. Add it to each result.",
+        ),
         (sorted(wanted), "The positions were sorted. Return them in the order of the speeds."),
     ]
     blame(got, mistakes)

@@ -38,8 +38,8 @@ def drag_slips(v: Components, k1: float, k2: float) -> dict[str, Components]:
         "The force uses v in place of the unit vector v^, so it is |v| times too large.": along(
             -speed * (k1 + k2 * speed)
         ),
-        "The part with k2 is missing.": along(-k1),
-        "The part with k1 is missing.": along(-k2 * speed),
+        "The part with k2 is missing. Add k2 |v| to k1.": along(-k1),
+        "The part with k1 is missing. Add k1 to k2 |v|.": along(-k2 * speed),
         "The force is -v (k1 + k2). Multiply k2 by the speed.": along(-(k1 + k2)),
         "The force is -v^ (k1 + k2). The speed is missing.": along(-(k1 + k2) / speed),
         "Each axis has a separate drag here. Use the speed |v| for all three.": (x, y, z),

@@ -34,7 +34,7 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         about.call = f"drag_limits({one}, {two}, {mass}, {speed})"
         got = drag_limits(one, two, mass, speed)
         wrong = {  # other ways to (k1 + k2 |v|) / m
-            "The mass is missing.": rate * mass,
+            "The mass is missing. Multiply by it.": rate * mass,
             "The mass is on the wrong side of the fraction. Multiply by it.": rate * mass**2,
             "The result uses k1 + k2. Multiply k2 by the speed.": (one + two) / mass,
             "Multiply only k2 by the speed, and not k1.": (one + two) * speed / mass,

@@ -51,7 +51,7 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
             "The force pushes away from the center. Reverse its direction.": [
                 -part for part in wanted
             ],
-            "The mass is missing.": [part / mass for part in wanted],
+            "The mass is missing. Multiply by particle.mass.": [part / mass for part in wanted],
             "The force pulls toward (0, 0, 0) instead of the center. Use self.center.": [
                 -mass * mu * part / reach**3 for part in (x, y, z)
             ],

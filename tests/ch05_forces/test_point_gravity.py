@@ -45,7 +45,7 @@ def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> N
             "The force grows with the distance. Normalize the vector to the center.": [
                 part * distance for part in wanted
             ],
-            "The mass is missing.": [part / mass for part in wanted],
+            "The mass is missing. Multiply by particle.mass.": [part / mass for part in wanted],
             "The force decreases with r^2, as in exercise 5.4. Here the strength does not depend "
             "on the distance.": [part / distance**2 for part in wanted],
             "The force pulls toward (0, 0, 0) instead of the center. Use self.center.": [

@@ -111,7 +111,7 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         )
         axes = list(zip(anchor, place, v, wanted, strict=True))
         slips = {
-            "The force is not multiplied by the mass.": [
+            "The force is not multiplied by the mass. It must be m times the acceleration.": [
                 x + u * h + (end - x - u * h) / m for _, x, u, end in axes
             ],
             "T is computed for 1 kg. Use the particle's mass.": [

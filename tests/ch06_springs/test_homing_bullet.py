@@ -111,7 +111,7 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
         f"p at {here}, velocity {v}; b.stiffness 4, b.look_ahead 1, b.target changed to an "
     )
     about.call += f"immovable particle at {w}; b.update_force(p, 0.5)"
-    about.cause = "Read self.target in each call. An immovable particle can be a target too."
+    about.cause = "Read self.target in every call. An immovable particle can also be a target."
     p.clear_forces()
     b.target = Particle(Vector3(*w), mass=math.inf)
     b.update_force(p, 0.5)

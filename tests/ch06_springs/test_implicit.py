@@ -53,9 +53,13 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
                 method, x, v, stiffness, damping, m, h, (new[1], new[0])
             ),
             f"The result is that of {other}.": off(other, x, v, stiffness, damping, m, h, new),
-            "The damping is missing.": off(method, x, v, stiffness, 0.0, m, h, new),
-            "The stiffness is missing.": off(method, x, v, 0.0, damping, m, h, new),
-            "k and c are not divided by the mass.": off(
+            "The damping is missing. Include c in m a = -k x - c v.": off(
+                method, x, v, stiffness, 0.0, m, h, new
+            ),
+            "The stiffness is missing. Include k in m a = -k x - c v.": off(
+                method, x, v, 0.0, damping, m, h, new
+            ),
+            "k and c are not divided by the mass. Divide both by m.": off(
                 method, x, v, stiffness, damping, 1.0, h, new
             ),
         }

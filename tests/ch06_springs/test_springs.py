@@ -53,7 +53,7 @@ def spring_slips(
         "The force uses the squared length. Take the magnitude.": along(
             -k * (length**2 - rest) - c * rate
         ),
-        "The damping is missing.": along(-pull),
+        "The damping is missing. Add -c (v . d^) d^.": along(-pull),
         "There is no force, as if the spring were a slack rope.": along(0.0 * pull),
         "The damping is -c v. Use only the part of v along the spring.": [
             a - c * v for a, v in zip(along(-pull), velocity, strict=True)
@@ -218,7 +218,7 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
         "The velocity is p's alone. Subtract q's position and velocity from p's.": hooke(
             offset, v, k, rest, c
         ),
-        "The damping is missing.": hooke(offset, relative, k, rest, 0.0),
+        "The damping is missing. Add -c (v . d^) d^.": hooke(offset, relative, k, rest, 0.0),
         "The force points in the wrong direction.": tuple(-part for part in pull),
         "The force is divided by the mass of p.": tuple(part / 2.0 for part in pull),
         "The force is divided by the mass of q.": tuple(part / 3.0 for part in pull),
@@ -267,7 +267,7 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
         "The offset is anchor - position. Use position - anchor.": hooke(
             tuple(-part for part in offset), v, k, rest, c
         ),
-        "The damping is missing.": hooke(offset, v, k, rest, 0.0),
+        "The damping is missing. Add -c (v . d^) d^.": hooke(offset, v, k, rest, 0.0),
         "The force uses a rest length of 0.": hooke(offset, v, k, 0.0, c),
         "The other end is at (0, 0, 0). Subtract self.anchor.": hooke(here, v, k, rest, c),
         "The force points in the wrong direction.": tuple(-part for part in wanted),

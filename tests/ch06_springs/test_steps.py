@@ -66,8 +66,8 @@ def slips_of(
     bodies: dict[str, Body] = {
         "The step leaves out p.acceleration.": (p, v, ZERO, mass, d, hand),
         "The step leaves out the force that was added by hand.": (p, v, a, mass, d, ZERO),
-        "The forces are not divided by the mass.": (p, v, a, 1.0, d, hand),
-        "The damping is missing.": (p, v, a, mass, 1.0, hand),
+        "The forces are not divided by the mass. Add f / m.": (p, v, a, 1.0, d, hand),
+        "The damping is missing. Multiply the velocity by d^h once.": (p, v, a, mass, 1.0, hand),
         "The velocity is multiplied by d. Multiply by d^h.": (p, v, a, mass, d ** (1.0 / h), hand),
     }
     slips = {slip: walk(method, wrong, k, c, h, frames) for slip, wrong in bodies.items()}
@@ -116,7 +116,7 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
             "one step",
             (*draw_body(rng)[:4], 0.0, ZERO),
             1,
-            "With d = 0 the whole velocity is lost.",
+            "With d = 0, the whole velocity is lost.",
         ),
     ):
         about.cause = cause

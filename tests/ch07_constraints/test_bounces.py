@@ -49,7 +49,7 @@ def test_restitution_is_a_root(rng: Random) -> None:
             (wanted * wanted,
              "The result is the ratio of the heights. Take its square root, which is the ratio "
              "of the speeds."),
-            (1.0 / wanted, "The ratio is upside down. Divide bounce_height by initial_height."),
+            (1.0 / wanted, "The ratio is inverted. Divide bounce_height by initial_height."),
         ]  # fmt: skip
         blame(got, mistakes)
         expect_close(got, wanted)
@@ -164,7 +164,8 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
     got = top_ball_speed(1.0, 9.0, 1.0, 0.5, 0.75)
     v = math.sqrt(20.0)
     mistakes = [
-        (0.575 * v, "The lower ball was taken to be at rest. After its bounce it rises at 0.5 v."),
+        (0.575 * v,
+         "The lower ball was treated as being at rest. After its bounce it rises at 0.5 v."),
         (-0.7375 * v, "The masses are swapped. The change is multiplied by lower_mass / total."),
         (2.3625 * v,
          "The result is the change of the upper ball's velocity. Before the impact this ball "
@@ -224,7 +225,7 @@ def test_without_height_or_gravity_no_ball_flies_off() -> None:
     got = top_ball_speed(0.0, 2.0, 3.0, 0.5, 0.5, 10.0)
     expect_close(got, 0.0)
     about.call = "top_ball_speed(1.0, 2.0, 3.0, 0.5, 0.5, 0.0)"
-    about.cause = "Without gravity nothing falls. Return 0, and do not raise an error."
+    about.cause = "Without gravity, nothing falls. Return 0 instead of raising an error."
     got = top_ball_speed(1.0, 2.0, 3.0, 0.5, 0.5, 0.0)
     expect_close(got, 0.0)
 
@@ -256,7 +257,7 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
         if share:
             longer = tuple(part / share for part in f)
             name = (
-                "The ratio is upside down. Spread over a whole frame, a short push needs a smaller "
+                "The ratio is inverted. Spread over a whole frame, a short push needs a smaller "
                 "force."
             )
             mistakes.append((longer, name))
@@ -292,7 +293,9 @@ def test_a_push_is_not_longer_than_its_frame() -> None:
         if isinstance(contact, str) or isinstance(frame, str):
             about.cause = "A string is not a number. Raise TypeError."
         elif not 0.0 < frame < math.inf:
-            about.cause = "Refuse a frame that is not positive and finite. Call positive."
+            about.cause = (
+                "Refuse a frame that is not positive and finite. Call positive from arguments.py."
+            )
         expect_error(
             lambda numbers=numbers: force_for_frame(Vector3(1.0, 2.0, 3.0), *numbers),
             error,

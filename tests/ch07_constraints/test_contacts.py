@@ -80,7 +80,7 @@ def test_to_ask_for_it_changes_nothing(rng: Random) -> None:
     about.call = f"a with velocity {v}, b with {w}; c = Contact(a, b, Vector3{n}); "
     about.call += "c.separating_velocity()"
     about.cause = (
-        "The operator -= changes a vector in place. Compute a - b, which makes a new vector."
+        "The operator -= changes a vector in place. Compute a - b, which creates a new vector."
     )
     a, b = Particle(velocity=Vector3(*v)), Particle(velocity=Vector3(*w))
     c = Contact(a, b, Vector3(*n))
@@ -163,7 +163,7 @@ def test_what_parts_goes_on(rng: Random) -> None:
         expect_close(got, dot(v, n), tolerance=1e-12)
     about.call = "a at rest, pulled down; Contact(a, None, Vector3(0, 1, 0), "
     about.call += "0.5).velocity_after(0.5)"
-    about.cause = "The two neither approach nor separate. Their separating velocity of 0 stays."
+    about.cause = "The two neither approach nor separate. Their separating velocity stays 0."
     a = Particle(acceleration=Vector3(0.0, -G, 0.0))
     got = Contact(a, None, Vector3(*UP), 0.5).velocity_after(0.5)
     expect_close(got, 0.0)
@@ -179,8 +179,8 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
     for closing, wanted, cause in (
         (G * h, 0.0, "This body is at rest. It closes only with the velocity that this time step "
                      "has added, so it must not bounce."),
-        (0.4 * G * h, 0.0, "The time step added more than the whole closing speed. Return 0, never "
-         "less."),
+        (0.4 * G * h, 0.0,
+         "The time step added more than the whole closing speed. Return 0 and never less."),
         (5.0, c * (5.0 - G * h), "Of the 5 m/s the time step added 0.1962 m/s. Only the rest "
          "bounces: return c (-v_s + a . n h)."),
     ):  # fmt: skip
@@ -278,14 +278,14 @@ def test_two_that_fall_alike_build_up_nothing(rng: Random) -> None:
     c, h = round(rng.uniform(0.3, 0.9), 3), 0.02
     immovable = "An immovable particle does not accelerate. Ignore its last_acceleration."
     for pa, pb, mass_a, mass_b, wanted, cause in (
-        (pull, pull, 1.0, 2.0, c * 3.0, "Both particles accelerate alike, so a does not "
-                                        "accelerate relative to b. Use (aa - ab) . n."),
+        (pull, pull, 1.0, 2.0, c * 3.0,
+         "Both particles have the same acceleration, so a does not accelerate relative to b. "
+         "Use (aa - ab) . n."),
         (0.0, other, 1.0, 2.0, c * (3.0 - other * h), "Here b accelerates toward a, which closes "
          "the contact. Use (aa - ab) . n."),
         (0.0, other, 1.0, math.inf, c * 3.0, immovable),
-        (-other, 0.0, 1.0, math.inf, c * (3.0 - other * h), "When the other particle is "
-                                                            "immovable, the acceleration of a "
-                                                            "counts in full."),
+        (-other, 0.0, 1.0, math.inf, c * (3.0 - other * h),
+         "If the other particle is immovable, the whole acceleration of a counts."),
         (-other, 0.0, math.inf, 1.0, c * 3.0, immovable),
     ):  # fmt: skip
         about.cause = cause

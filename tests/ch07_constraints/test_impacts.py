@@ -155,7 +155,7 @@ def test_the_ground_sees_accelerations_and_walls(rng: Random) -> None:
     seen = (impact[0], impact[1].penetration)
     expect_close(seen, (0.0, 0.0))
     about.call = "p immovable; GroundPlane([p]).next_impact(9) is None"
-    about.cause = "If nothing can move, return None and do not raise an error."
+    about.cause = "If nothing can move, return None instead of raising an error."
     impact = GroundPlane([Particle(mass=math.inf)]).next_impact(9.0)
     expect_exactly(impact is None, True)
 
@@ -254,7 +254,7 @@ def test_spheres_that_touch_or_never_meet() -> None:
         (1.5, 0.0, 3.0, None, "The spheres overlap, but they move apart. Return None."),
         (5.0, 0.0, 3.0, None, "The spheres move apart. Return None."),
         (5.0, 0.0, 0.0, None, "The spheres do not move relative to each other. Return None."),
-        (5.0, 2.5, -3.0, None, "The spheres miss: the number under the root is negative."),
+        (5.0, 2.5, -3.0, None, "The spheres miss, because the number under the root is negative."),
         (5.0, 2.000001, -3.0, None, "The spheres only just miss each other. Return None."),
         (5.0, 0.0, -3.0, 1.0, meet),
         (-5.0, 0.0, 3.0, 1.0, meet),
@@ -275,7 +275,7 @@ def test_spheres_that_touch_or_never_meet() -> None:
             got = impact[1].penetration
             expect_close(got, 0.0, then=": penetration")
     about.call = "ParticlePairs([a], 1.0).next_impact(10.0) is None"
-    about.cause = "A single particle has no pair. Return None and do not raise an error."
+    about.cause = "A single particle has no pair. Return None instead of raising an error."
     impact = ParticlePairs([Particle()], 1.0).next_impact(10.0)
     expect_exactly(impact is None, True)
     about.call = "a at (5, 0, 0), velocity (-3, 0, 0), b at (0, 0, 0); p = ParticlePairs([a, b], "

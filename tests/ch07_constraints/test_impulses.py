@@ -253,8 +253,8 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
         got = xyz(a.position)
         mistakes = [
             ((1.0 - share) * depth, "The masses are swapped. The lighter particle moves farther."),
-            (0.5 * depth, "Both particles moved by half of the depth. The lighter one must move "
-                          "farther."),
+            (0.5 * depth,
+             "Both particles moved by half of the depth. The lighter one must move farther."),
             (depth, "a moved by the whole depth. b can move too, so divide the depth by inverse "
              "mass."),
             (-share * depth, "The sign is wrong. The normal points from b to a, so a moves along "

@@ -55,8 +55,9 @@ def test_what_closes_fastest_is_first() -> None:
         mistakes = [
             ((1.0, 0.0, -3.0), "Nothing was resolved. Contacts with a separating velocity below "
              "-VELOCITY_TOLERANCE are closing."),
-            ((0.25, 0.75, -3.0), "The first closing contact was resolved. Take the one with the "
-             "lowest separating velocity."),
+            ((0.25, 0.75, -3.0),
+             "The first closing contact was resolved. Choose the one with the lowest "
+             "separating velocity."),
             ((-1.4375, -0.515625, -0.046875), f"Three contacts were resolved. Stop at the limit, "
              f"{limit}."),
             ((-1.4375, 0.1875, -0.75), "The right pair closes again now. Keep resolving until none "
@@ -258,7 +259,7 @@ def test_what_is_deepest_is_first() -> None:
         used, after, got_depths = resolved(bodies, contacts, "resolve_penetrations", limit)
         got = tuple(place[0] for place, _ in after)
         mistakes = [
-            ((-0.25, 1.25, 2.0), "The left pair was resolved, but the right one is deeper.")
+            ((-0.25, 1.25, 2.0), "The left pair was resolved, but the right pair is deeper.")
         ]
         if isinstance(used, int) and used > limit:
             about.cause = f"{used} contacts were resolved. Stop at the limit, {limit}."

@@ -208,7 +208,7 @@ def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
         expect_close(got, (float(i), heights[i]), tolerance=1e-12)
     for x in (-0.5, 0.0, 0.5):
         about.call = f"a deck of the row at {points[0]} alone, the ball at x = {x}: nearest()"
-        about.cause = "A single row is both the first and the last one."
+        about.cause = "A single row is both the first row and the last row."
         got = deck((x, 9.0, 0.5), rows[:1], 0.5, 0.0)["nearest"]
         expect_close(got, (0.0, heights[0]), tolerance=1e-12)
 
@@ -301,7 +301,7 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         expect_close(got, (4.5 - y,) * 2)
     for where, lift, ends, cause in (
         ("just above it", radius + 1e-6, 0, "A ball above the deck has no contact."),
-        ("whose top is just above it", 1e-6 - radius, 2, "The ball is still in the deck."),
+        ("whose top is just above it", 1e-6 - radius, 2, "The ball is still inside the deck."),
         ("whose top is just below it", -1e-6 - radius, 0, "A ball completely below the deck has "
          "fallen through, so it has no contact."),
     ):  # fmt: skip

@@ -205,7 +205,7 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
             rate * inertia,
             "The result is the angular momentum. Divide it by the sum of m (x^2 + y^2).",
         ),
-        (rate + drifting / inertia, "Subtract the hub's velocity. The hub moves as well."),
+        (rate + drifting / inertia, "Subtract the hub's velocity, because the hub moves, too."),
     ]
     blame(got, mistakes)
     expect_close(got, rate, tolerance=1e-12)
@@ -215,7 +215,7 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
     one, two = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), 1.0), ((0.0, 2.0, 0.0), (-2.0, 0.0, 0.0), 3.0)
     got = spun(((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)), [one, two])
     mistakes = [
-        (1.2, "The masses are missing in both sums."),
+        (1.2, "The masses are missing in both sums. Multiply each term by m."),
         (1.5, "The result is the mean of the particles' rates. Divide the two sums instead."),
         (2.0, "The distance is not squared. The sum of m (x^2 + y^2) is 13."),
         (14.0, "The result is the angular momentum. Divide it by the sum of m (x^2 + y^2)."),
@@ -260,7 +260,7 @@ def test_the_deformation_is_that_of_the_worst_rod(rng: Random) -> None:
              "The result is in m. Divide it by rod.length."),
             (math.fsum(map(abs, shares)) / len(shares),
              "The result is the mean. Return the largest value."),
-            (max(shares), "A rod that is too short counts as well. Take abs() of each value."),
+            (max(shares), "A rod that is too short counts, too. Take abs() of each value."),
             (1.0 + max(shares), "The result is length / rod.length. Return its difference from 1."),
         ]  # fmt: skip
         blame(got, mistakes)

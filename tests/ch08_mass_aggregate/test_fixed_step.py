@@ -39,7 +39,7 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
         ]
         seen = cause_of(row[0], mistakes, about.cause)
         expect_exactly(row[0], steps, then=": the number of steps that it returns", cause=seen)
-        mistakes = [((0.0, 0.0), "The rest of the time is lost. Keep it in self.left.")]
+        mistakes = [((0.0, 0.0), "The rest of the time is lost. Store it in self.left.")]
         seen = cause_of(row[1:], mistakes, about.cause)
         wanted = (0.25 * STEP * left, 0.0)
         expect_close(row[1:], wanted, then=": left and dropped", cause=seen, tolerance=0.0)
@@ -117,11 +117,11 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
         mistakes = [
             (
                 (0.0, left + dropped),
-                "All of the time is dropped. Keep less than a step in self.left.",
+                "All of the time was dropped. Keep the part that is less than a step in self.left.",
             ),
             (
                 (left + dropped, 0.0),
-                "Nothing is dropped, so the next call would make up for the missing steps.",
+                "No time was dropped, so the next call would make up for the missing steps.",
             ),
             (
                 (left, dropped / STEP),
@@ -200,7 +200,10 @@ def test_a_time_that_is_none_is_refused() -> None:
         )
         expect_close(left, 0.25 * STEP, then=": left", cause=lost, tolerance=0.0)
         expect_exactly(made, 0, then=": steps made")
-    about(f"a FixedStep of {STEP} s; advance(0.0)", cause="A time of 0 is valid. It makes no step.")
+    about(
+        f"a FixedStep of {STEP} s; advance(0.0)",
+        cause="A time of 0 is valid, and it makes no step.",
+    )
     expect_exactly(refused_time(STEP, 0.0)[0], "", then=": the error raised ('' is none)")
 
 

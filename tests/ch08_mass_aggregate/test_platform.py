@@ -85,8 +85,9 @@ def test_what_balances_a_platform(rng: Random) -> None:
     about.cause += "give 2 kg m, so the answer is 2 kg m / 3 m."
     got = balancing_mass([1.0] * 4, [-3.0, -3.0, 4.0, 4.0], -3.0)
     mistakes = [
-        (-2.0 / 3.0, "The sign is wrong. The new mass must turn the platform the opposite way: m "
-                     "= -sum / x."),
+        (-2.0 / 3.0,
+         "The sign is wrong. The new mass must tilt the platform in the opposite direction: m "
+         "= -sum / x."),
         (14.0 / 3.0, "Keep the signs of the positions. They are negative on the left of the "
          "pivot."),
         (2.0, "The result is the sum of mass times position. Divide it by -x."),
@@ -115,7 +116,10 @@ def test_what_balances_a_platform(rng: Random) -> None:
         (-0.5, 1.0, 0.5),
     ):
         about.call = f"balancing_mass([1.0], [{place}], {x})"
-        about.cause = "Any x on the other side of the pivot balances, however near the pivot it is."
+        about.cause = (
+            "Any x on the other side of the pivot can balance the platform, however near the "
+            "pivot it is."
+        )
         got = balancing_mass([1.0], [place], x)
         expect_close(got, wanted)
     for masses, places, x, why in (

@@ -150,10 +150,10 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
     wanted = gained / lost
     mistakes = [
         (2500.0 / lost, "The potential energy of the projectile is missing: m g times its rise."),
-        ((gained - 2500.0) / lost, "The kinetic energy of the projectile is missing."),
+        ((gained - 2500.0) / lost, "The kinetic energy of the projectile is missing: m v^2 / 2."),
         (gained / (4.0 * 5.0 * G), "The lost energy was computed with the projectile's mass. Use "
                                    "the counterweight's mass."),
-        (1.0 / wanted, "The fraction is upside down. Divide the gained energy by the lost energy."),
+        (1.0 / wanted, "The fraction is inverted. Divide the gained energy by the lost energy."),
         (100.0 * wanted, "The share is a percentage. A share of 1 stands for all of the energy."),
     ]  # fmt: skip
     blame(share, mistakes)

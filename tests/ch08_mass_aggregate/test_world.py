@@ -51,7 +51,9 @@ def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
     ]
     about.cause = cause_of(got, mistakes, "The energy is m v^2 / 2 + m g y, so 16 J and 60 J.")
     expect_close(got, 76.0)
-    about.cause = "The energy of a particle is m v^2 / 2 - m a . p. Add up all particles."
+    about.cause = (
+        "The energy of a particle is m v^2 / 2 - m a . p. Add the energies of all particles."
+    )
     for name, some, wanted in (
         ("one particle", bodies[:1], parts[0]),
         ("three particles", bodies, math.fsum(parts)),
@@ -115,7 +117,10 @@ def test_contacts_are_those_of_every_generator(rng: Random) -> None:
     wanted = [0.0] * count + [low - 1.0] * count + [high - 1.0] * count
     got = depths_of(count, [0.0, 1.0, low, high])
     first = "The first floor has no contacts. Continue with the next generator."
-    only = f"Only {len(got) // count} of 3 floors were asked. Collect the contacts of all of them."
+    only = (
+        f"Contacts of only {len(got) // count} of 3 floors were returned. Collect the contacts of "
+        "all of them."
+    )
     seen = cause_of(len(got), [(0, first), (count, only), (2 * count, only)], about.cause)
     expect_exactly(len(got), 3 * count, then=": how many", cause=seen)
     order = "The contacts must be in the order of contact_generators."

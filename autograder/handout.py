@@ -65,8 +65,8 @@ def make_handout(
 ) -> None:
     """Write a hand-out into a new folder and print what it contains.
 
-    The hand-out has ``chapters`` as stubs with their checks, and ``given`` chapters complete and
-    without checks.
+    ``chapters`` are included as stubs with their checks. ``given`` chapters are included complete
+    and without checks.
 
     Raises:
         ValueError: A chapter is in both lists, or the folder is not empty.

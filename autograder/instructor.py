@@ -10,7 +10,10 @@ from autograder.manifest import ROOT, select_chapters, split_given
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add the instructor's commands. Each one imports its modules late, to keep check fast."""
+    """Add the instructor's commands.
+
+    Each command imports its modules only when it runs, so that `check` starts quickly.
+    """
     unsafe = "if there is no sandbox here, grade a class that you trust without one"
     command = commands.add_parser("grade", help="grade a folder of submissions")
     command.add_argument("folder", type=Path, help="contains a folder or .zip per student")
@@ -108,7 +111,7 @@ def run_gradescope(arguments: argparse.Namespace) -> int:
 
 
 def run_similarity(arguments: argparse.Namespace) -> int:
-    """Compare the submissions of a class, and say how many pairs stand out."""
+    """Compare the submissions of a class, and report how many pairs stand out."""
     from autograder.similarity.run import similarity
 
     return similarity(arguments.folder, arguments.out, select_chapters(arguments.chapters))

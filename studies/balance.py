@@ -36,7 +36,7 @@ def center(stones: Sequence[Stone]) -> tuple[float, float]:
 
 
 def balance_line(stones: Sequence[Stone], angle: int) -> BalanceLine:
-    """Return a balance line with the results of balance_offset and masses_beside."""
+    """Return a balance line with the engine's results of balance_offset and masses_beside."""
     a = math.radians(angle)
     found: list[object] = []
     message = stopped(lambda: found.extend((balance_offset(stones, a), masses_beside(stones, a))))

@@ -1,7 +1,7 @@
-"""Chart speed against accuracy: run every scene by all of our models, and by pymunk.
+"""Chart speed against accuracy: run every scene with all of our models, and with pymunk.
 
 The command writes a chart and its numbers for each scene, and a table of all scenes, to
-build/charts/. If a run is interrupted, start it again and it resumes.
+build/charts/. If a run was interrupted, the next run resumes it.
 """
 
 from __future__ import annotations

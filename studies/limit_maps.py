@@ -1,4 +1,4 @@
-"""Pictures of where methods fail: growth around the limits, and the time to divergence.
+"""Pictures of the limits of methods: growth around the limits, and the time to divergence.
 
 The curves follow from the eigenvalue of one step. The measured steps beside them come from
 simulations.
@@ -54,7 +54,7 @@ Loss = tuple[str, float, float, float, int, int]
 
 
 def draw_maps(png: Path) -> None:
-    """Draw growth over stiffness and damping for each method, with limits from theory and measured.
+    """Draw growth over stiffness and damping for each method, with theoretical and measured limits.
 
     The measured limits are found by bisection.
     """

@@ -1,4 +1,4 @@
-"""Measure links: the positions of their ends, and the excess length of the worst cable."""
+"""Measure links: the positions of their ends, and how much the worst cable is too long."""
 
 from __future__ import annotations
 

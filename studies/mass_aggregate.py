@@ -35,7 +35,7 @@ Measure = Callable[[], float]
 
 
 class MassAggregate(Protocol):
-    """The attributes that the bridge, the platform, the blob and the wheel share."""
+    """The attributes that the bridge, the platform, the blob and the wheel have in common."""
 
     @property
     def world(self) -> ParticleWorld: ...
@@ -100,7 +100,8 @@ def load_on_bridge(
 ) -> tuple[Track, int]:
     """Return the excess length of a bridge's cables under a ball of this mass, at 60 Hz.
 
-    It is infinite once the ball has fallen through. The second result is the number of resolutions.
+    The excess length is infinite if the ball has fallen through. The second result is the number of
+    resolutions.
     """
     bridge = Bridge(mass)
     bridge.world.resolver = HeapResolver(iterations)

@@ -1,7 +1,7 @@
-"""A rope that hangs between two nails: simulated by rods, simulated by DirectChain, and exact.
+"""A rope that hangs between two nails: simulated with rods, simulated with DirectChain, and exact.
 
-The nails are at height 0, a distance SPAN apart, and the rope has the length LENGTH. Where two
-links meet, there is a particle of 1 kg.
+The nails are at height 0, a distance SPAN apart, and the rope has the length LENGTH. There is a
+particle of 1 kg wherever two links meet.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Orientations in plain numbers, to compare an engine with, and motions for the plots.
+"""Orientations in plain numbers, for comparison with an engine, and motions for the plots.
 
 An orientation is described by its components r, i, j and k, or by its arrows: the directions in
 which its own axes X, Y and Z point in the world.
@@ -39,7 +39,7 @@ TAU = math.tau
 
 
 def components(q: Any) -> Components:
-    """Return the components of an engine's quaternion, or NaN for what is not a number."""
+    """Return the components of an engine's quaternion, with NaN for each that is not a number."""
     r, i, j, k = (number(getattr(q, name, None)) for name in "rijk")
     return r, i, j, k
 

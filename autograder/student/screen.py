@@ -112,7 +112,7 @@ def print_report(
 
 
 def first_open(reports: list[Report], exercise: Exercise | None) -> tuple[Chapter, Result] | None:
-    """Return what to work on first, of the results that are open; None where all pass."""
+    """Return the open result to work on first, or None if all pass."""
     everything = [(report.chapter, result) for report in reports for result in report.results]
     open_ones = [pair for pair in everything if pair[1].status not in ("passed", "waiting")]
     if exercise:  # of the exercises that it builds on, only the physics counts
@@ -133,7 +133,7 @@ def passed_words(
     *,
     changed: bool,
 ) -> str:
-    """Return the sentence that says that all checks pass. ``changed``: an original was edited."""
+    """Return the sentence that all checks pass. ``changed``: a given file was edited."""
     if changed:
         return "All checks pass here, but grading uses the original files."
     on_given = f" on the reference's {_named(given)}" if given else ""

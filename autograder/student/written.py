@@ -18,8 +18,8 @@ def print_written(
 ) -> None:
     """Print the question until it is answered; then the answer, the model answer and the rubric.
 
-    The model answer and the rubric are in solutions/. A hand-out contains neither, because the
-    instructor has them.
+    The model answer and the rubric are in solutions/. A hand-out contains neither of them, because
+    they are only for the instructor.
     """
     question = next(q for q in questions_of(chapter, engine) if q.exercise == exercise)
     points = "1 point" if exercise.points == 1 else f"{exercise.points} points"
@@ -48,7 +48,7 @@ def print_written(
 
 
 def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
-    """Return how many questions are unanswered, which ones, and where; "" if there are none."""
+    """Return how many questions are unanswered, which ones, and where, or "" if there are none."""
     groups = [
         open_ones
         for chapter in chapters

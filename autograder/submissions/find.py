@@ -31,7 +31,8 @@ def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
     followed. Hidden files, caches, README.md and marks.csv are skipped without a note.
 
     Raises:
-        ValueError: It is not a folder, has no submission, or has two of one student.
+        ValueError: The path is not a folder, contains no submission, or contains two of one
+            student.
         OSError: The folder cannot be read.
     """
     if not folder.is_dir():

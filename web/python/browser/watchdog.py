@@ -36,7 +36,7 @@ class Watchdog:
         stop_clock()
 
     def hear(self, _: int, frame: FrameType | None) -> None:
-        """Report the current line of the code to the page, and wait until the page ends this worker."""
+        """Report the current line of the code to the page, and wait to be ended by the page."""
         stack = stack_of(frame)
         post("hung", stack=stack, **self.explain(stack))
         while True:

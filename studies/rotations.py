@@ -87,7 +87,7 @@ def degrees_apart(a: Components, b: Components) -> float:
 
 
 def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
-    """Return the angle of the rotation from a to b. The trace of its matrix is 1 + 2 cos."""
+    """Return the angle of the rotation from a to b, from the trace of its matrix, 1 + 2 cos."""
     if not is_drawable(*a, *b):
         return math.nan
     cosine = 0.5 * (math.fsum(dot(p, q) for p, q in zip(a, b, strict=True)) - 1.0)

@@ -202,7 +202,7 @@ def extra_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
 
 
 def passing(checks: Sequence[Verdict]) -> str:
-    """Return how many checks of a tier pass, such as 3/4, or "" if it has no checks."""
+    """Return how many checks of a tier pass, such as 3/4, or "" if the tier has no checks."""
     passed = sum(check.status == "passed" for check in checks)
     return f"{passed}/{len(checks)}" if checks else ""
 

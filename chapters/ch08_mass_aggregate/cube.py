@@ -20,10 +20,10 @@ ITERATIONS = 200  # per phase
 def fewest_rods(count: int) -> int:
     """Return the smallest number of rods that can make ``count`` particles in space rigid (8.2).
 
-    Each particle can move in three independent ways, and each rod can prevent at most one motion. A
-    rigid body can still move in six ways: along three axes and about them. Two particles joined by
-    a rod can move in only five, because a rotation about the rod changes nothing. A single particle
-    can move in only three.
+    Each particle can move in three independent ways, and each rod prevents at most one motion. A
+    rigid body can still move in six ways: along three axes and about them. There are two
+    exceptions. Two particles joined by a rod can move in only five ways, because a rotation about
+    the rod changes nothing. A single particle can move in only three.
 
     Raises:
         ValueError: if ``count`` is less than 1.

@@ -104,7 +104,10 @@ class Matrix4:
         raise NotImplementedError("Exercise B9.15: Between an object and the world")
 
     def transform_direction(self, v: Vector3) -> Vector3:
-        """Return a rotated direction as a new vector, without the translation (9.4.5)."""
+        """Return a rotated direction as a new vector, without the translation (9.4.5).
+
+        The translation moves points, but a direction is the same everywhere.
+        """
         raise NotImplementedError("Exercise B9.15: Between an object and the world")
 
     def transform_inverse_direction(self, v: Vector3) -> Vector3:

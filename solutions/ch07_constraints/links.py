@@ -85,7 +85,10 @@ class AnchoredRod:
         self.length = positive("length", length)
 
     def contacts(self) -> list[Contact]:
-        """Return the contact that a Rod would have, with the anchor as b and None as ``other``."""
+        """Return a contact if the rod is too long or too short, and no contact otherwise.
+
+        The contact is that of a Rod, with the anchor in place of b and with None as ``other``.
+        """
         return _of_rod(self, self.particle, None, self.anchor)
 
 

@@ -120,7 +120,10 @@ class Matrix4:
         return Vector3(a * x + d * y + g * z, b * x + e * y + h * z, c * x + f * y + i * z)
 
     def transform_direction(self, v: Vector3) -> Vector3:
-        """Return a rotated direction as a new vector, without the translation (9.4.5)."""
+        """Return a rotated direction as a new vector, without the translation (9.4.5).
+
+        The translation moves points, but a direction is the same everywhere.
+        """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
         x, y, z = v.x, v.y, v.z

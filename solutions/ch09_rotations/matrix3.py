@@ -157,8 +157,8 @@ class Matrix3:
         """Return the unit quaternion of this rotation. Both q and -q are right.
 
         Four sums of the diagonal give 4 r^2, 4 i^2, 4 j^2 and 4 k^2. Choose the largest of them,
-        which is at least 1, and compute the other components from it. A smaller one may be nothing
-        but a rounding error, as 4 r^2 is in a half-turn.
+        which is at least 1, and compute the other components from it. A smaller sum may consist
+        only of rounding errors: in a half-turn, for example, 4 r^2 should be 0.
 
         Raises:
             ValueError: if this is not a rotation (``is_rotation``).

@@ -21,7 +21,7 @@ from autograder.submissions.find import Submission
 
 TIMES = "times.csv"
 OF_GRADESCOPE = "submission_metadata.yml"
-OF_GITHUB = "*grades*.csv"  # as GitHub Classroom offers it, with the two columns below
+OF_GITHUB = "grades.csv"  # the grades of GitHub Classroom, saved under this name
 REPOSITORY, SUBMITTED = "student_repository_name", "submission_timestamp"
 OF_CANVAS = re.compile(r"[^_]+_(LATE_)?\d+_\d+_.+")  # lastfirst_LATE_userid_submissionid_name.zip
 
@@ -99,11 +99,13 @@ def _of_gradescope(folder: Path) -> Iterator[tuple[str, HandedIn]]:
 
 def _of_github(folder: Path) -> Iterator[tuple[str, HandedIn]]:
     """Yield the times in the grades of GitHub Classroom, which names the students' repositories."""
-    for path in sorted(folder.glob(OF_GITHUB)):
-        with path.open(encoding="utf-8-sig", errors="replace", newline="") as file:
-            for row in csv.DictReader(file):
-                if row.get(REPOSITORY) and (time := _time(row.get(SUBMITTED))):
-                    yield row[REPOSITORY], HandedIn("GitHub Classroom", time)
+    path = folder / OF_GITHUB
+    if not path.is_file():
+        return
+    with path.open(encoding="utf-8-sig", errors="replace", newline="") as file:
+        for row in csv.DictReader(file):
+            if row.get(REPOSITORY) and (time := _time(row.get(SUBMITTED))):
+                yield row[REPOSITORY], HandedIn("GitHub Classroom", time)
 
 
 def _of_canvas(submissions: list[Submission]) -> Iterator[tuple[str, HandedIn]]:

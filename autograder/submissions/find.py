@@ -11,7 +11,10 @@ from pathlib import Path
 from autograder.clean import visible
 
 LONGEST_NAME = 100  # bytes without a suffix; file systems allow 255 in all
-SILENT = ("__pycache__", "__MACOSX", "README.md", "marks.csv", "times.csv", "course.toml")
+SILENT = (
+    *("__pycache__", "__MACOSX", "README.md", "marks.csv", "course.toml"),
+    *("times.csv", "submission_metadata.yml", "grades.csv"),  # the times of submissions
+)
 DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 HASHED = re.compile(r".*-[0-9a-f]{8}")
 

@@ -141,7 +141,7 @@ GRADES = """\
 
 def test_times_come_from_the_best_source_that_knows_one(tmp_path: Path) -> None:
     (tmp_path / "submission_metadata.yml").write_text(EXPORT, encoding="utf-8")
-    (tmp_path / "lab1-grades-1234.csv").write_text(GRADES, encoding="utf-8")
+    (tmp_path / "grades.csv").write_text(GRADES, encoding="utf-8")
     times = (
         "student;submitted\nfay;2026-10-24 12:00\n\ngil;2026-10-24T12:00:00-04:00\nnobody;2026\n"
     )

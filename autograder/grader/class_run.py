@@ -23,6 +23,7 @@ from autograder.reports.marks import Marks, apply_marks
 from autograder.reports.report import StudentReport
 from autograder.reports.results import read_result, write_student
 from autograder.scores import shown
+from autograder.submissions.codes import without_names
 from autograder.submissions.find import Submission, file_name
 
 
@@ -35,6 +36,8 @@ class ClassRun:
         out: Path,
         marks: Marks,
         console: Console,
+        *,
+        anonymous: bool = False,
     ) -> None:
         self.assignment = assignment
         self.out = out
@@ -42,6 +45,7 @@ class ClassRun:
         self.key = run_key(assignment)
         self.once = OnceForAll()
         self.console = console
+        self.anonymous = anonymous
         self.reused: list[str] = []
 
     def collect(
@@ -113,6 +117,8 @@ class ClassRun:
     def save(self, report: StudentReport) -> StudentReport:
         """Add the marks that a person gave, write the report and its pages, and return it."""
         report = apply_marks(report, self.marks)
+        if self.anonymous:
+            report = replace(report, notes=[without_names(note) for note in report.notes])
         write_student(self.out, report)
         return report
 

@@ -1,0 +1,131 @@
+"""Who is in a class: the students of the roster, and the submissions that belong to them."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from autograder.submissions.find import Submission, printable
+from autograder.submissions.roster import Student, key, letters
+
+
+@dataclass(frozen=True)
+class Member:
+    """A student of the roster, a submission, or both.
+
+    ``shown`` is the name in all reports. ``folder`` is the name that the submission itself gives.
+    """
+
+    shown: str
+    student: Student | None
+    submission: Submission | None
+
+    @property
+    def folder(self) -> str:
+        return self.submission.student if self.submission else ""
+
+
+@dataclass(frozen=True)
+class ClassList:
+    """The members of a class. Without a roster, they are those who handed something in."""
+
+    members: list[Member]
+    has_roster: bool = False
+
+    @property
+    def submissions(self) -> list[Submission]:
+        """The submissions, each under the name that the reports show, sorted by it."""
+        renamed = [
+            replace(member.submission, student=member.shown)
+            for member in self.members
+            if member.submission
+        ]
+        return sorted(renamed, key=lambda submission: submission.student)
+
+    @property
+    def missing(self) -> list[str]:
+        """The students of the roster who handed nothing in."""
+        return [member.shown for member in self.members if not member.submission]
+
+    @property
+    def unmatched(self) -> list[str]:
+        """The submissions that belong to nobody in the roster."""
+        return [m.shown for m in self.members if self.has_roster and not m.student]
+
+    @property
+    def names(self) -> dict[str, str]:
+        """The shown name of everybody who handed something in, by every name in use for it."""
+        found: dict[str, str] = {}
+        submitted = [member for member in self.members if member.submission]
+        for member in submitted:
+            found[member.folder] = member.shown
+        for member in submitted:
+            known = [member.student.name, member.student.id] if member.student else []
+            for name in (member.shown, *known):
+                found.setdefault(name, member.shown)
+        return found
+
+    def renamed(self, name: Callable[[Member], str]) -> ClassList:
+        """Return the class with another name shown for each member."""
+        members = [replace(member, shown=name(member)) for member in self.members]
+        return replace(self, members=sorted(members, key=lambda member: member.shown))
+
+
+def match(
+    submissions: list[Submission], roster: list[Student] | None, path: Path | None
+) -> ClassList:
+    """Return the class: each submission with its student, and everybody who has none.
+
+    Raises:
+        ValueError: A submission matches two students, or a student two submissions. The message
+            names the lines of the roster, which is in ``path``.
+    """
+    if roster is None:
+        return ClassList([Member(one.student, None, one) for one in submissions])
+    found: dict[int, Submission] = {}
+    members = []
+    for submission in submissions:
+        students = _students_of(submission, roster)
+        if len(students) > 1:
+            lines = " and ".join(str(student.line) for student in students)
+            raise ValueError(
+                f"{path}, lines {lines}: both match the submission {submission.path.name!r}. "
+                "Name it after the id of its student"
+            )
+        if not students:
+            members.append(Member(submission.student, None, submission))
+            continue
+        line = students[0].line
+        if line in found:
+            raise ValueError(
+                f"{path}, line {line}: {students[0].name} matches two submissions, "
+                f"{found[line].path.name!r} and {submission.path.name!r}. Keep one of them"
+            )
+        found[line] = submission
+    alike = Counter(letters(student.name) for student in roster)
+    for student in roster:
+        name = student.name
+        if alike[letters(name)] > 1:
+            name = f"{name} ({student.id})"
+        members.append(Member(printable(name), student, found.get(student.line)))
+    return ClassList(sorted(members, key=lambda member: member.shown), has_roster=True)
+
+
+def _students_of(submission: Submission, roster: list[Student]) -> list[Student]:
+    """Return the students whom the name of a submission fits: one, unless something is wrong."""
+    export = submission.export
+    identity: str | None
+    if export is None:
+        identity, name = key(submission.student), letters(submission.student)
+    else:  # Moodle's number is not the student's, but that of a participant in one assignment
+        identity = key(export.number) if export.platform == "canvas" else None
+        name = letters(export.name)
+    by_name = [student for student in roster if name and name in student.names]
+    by_key = [student for student in roster if identity in student.keys]
+    if not by_key:
+        return by_name
+    if export and by_name and not any(student in by_name for student in by_key):
+        return [*by_key, *by_name]  # the id is that of another system
+    return by_key

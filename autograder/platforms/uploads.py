@@ -78,6 +78,7 @@ def write_uploads(
             )
     if waiting := sum(r.waiting > 0 for r in reports):
         lines.append(
-            f"Answers of {waiting} students wait for a person, and count nothing in these grades."
+            f"Students with answers that wait for a person: {waiting}. These answers count "
+            "nothing in the grades for the platforms."
         )
     return paths, lines

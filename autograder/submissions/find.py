@@ -12,7 +12,10 @@ from autograder.clean import visible
 from autograder.submissions.exports import Exported, read_export
 
 LONGEST_NAME = 100  # bytes without a suffix; file systems allow 255 in all
-SILENT = ("__pycache__", "__MACOSX", "README.md", "marks.csv")
+SILENT = (
+    *("__pycache__", "__MACOSX", "README.md"),
+    *("marks.csv", "roster.csv", "roster-key.csv"),
+)
 DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 HASHED = re.compile(r".*-[0-9a-f]{8}")
 
@@ -39,7 +42,7 @@ def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
 
     A submission is a folder or a .zip file that is named after the student, or as Canvas and Moodle
     name it. If one student has uploaded several files there, the last one counts. Links are never
-    followed. Hidden files, caches, README.md and marks.csv are skipped without a note.
+    followed. Hidden files, caches, README.md, marks.csv and roster.csv are skipped without a note.
 
     Raises:
         ValueError: It is not a folder, has no submission, or has two of one student.

@@ -166,7 +166,7 @@ def test_answers_that_wait_are_reported(tmp_path: Path) -> None:
     people, reports = a_class()
     reports[0] = report_of("Ann Lee", waiting=3)
     _, lines = write_uploads(tmp_path, CHAPTERS, people, reports, Column())
-    assert lines[-1].startswith("Answers of 2 students wait for a person")  # and Cy's
+    assert lines[-1].startswith("Students with answers that wait for a person: 2.")  # and Cy
 
 
 def test_without_a_roster_there_is_only_the_worksheet_of_a_class_from_moodle(

@@ -56,14 +56,15 @@ def write_uploads(
     def scaled(points: float) -> dict[str, float]:
         return {name: round(total * points / possible, 2) for name, total in totals.items()}
 
+    of_moodle = {name: min(grade, for_moodle) for name, grade in scaled(for_moodle).items()}
     paths: list[Path] = []
     lines: list[str] = []
     if people.has_roster:
         paths += [folder / "canvas.csv", folder / "moodle.csv"]
         write_canvas(paths[0], people, scaled(for_canvas), title, for_canvas)
-        write_moodle(paths[1], people, scaled(for_moodle), CANVAS_ID.sub("", title))
+        write_moodle(paths[1], people, of_moodle, CANVAS_ID.sub("", title))
     worksheet = folder / "moodle-worksheet.csv"
-    if write_worksheet(worksheet, people, scaled(for_moodle), for_moodle):
+    if write_worksheet(worksheet, people, of_moodle, for_moodle):
         paths.append(worksheet)
     if not paths:
         return [], []
@@ -76,6 +77,11 @@ def write_uploads(
                 f"{path.name}: rescaled from {shown(possible)} points to {shown(points)}. "
                 "POINTS= gives other points, up to 100 for Moodle."
             )
+    if more := sum(total > possible for total in totals.values()):
+        lines.append(
+            f"Grades over {shown(for_moodle)}: {more}. Moodle would refuse them, so "
+            f"they are {shown(for_moodle)} there."
+        )
     if waiting := sum(r.waiting > 0 for r in reports):
         lines.append(
             f"Students with answers that wait for a person: {waiting}. These answers count "

@@ -26,6 +26,13 @@ class Member:
     def folder(self) -> str:
         return self.submission.student if self.submission else ""
 
+    @property
+    def aliases(self) -> tuple[str, ...]:
+        """Every name of the student in the folder and the roster."""
+        who = self.student
+        known = (who.name, who.id, who.email, who.login) if who else ()
+        return tuple(name for name in (self.folder, *known) if name)
+
 
 @dataclass(frozen=True)
 class ClassList:
@@ -38,7 +45,7 @@ class ClassList:
     def submissions(self) -> list[Submission]:
         """The submissions, each under the name that the reports show, sorted by it."""
         renamed = [
-            replace(member.submission, student=member.shown)
+            replace(member.submission, student=member.shown, aliases=member.aliases)
             for member in self.members
             if member.submission
         ]
@@ -56,14 +63,11 @@ class ClassList:
 
     @property
     def names(self) -> dict[str, str]:
-        """The shown name of everybody who handed something in, by every name in use for it."""
-        found: dict[str, str] = {}
+        """The shown name of everybody who handed something in, by every name of theirs."""
         submitted = [member for member in self.members if member.submission]
+        found = {member.folder: member.shown for member in submitted}
         for member in submitted:
-            found[member.folder] = member.shown
-        for member in submitted:
-            known = [member.student.name, member.student.id] if member.student else []
-            for name in (member.shown, *known):
+            for name in (member.shown, *member.aliases):
                 found.setdefault(name, member.shown)
         return found
 

@@ -24,12 +24,14 @@ HASHED = re.compile(r".*-[0-9a-f]{8}")
 class Submission:
     """A student's submission: a folder or a zip file.
 
-    ``export`` is what its name says if a platform has given it.
+    ``export`` is what its name says if a platform has given it. ``aliases`` are the other names of
+    the student: that of the folder or file, and those in the roster.
     """
 
     student: str
     path: Path
     export: Exported | None = None
+    aliases: tuple[str, ...] = ()
 
     @property
     def late(self) -> bool:

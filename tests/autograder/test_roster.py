@@ -101,6 +101,7 @@ def test_a_submission_is_found_by_id_email_login_or_name(tmp_path: Path, name: s
     assert shown == {"Ann Lee": name, "O'Neill, Bo": "oneillbo_9_1_w.zip", "zoe": "zoe"}
     assert (found.missing, found.unmatched) == ([], ["zoe"])
     assert [one.late for one in found.submissions] == ["LATE" in name, False, False]
+    assert {"Ann Lee", "1042", "ann@x.org", "al7"} <= set(found.submissions[0].aliases)
 
 
 def test_a_participants_number_in_moodle_is_no_id(tmp_path: Path) -> None:

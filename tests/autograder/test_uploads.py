@@ -150,6 +150,15 @@ def test_grades_are_rescaled_to_the_points_of_the_assignment(
     assert import_into_moodle(files["moodle.csv"], "ID number")["u8"] == of_moodle
 
 
+def test_a_grade_over_the_maximum_does_not_stop_moodle(tmp_path: Path) -> None:
+    people, reports = a_class()
+    reports[0] = report_of("Ann Lee", score=14.5)  # with extra credit
+    paths, lines = write_uploads(tmp_path, CHAPTERS, people, reports, Column("Lab 1"))
+    assert import_into_moodle(rows_of(paths[1]), "ID number")["77"] == 100.0
+    assert import_into_canvas(rows_of(paths[0]))[0][77] == "14.5"
+    assert "Grades over 100: 1. Moodle would refuse them, so they are 100 there." in lines
+
+
 def test_those_outside_the_roster_are_left_out_and_named(tmp_path: Path) -> None:
     files, lines = written(tmp_path)
     assert not any("zoe" in cell for rows in files.values() for row in rows for cell in row)

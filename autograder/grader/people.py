@@ -45,7 +45,7 @@ def folder_with_names(out: Path, *, anonymous: bool) -> Path:
 def differences(people: ClassList) -> list[str]:
     """Return sentences on the differences between the roster and what was handed in."""
     return [
-        f"{title}: {len(names)} ({', '.join(names)})."
+        f"{title}: {len(names)} ({'; '.join(names)})."
         for title, names in (
             ("Nothing handed in", people.missing),
             ("Not in the roster", people.unmatched),

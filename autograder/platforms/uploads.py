@@ -69,7 +69,7 @@ def write_uploads(
     if not paths:
         return [], []
     if people.unmatched:
-        lines.append("Not in canvas.csv and moodle.csv: " + ", ".join(people.unmatched) + ".")
+        lines.append("Not in canvas.csv and moodle.csv: " + "; ".join(people.unmatched) + ".")
     for path in paths:
         points = for_canvas if path.name == "canvas.csv" else for_moodle
         if points != possible:

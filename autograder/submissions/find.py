@@ -82,8 +82,9 @@ def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
         first, last = sorted((old, new), key=_order)
         found[file_name(new.student)] = last
         notes.append(
-            f"{printable(first.path.name)} was left out: {last.student} uploaded "
-            f"{printable(last.path.name)} later. If they belong together, put both into one folder"
+            f"{printable(first.path.name)} was left out: {printable(last.path.name)} of the same "
+            f"student was taken. If they belong together, put both into a folder with the name "
+            f"{printable(last.path.stem)}"
         )
     if not found:
         raise ValueError(

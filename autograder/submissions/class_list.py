@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from autograder.submissions.find import Submission, printable
 from autograder.submissions.roster import Student, key, letters
+
+_Index = defaultdict[str, list[Student]]
 
 
 @dataclass(frozen=True)
@@ -88,10 +90,16 @@ def match(
     """
     if roster is None:
         return ClassList([Member(one.student, None, one) for one in submissions])
+    by_key, by_name = _Index(list), _Index(list)
+    for student in roster:
+        for text in student.keys:
+            by_key[text].append(student)
+        for text in student.names - {""}:
+            by_name[text].append(student)
     found: dict[int, Submission] = {}
     members = []
     for submission in submissions:
-        students = _students_of(submission, roster)
+        students = _students_of(submission, by_key, by_name)
         if len(students) > 1:
             lines = " and ".join(str(student.line) for student in students)
             raise ValueError(
@@ -117,19 +125,16 @@ def match(
     return ClassList(sorted(members, key=lambda member: member.shown), has_roster=True)
 
 
-def _students_of(submission: Submission, roster: list[Student]) -> list[Student]:
+def _students_of(submission: Submission, by_key: _Index, by_name: _Index) -> list[Student]:
     """Return the students whom the name of a submission fits: one, unless something is wrong."""
     export = submission.export
-    identity: str | None
-    if export is None:
-        identity, name = key(submission.student), letters(submission.student)
-    else:  # Moodle's number is not the student's, but that of a participant in one assignment
-        identity = key(export.number) if export.platform == "canvas" else None
-        name = letters(export.name)
-    by_name = [student for student in roster if name and name in student.names]
-    by_key = [student for student in roster if identity in student.keys]
-    if not by_key:
-        return by_name
-    if export and by_name and not any(student in by_name for student in by_key):
-        return [*by_key, *by_name]  # the id is that of another system
-    return by_key
+    identity = submission.student
+    if export:  # Moodle's number is not the student's, but that of a participant in one assignment
+        identity = export.number if export.platform == "canvas" else ""
+    alike = by_name[letters(export.name if export else submission.student)]
+    same = by_key[key(identity)]
+    if not same:
+        return alike
+    if export and alike and not any(student in alike for student in same):
+        return [*same, *alike]  # the id is that of another system
+    return same

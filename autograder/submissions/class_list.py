@@ -65,13 +65,17 @@ class ClassList:
 
     @property
     def names(self) -> dict[str, str]:
-        """The shown name of everybody who handed something in, by every name of theirs."""
-        submitted = [member for member in self.members if member.submission]
-        found = {member.folder: member.shown for member in submitted}
-        for member in submitted:
+        """The shown name of everybody who handed something in, by every name that is unique."""
+        claims = defaultdict(set)
+        for member in self.members:
             for name in (member.shown, *member.aliases):
-                found.setdefault(name, member.shown)
-        return found
+                claims[name].add(member.shown)
+        submitted = {member.shown for member in self.members if member.submission}
+        return {
+            name: min(shown)
+            for name, shown in claims.items()
+            if len(shown) == 1 and shown <= submitted
+        }
 
     def renamed(self, name: Callable[[Member], str]) -> ClassList:
         """Return the class with another name shown for each member."""

@@ -129,4 +129,15 @@ def test_what_could_be_anothers_is_refused_with_the_lines(
 
 def test_students_of_one_name_are_told_apart_by_their_ids(tmp_path: Path) -> None:
     found = people(tmp_path, "al7|8", [ANN, Student("8", "ann lee", "", "", 3)])
-    assert [one.student for one in found.submissions] == ["Ann Lee (1042)", "ann lee (8)"]
+    first, second = [one.student for one in found.submissions]
+    assert (first, second) == ("Ann Lee (1042)", "ann lee (8)")
+    assert found.names == {
+        **dict.fromkeys([first, "1042", "Ann Lee", "ann@x.org", "al7"], first),
+        **dict.fromkeys([second, "8", "ann lee"], second),
+    }
+
+
+def test_a_name_that_two_students_have_means_neither(tmp_path: Path) -> None:
+    found = people(tmp_path, "al7", [ANN, Student("8", "Ann Lee", "", "", 3)])
+    assert found.missing == ["Ann Lee (8)"]
+    assert set(found.names) == {"Ann Lee (1042)", "1042", "ann@x.org", "al7"}

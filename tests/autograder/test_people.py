@@ -5,10 +5,13 @@ from __future__ import annotations
 import csv
 import re
 import stat
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
+from autograder.manifest import ROOT
 from autograder.platforms.uploads import Column
 from autograder.submissions.unpack import class_folder
 from small import RIGHT, WRITTEN, hand_in, make_root
@@ -135,3 +138,18 @@ def test_a_mark_under_two_names_of_a_student_is_refused(
         marks.write("Jane Doe,90.2,2,\n")
     with pytest.raises(ValueError, match=r"second mark for 'Jane Doe' in 90\.2, under another"):
         grade(submissions, tmp_path / "out", root, roster=roster)
+
+
+def test_the_command_takes_a_zip_and_reports_a_mistake_in_the_roster(
+    roster: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "lab.zip").write_bytes(zip_of({"doejane_77_3_work.zip": zip_of({SMALL: b""})}))
+    roster.write_text(ROSTER + "77,Ann,,\n", encoding="utf-8")
+    command = [sys.executable, "-m", "autograder", "grade", str(tmp_path / "lab.zip")]
+    command += ["--roster", str(roster), "--out", str(tmp_path / "out"), "--title", "Lab 1 (12)"]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
+    assert done.returncode == 2
+    assert done.stdout.startswith(f"lab.zip is unpacked in {tmp_path / 'lab'}: 1 entries")
+    where = f"grade: {roster}, line 5: the id '77' is already in line 2."
+    assert done.stderr.startswith(where)
+    assert not (tmp_path / "out").exists()

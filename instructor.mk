@@ -5,7 +5,10 @@ HOSTILE := tests/autograder/test_hostile.py
 # One more than there are cores, since some tests wait for a browser or a time limit.
 WORKERS = $$($(RUN) -c "import os; print((os.cpu_count() or 1) + 1)")
 
-TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED ASSIGNMENT COURSE
+# Reports with codes never go to a folder of reports with names.
+CODED = $(filter-out 0,$(ANONYMOUS))
+
+TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED ROSTER ANONYMOUS TITLE POINTS ASSIGNMENT COURSE
 TAKES_similarity := SUBMISSIONS CHAPTERS OUT
 TAKES_mark := SUBMISSIONS CHAPTERS OPEN ASSIGNMENT COURSE
 TAKES_handout := CHAPTERS GIVEN OUT ASSIGNMENT COURSE
@@ -38,7 +41,7 @@ BUILT = build/$(if $(ASSIGNMENT),$(ASSIGNMENT)/)
 
 # == For instructors ==
 grade: $(READY) ## grade a class (SUBMISSIONS=dir CHAPTERS=3 or ASSIGNMENT=lab1)
-	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),$(BUILT)grades)" $(ASSIGNED) $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)")
+	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),$(BUILT)grades$(if $(CODED),-anonymous))" $(ASSIGNED) $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)") $(if $(ROSTER),--roster "$(ROSTER)") $(if $(CODED),--anonymous) $(if $(TITLE),--title "$(TITLE)") $(if $(POINTS),--points "$(POINTS)")
 
 similarity: $(READY) ## which submissions of a class are alike (CHAPTERS=2-3)
 	@$(RUN) -m autograder similarity "$(SUBMISSIONS)" --out "$(or $(OUT),build/similarity)" $(if $(CHAPTERS),--chapters "$(CHAPTERS)")

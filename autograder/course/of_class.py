@@ -32,11 +32,15 @@ def lateness(
     points = points_of(chapters)
     students = [submission.student for submission in submissions]
     late = {
-        student: late_of(deadline, [student], said.get(student), points) for student in students
+        submission.student: late_of(
+            deadline, submission.names, said.get(submission.student), points
+        )
+        for submission in submissions
     }
     notes = []
-    for name in (name for name in deadline.extensions if name not in students):
-        wanted = nearest(name, students, 1)
+    names = [name for submission in submissions for name in submission.names]
+    for name in (name for name in deadline.extensions if name not in names):
+        wanted = nearest(name, names, 1)
         notes.append(f"Extension for {name!r}: no submission has this name. {wanted}".strip())
     if unknown := [student for student in students if student not in said]:
         named = ", ".join(unknown[:5]) + (", ..." if len(unknown) > 5 else "")

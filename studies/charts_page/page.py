@@ -10,11 +10,11 @@ from urllib.parse import quote
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from studies.accuracy.chart import told, told_ratio
 from studies.accuracy.measure import Point
-from studies.accuracy.results import Row, table
+from studies.accuracy.results import table
 from studies.accuracy.scene import Scene
 from studies.charts_page.panels import HEIGHT, IDS, MARKS, WIDTH, panel
+from studies.charts_page.ratios import ratios
 
 HERE = Path(__file__).parent
 COLUMNS = (
@@ -28,6 +28,7 @@ def write(scenes: Sequence[Scene], points: Sequence[Point], how: str, out: Path)
     own = {scene.name: [p for p in points if p.scene == scene.name] for scene in scenes}
     panels = [panel(scene, own[scene.name]) for scene in scenes]
     data = csv_of(scenes, own)
+    axis, compared = ratios(table(points))
     environment = Environment(
         loader=FileSystemLoader(HERE),
         autoescape=True,
@@ -38,7 +39,8 @@ def write(scenes: Sequence[Scene], points: Sequence[Point], how: str, out: Path)
     page = environment.get_template("page.html").render(
         panels=panels,
         models=sorted({drawn.name for each in panels for drawn in each.models}),
-        ratios=[_ratio(found) for found in table(points)],
+        ratios=compared,
+        axis=axis,
         how=how,
         data=quote(data, safe=" ,/()=+"),
         marks={IDS[mark]: path for mark, path in MARKS.items()},
@@ -62,8 +64,3 @@ def csv_of(scenes: Sequence[Scene], own: dict[str, list[Point]]) -> str:
             start = (scene.name, p.model, p.by, p.steps, p.error)
             writer.writerow((*start, *(f"{time:.4g}" for time in times), p.work, scene.counted))
     return file.getvalue()
-
-
-def _ratio(found: Row) -> tuple[str, ...]:
-    tolerance = f"{found.tolerance:g}"
-    return found.scene, tolerance, told(found.ours), told(found.pymunk), told_ratio(found)

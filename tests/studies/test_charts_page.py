@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 from urllib.parse import unquote
@@ -19,6 +20,7 @@ from studies.accuracy.results import Row, Side
 from studies.charts_page import page
 from studies.charts_page.axes import Axis, axis_for
 from studies.charts_page.kept import PAGE, PICTURE, READMES, described, keep
+from studies.charts_page.ratios import ratios
 
 browser = pytest.fixture(browsers.browser, scope="module")
 SCENES = [*scenes_with("drag"), *scenes_with("orbit")]
@@ -43,6 +45,10 @@ def points() -> list[Point]:
     ]
 
 
+def side(model: str | None, time: float | None) -> Side:
+    return Side(model, time, 1.0, never=False)
+
+
 @pytest.fixture(scope="module")
 def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("page")
@@ -56,7 +62,7 @@ def test_powers_of_ten_have_labels() -> None:
         *((400.0, "0.1"), (300.0, "1"), (200.0, "10"), (100.0, "100"), (0.0, "1000"))
     ]
     assert [label for _, label in Axis(1e-15, 10.0, 0.0, 1.0).ticks()] == [
-        *("1e-15", "1e-11", "1e-7", "0.001", "10")
+        *("1e-12", "1e-8", "1e-4", "1")
     ]
     narrow = axis_for([3.0, 3.1], 0.0, 100.0)
     assert [label for _, label in narrow.ticks()] == ["1", "10"]
@@ -75,6 +81,27 @@ def test_the_csv_has_every_point_and_is_in_the_page_too(made: Path) -> None:
     html = (made / "index.html").read_text(encoding="utf-8")
     inside = html.split('href="data:text/csv;charset=utf-8,')[1].split('"')[0]
     assert unquote(inside.replace("&#39;", "'")) == text
+
+
+def test_a_ratio_has_a_mark_on_a_logarithmic_axis() -> None:
+    waiting = Side(None, None, 8.0, never=False)
+    rows = [
+        Row("a", 1e-2, side("a", 1.0), side("p", 1.0)),
+        Row("a", 1e-4, side("a", 1.0), replace(side("p", 100.0), order=1.0)),
+        Row("a", 1e-6, side("a", 2.0), waiting),
+        Row("b", 1e-6, waiting, side("p", 0.8)),
+        Row("b", 1e-6, side("a", 1.0), replace(waiting, never=True)),
+    ]
+    axis, found = ratios(rows)
+    places = [each.at for each in found if each.at is not None]
+    assert axis.low < 0.1 < 100.0 < axis.high
+    one, most, more, less = places
+    # Three powers of ten lie between 0.1 and 100, and ln 4 / ln 10 of one below 4.
+    power = (most - less) / 3.0
+    assert [one - less, more - one] == pytest.approx([power, 0.602 * power], abs=0.1)
+    kinds = ["exact", "extrapolated", "more", "less", ""]
+    assert [each.kind for each in found] == kinds
+    assert [each.told for each in found] == ["1", "~ 100", "> 4", "< 0.1", ""]
 
 
 class Page:
@@ -158,10 +185,6 @@ def test_without_javascript_charts_and_tables_can_be_read(browser: Any, made: Pa
     page.tab.locator("summary").first.click()
     assert "damping in the particle" in page.tab.locator("tbody").first.inner_text()
     page.close()
-
-
-def side(model: str | None, time: float | None) -> Side:
-    return Side(model, time, 1.0, never=False)
 
 
 def test_a_full_run_keeps_the_picture_the_page_and_its_description(tmp_path: Path) -> None:

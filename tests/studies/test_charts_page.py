@@ -17,10 +17,10 @@ from autograder.manifest import ROOT
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.measure import Point
 from studies.accuracy.results import Row, Side
-from studies.charts_page import page
-from studies.charts_page.axes import Axis, axis_for
-from studies.charts_page.kept import PAGE, PICTURE, READMES, described, keep
-from studies.charts_page.ratios import ratios
+from studies.charts import page
+from studies.charts.axes import Axis, axis_for
+from studies.charts.kept import PAGE, PICTURE, READMES, described, keep
+from studies.charts.ratios import ratios
 
 browser = pytest.fixture(browsers.browser, scope="module")
 SCENES = [*scenes_with("drag"), *scenes_with("orbit")]

@@ -25,14 +25,14 @@ from studies.accuracy.catalog import scenes_with
 from studies.accuracy.measure import Point
 from studies.accuracy.results import cheapest, first_within
 from studies.accuracy.scene import RATE, Scene
-from studies.own_scene import runs
-from studies.own_scene.choice import warnings
-from studies.own_scene.halving import distance, halved
-from studies.own_scene.models import models_of
-from studies.own_scene.scene import OwnScene, load
-from studies.stability import INTEGRATORS
+from studies.choose import runs
+from studies.choose.halving import distance, halved
+from studies.choose.models import models_of
+from studies.choose.report import warnings
+from studies.choose.scene import OwnScene, load
+from studies.runs.stability import INTEGRATORS
 
-EXAMPLE = ROOT / "studies/own_scene/example.py"
+EXAMPLE = ROOT / "studies/choose/example.py"
 DOWN = Vector3(0.0, -10.0)
 
 
@@ -190,9 +190,9 @@ def test_the_example_is_chosen_rightly_and_is_in_the_readme(
     told = capsys.readouterr().out
     assert "2 s, error at most 0.001 in every frame" in told
     assert "cheapest:     Runge-Kutta 4, once per frame: " in told
-    assert "make choose SCENE=studies/own_scene/example.py" in (
-        ROOT / "studies/README.md"
-    ).read_text(encoding="utf-8")
+    assert "make choose SCENE=studies/choose/example.py" in (ROOT / "studies/README.md").read_text(
+        encoding="utf-8"
+    )
 
     def rates(_: float, state: list[float]) -> list[float]:
         x, y, u, v = state

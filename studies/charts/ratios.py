@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from studies.accuracy.chart import told, told_ratio
 from studies.accuracy.results import Row
-from studies.charts_page.axes import Axis, axis_for
+from studies.charts.axes import Axis, axis_for
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from studies.accuracy.chart import CEILING, FLOOR, said, styles_of
 from studies.accuracy.measure import Point
 from studies.accuracy.results import front, models_of, row
 from studies.accuracy.scene import RATE, Scene
-from studies.charts_page.axes import Axis, axis_for
+from studies.charts.axes import Axis, axis_for
 from studies.drawing import (
     BLACK,
     BLUE,

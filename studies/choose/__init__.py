@@ -1,7 +1,7 @@
 """Find the cheapest model of a scene that meets a tolerance, by measuring all models.
 
 The command also shows the next cheaper model and its error. A scene is part of the name of one of
-ours, or a Python file that describes your own, as studies/own_scene/example.py does. Without an
+ours, or a Python file that describes your own, as studies/choose/example.py does. Without an
 exact solution, errors are estimated by halving the steps.
 """
 
@@ -40,8 +40,8 @@ def main(arguments: list[str]) -> int:
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
     # These modules import chapters.
     if options.scene.endswith(".py"):
-        from studies.own_scene.choice import choose
-        from studies.own_scene.scene import SceneError
+        from studies.choose.report import choose
+        from studies.choose.scene import SceneError
 
         try:
             return choose(Path(options.scene), options.tolerance, Console(highlight=False))

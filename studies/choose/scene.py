@@ -17,7 +17,7 @@ from ch08_mass_aggregate.world import ParticleWorld
 from studies.accuracy.scene import RATE
 
 Values = tuple[float, ...]  # what is measured at the end of a frame
-NAME = "own_scene_file"  # of the module that a file becomes
+NAME = "scene_file"  # of the module that a file becomes
 
 
 class SceneError(ValueError):
@@ -106,7 +106,7 @@ def load(path: Path) -> OwnScene:
     if build is None:
         raise SceneError(
             f"{path}: build is missing: a function that returns a ParticleWorld, as in "
-            "studies/own_scene/example.py"
+            "studies/choose/example.py"
         )
     if not hasattr(module, "DURATION"):
         raise SceneError(f"{path}: DURATION is missing: the time in s that the scene runs")

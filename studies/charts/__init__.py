@@ -50,7 +50,7 @@ def main(arguments: list[str]) -> int:
     # These modules import chapters.
     from studies.accuracy import chart, measure, results
     from studies.accuracy.catalog import scenes_with
-    from studies.charts_page import kept, page
+    from studies.charts import kept, page
 
     pyplot.switch_backend("agg")
     try:

@@ -11,9 +11,9 @@ from dataclasses import dataclass, field
 from studies.accuracy.measure import LEAST, LONG, Point
 from studies.accuracy.results import first_within
 from studies.accuracy.scene import RATE
-from studies.own_scene.halving import Halved, Run, distance, halved
-from studies.own_scene.models import Model, models_of
-from studies.own_scene.scene import OwnScene, SceneError, why
+from studies.choose.halving import Halved, Run, distance, halved
+from studies.choose.models import Model, models_of
+from studies.choose.scene import OwnScene, SceneError, why
 
 ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
 ORDERS = 3  # that are seen of a model before it is given up, which takes five runs

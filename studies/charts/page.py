@@ -13,8 +13,8 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from studies.accuracy.measure import Point
 from studies.accuracy.results import table
 from studies.accuracy.scene import Scene
-from studies.charts_page.panels import HEIGHT, IDS, MARKS, WIDTH, panel
-from studies.charts_page.ratios import ratios
+from studies.charts.panels import HEIGHT, IDS, MARKS, WIDTH, panel
+from studies.charts.ratios import ratios
 
 HERE = Path(__file__).parent
 COLUMNS = (

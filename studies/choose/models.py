@@ -22,7 +22,7 @@ from ch07_constraints.smooth_net import SmoothNet
 from ch07_constraints.time_division import time_division_step
 from ch08_mass_aggregate.world import ParticleWorld
 from studies.accuracy.scene import STEPS, TOLERANCES
-from studies.stability import INTEGRATORS
+from studies.runs.stability import INTEGRATORS
 
 Step = Callable[[float], object]
 ORDERS = {"leapfrog": 2, "velocity Verlet": 2, "Runge-Kutta 4": 4}  # the others have order 1

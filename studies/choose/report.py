@@ -12,10 +12,10 @@ from rich.table import Table
 from studies.accuracy.measure import Point
 from studies.accuracy.results import cheapest, first_within
 from studies.accuracy.scene import RATE
-from studies.own_scene import runs
-from studies.own_scene.halving import distance
-from studies.own_scene.runs import Tried
-from studies.own_scene.scene import OwnScene, load
+from studies.choose import runs
+from studies.choose.halving import distance
+from studies.choose.runs import Tried
+from studies.choose.scene import OwnScene, load
 
 LOW = 0.7  # of the expected order: a lower order is worth a warning
 APART = 3.0  # times their estimated errors: two models that differ by more contradict each other

@@ -25,12 +25,13 @@ TAKES_seeds := CH SEEDS
 TAKES_table :=
 TAKES_bench :=
 TAKES_charts := QUICK
+TAKES_choose := SCENE TOLERANCE
 TAKES_limits :=
 TAKES_economy :=
 TAKES_soak :=
 
 .PHONY: grade similarity mark handout classroom gradescope site update stubs test say-what-test-is lint
-.PHONY: bench charts limits
+.PHONY: bench charts choose limits
 .PHONY: economy soak figures mutants seeds table
 
 # ASSIGNMENT names an assignment of the course file, which then says what the other variables do.
@@ -110,6 +111,9 @@ bench: $(READY) ## speed, as ratios measured in turn
 
 charts: $(READY) ## speed against accuracy (QUICK=1 takes one minute)
 	@$(RUN) -m studies charts $(if $(QUICK),--quick)
+
+choose: $(READY) ## the cheapest model (SCENE=my_scene.py TOLERANCE=1e-3)
+	@$(RUN) -m studies choose "$(or $(SCENE),$(error name a scene: make choose SCENE=pendulum, or a file that describes yours))" $(if $(TOLERANCE),--tolerance "$(TOLERANCE)") $(DIAGNOSIS)
 
 limits: $(READY) ## the stiffness and drag up to which methods are stable
 	@$(RUN) -m studies limits

@@ -17,7 +17,7 @@ from ch07_constraints.detectors import ParticlePairs
 from ch07_constraints.direct_chain import DirectChain
 from ch07_constraints.heap_resolver import HeapResolver
 from ch07_constraints.links import Cable
-from studies.constraints import FRAME, GRAVITY, LINK, chain_particles, no_forces
+from studies.runs.constraints import FRAME, GRAVITY, LINK, chain_particles, no_forces
 from studies.timing import Measurement, Target, Timer, timer, versus
 
 LINKS = 30

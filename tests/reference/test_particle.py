@@ -12,7 +12,8 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import exercises
 from ch03_laws_of_motion.damping import damp_per_frame, damp_per_second
 from ch03_laws_of_motion.particle import Particle
-from studies.drag_flight import (
+from studies.drawing import slope
+from studies.runs.drag_flight import (
     DAMPED_FALL,
     FREE_FALL,
     GRAVITY,
@@ -21,7 +22,6 @@ from studies.drag_flight import (
     State,
     with_particle,
 )
-from studies.drawing import slope
 
 NAN, INF = math.nan, math.inf
 VECTORS = ("position", "velocity", "acceleration")

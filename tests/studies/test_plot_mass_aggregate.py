@@ -12,7 +12,7 @@ import drawn_plots
 from autograder.manifest import ROOT
 from copies import copy_tree
 from made import made_stubs
-from studies.ropes import catenary_sag, polygon_sag
+from studies.runs.ropes import catenary_sag, polygon_sag
 
 CHAPTER = "ch08_mass_aggregate"
 PLOTS = 9

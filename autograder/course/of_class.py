@@ -42,13 +42,26 @@ def lateness(
     for name in (name for name in deadline.extensions if name not in names):
         wanted = nearest(name, names, 1)
         notes.append(f"Extension for {name!r}: no submission has this name. {wanted}".strip())
+    add = f"To add times, write {folder / TIMES}."
     if unknown := [student for student in students if student not in said]:
-        named = ", ".join(unknown[:5]) + (", ..." if len(unknown) > 5 else "")
         notes.append(
             f"No time of submission is known for {len(unknown)} of {len(students)} students, who "
-            f"get no penalty: {named}. To add times, write {folder / TIMES}."
+            f"get no penalty: {_some(unknown)}. {add}"
         )
+    unclear = [student for student, at in said.items() if at.late and at.at is None]
+    if unclear:
+        notes.append(
+            f"Late by an unknown time, so without a penalty: {len(unclear)} ({_some(unclear)}). "
+            f"{add}"
+        )
+    if days := [each for each in late.values() if each.days]:
+        lose = sum(each.deduction > 0.0 for each in days)
+        notes.append(f"Late: {len(days)}, of which {lose} lose points.")
     return late, notes
+
+
+def _some(names: list[str]) -> str:
+    return ", ".join(names[:5]) + (", ..." if len(names) > 5 else "")
 
 
 def late_on_gradescope(

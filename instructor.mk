@@ -25,10 +25,11 @@ TAKES_charts := QUICK
 TAKES_limits :=
 TAKES_economy :=
 TAKES_soak :=
+TAKES_contacts := QUICK
 
 .PHONY: grade similarity mark handout classroom gradescope site update stubs test say-what-test-is lint
 .PHONY: bench charts limits
-.PHONY: economy soak figures mutants seeds table
+.PHONY: economy soak contacts figures mutants seeds table
 
 # == For instructors ==
 grade: $(READY) ## grade a class (SUBMISSIONS=sample_class CHAPTERS=3)
@@ -110,3 +111,6 @@ economy: $(READY) ## what parts of a model cost that a scene does not need
 
 soak: $(READY) ## run bridge and platform for ten minutes each
 	@$(RUN) -m studies soak
+
+contacts: $(READY) ## contact solvers, error over time (QUICK=1 takes one minute)
+	@$(RUN) -m studies contacts $(if $(QUICK),--quick)

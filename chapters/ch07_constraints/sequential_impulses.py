@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from ch02_vectors.arguments import positive
+from ch02_vectors.arguments import positive, whole
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact, ContactGenerator
@@ -38,7 +38,7 @@ class Row:
         self.q, self.w, self.inverse_b = STILL, STILL, 0.0
         if b is not None:
             self.q, self.w, self.inverse_b = b.position, b.velocity, b.inverse_mass
-        self.mass = 1.0 / (self.inverse_a + self.inverse_b)  # kg that an impulse has to move
+        self.mass = 1.0 / (self.inverse_a + self.inverse_b)  # kg that an impulse sets in motion
         # In m/s. A gap may close within the step. What touches must not close, or has to bounce.
         self.target = min(0.0, depth / duration)
         if contact.restitution and contact.separating_velocity() < 0.0:
@@ -52,15 +52,15 @@ class Row:
 
     def change(self, v: Vector3, w: Vector3, amount: float) -> None:
         """Add an impulse to two velocities, or a displacement times the mass to two positions."""
-        share = amount * self.inverse_a
-        v.x += self.x * share
-        v.y += self.y * share
-        v.z += self.z * share
-        share = amount * self.inverse_b
-        if share:
-            w.x -= self.x * share
-            w.y -= self.y * share
-            w.z -= self.z * share
+        part = amount * self.inverse_a
+        v.x += self.x * part
+        v.y += self.y * part
+        v.z += self.z * part
+        part = amount * self.inverse_b
+        if part:
+            w.x -= self.x * part
+            w.y -= self.y * part
+            w.z -= self.z * part
 
     def push(self, impulse: float) -> None:
         """Apply an impulse in N s and add it to the sum."""
@@ -88,6 +88,7 @@ class SequentialImpulses:
 
     Raises:
         ValueError: if ``iterations`` is less than 1.
+        TypeError: if ``iterations`` is not a whole number.
     """
 
     def __init__(
@@ -96,18 +97,17 @@ class SequentialImpulses:
         generators: Iterable[ContactGenerator],
         iterations: int = 4,
     ) -> None:
-        if iterations < 1:
-            raise ValueError(f"iterations must be 1 or more, got {iterations!r}")
         self.particles = [*particles]
         self.generators = [*generators]
-        self.iterations = iterations
+        self.iterations = whole("iterations", iterations)
         self.impulses: dict[object, Vector3] = {}  # N s, of the last step, by key
 
     def step(self, duration: float) -> None:
         """Move the particles by one step of a duration in s, with the forces in the accumulators.
 
         The order is: kick, find the contacts, correct the velocities, drift, correct the positions.
-        The last correction leaves the velocities alone, so it adds no kinetic energy.
+        The last correction leaves the velocities alone, so it adds no kinetic energy. The remembered
+        impulses are a good guess only if all steps have the same duration.
 
         Raises:
             ValueError: if the duration is not positive and finite. Nothing is changed then.

@@ -23,7 +23,7 @@ class SmallSteps:
     """Steps particles and keeps their contacts and links by soft corrections of positions.
 
     ``generators`` are contact generators of this chapter. ``compliance`` is in m/N and holds for
-    all of them. Call ``step`` several times per frame, with a part of its duration each.
+    all of them. Call ``step`` several times per frame, with a fraction of its duration each.
 
     Raises:
         ValueError: if ``compliance`` is negative or not finite.
@@ -78,10 +78,10 @@ def correct(contact: Contact, softness: float) -> None:
     inverse_b = 0.0 if b is None else b.inverse_mass
     total = a.inverse_mass + inverse_b + softness
     if contact.penetration > 0.0 and total:
-        share = contact.penetration / total
-        a.position.add_scaled(contact.normal, share * a.inverse_mass)
+        part = contact.penetration / total
+        a.position.add_scaled(contact.normal, part * a.inverse_mass)
         if b is not None:
-            b.position.add_scaled(contact.normal, -share * inverse_b)
+            b.position.add_scaled(contact.normal, -part * inverse_b)
 
 
 def bounce(contact: Contact, wanted: float) -> None:

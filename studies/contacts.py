@@ -32,6 +32,8 @@ def main(arguments: list[str]) -> int:
         "--out", type=Path, default=ROOT / "build" / "contacts", help="the folder for the results"
     )
     options = parser.parse_args(arguments)
+    if options.out.exists() and not options.out.is_dir():
+        parser.error(f"--out must be a folder, got the file {options.out}")
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
     # These modules import chapters.
     from studies.accuracy import measure

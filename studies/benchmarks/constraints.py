@@ -64,7 +64,7 @@ def lines() -> list[Measurement]:
             f"{LINKS} rods: DirectNet / DirectChain at {RATE} Hz, with the same error at the tip",
             versus(timer(lambda: by_direct_net(RATE)), timer(lambda: by_direct_solve(RATE))),
             7,
-            Target("at least", 2),
+            Target("at least", 2.5),
         ),
     ]
 

@@ -29,10 +29,11 @@ TAKES_choose := SCENE TOLERANCE
 TAKES_limits :=
 TAKES_economy :=
 TAKES_soak :=
+TAKES_contacts := QUICK
 
 .PHONY: grade similarity mark handout classroom gradescope site update stubs test say-what-test-is lint
 .PHONY: bench charts choose limits
-.PHONY: economy soak figures mutants seeds table
+.PHONY: economy soak contacts figures mutants seeds table
 
 # ASSIGNMENT names an assignment of the course file, which then says what the other variables do.
 ASSIGNED = $(if $(ASSIGNMENT),--assignment "$(ASSIGNMENT)") $(if $(COURSE),--course "$(COURSE)")
@@ -123,3 +124,6 @@ economy: $(READY) ## what parts of a model cost that a scene does not need
 
 soak: $(READY) ## run bridge and platform for ten minutes each
 	@$(RUN) -m studies soak
+
+contacts: $(READY) ## contact solvers, error over time (QUICK=1 takes one minute)
+	@$(RUN) -m studies contacts $(if $(QUICK),--quick)

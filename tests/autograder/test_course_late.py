@@ -205,6 +205,7 @@ def test_the_instructor_hears_of_unknown_times_and_of_extensions_that_fit_nobody
     assert first == "Extension for 'anne': no submission has this name. Did you mean ann?"
     assert second.startswith("No time of submission is known for 1 of 2 students")
     assert second.endswith(f"bob. To add times, write {tmp_path / 'times.csv'}.")
+    assert third == "Late: 1, of which 1 lose points."
 
 
 def test_gradescope_says_when_and_who() -> None:
@@ -219,4 +220,3 @@ def test_gradescope_says_when_and_who() -> None:
     assert late_on_gradescope(again, CHAPTERS, metadata | {"users": [ann]}).days == 0
     for nothing in ({}, {"created_at": None}, {"created_at": "?", "users": "x"}):
         assert late_on_gradescope(again, CHAPTERS, nothing).days is None
-    assert third == "Late: 1, of which 1 lose points."

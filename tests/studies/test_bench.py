@@ -315,3 +315,4 @@ def test_what_a_chain_is_compared_with_hangs_from_the_same_place() -> None:
     off = [math.dist(constraints.by_pymunk(rate), ours) for rate in (960, 3840)]
     assert off[1] == pytest.approx(0.25 * off[0], rel=0.3)  # order 1, apart from our own error
     assert off[1] < 2e-3
+    assert constraints.by_direct_net(constraints.RATE) == pytest.approx(ours, abs=1e-5)

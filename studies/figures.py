@@ -46,7 +46,7 @@ PLOTS = (
     "ch09_rotations/gimbal_lock",
 )
 # Plots that show the committed numbers of a study, with the module that draws them.
-OF_STUDIES = {"ch07_constraints/contact_solvers": "studies.solvers.chart"}
+OF_STUDIES = {"ch07_constraints/contact_solvers": "studies.contacts.chart"}
 # The length of each animation in s, and the time of its still picture. Pages show the still picture
 # and link to the animation, so that nothing moves unless the reader wants it to.
 ANIMATIONS = {

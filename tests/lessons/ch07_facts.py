@@ -10,9 +10,9 @@ from ch07_constraints.exercises import force_for_frame, restitution_of_drop, top
 from ch07_constraints.links import AnchoredCable, Cable, Rod
 from ch07_constraints.small_steps import SmallSteps
 from ch07_constraints.time_division import time_division_step
-from studies.solvers.chart import time_within
-from studies.solvers.kept import kept
-from studies.solvers.scenes import BOOK, COLD, IMPULSES, NET, ROPE, SMALL, STACK, SWING, named
+from studies.contacts.chart import time_within
+from studies.contacts.kept import kept
+from studies.contacts.scenes import BOOK, COLD, IMPULSES, NET, ROPE, SMALL, STACK, SWING, named
 
 UP = Vector3(0, 1)
 H = 1 / 60

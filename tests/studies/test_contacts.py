@@ -10,9 +10,9 @@ from matplotlib import pyplot
 
 from studies import contacts
 from studies.accuracy.measure import Point
+from studies.contacts import chart, kept, scenes
+from studies.contacts.scenes import BOOK, IMPULSES, NET, ROPE, SMALL, STACK, SWING, named
 from studies.drawing import slope
-from studies.solvers import chart, kept, scenes
-from studies.solvers.scenes import BOOK, IMPULSES, NET, ROPE, SMALL, STACK, SWING, named
 
 SCENES = {scene.name: scene for scene in scenes.scenes()}
 

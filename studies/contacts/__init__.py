@@ -37,7 +37,7 @@ def main(arguments: list[str]) -> int:
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
     # These modules import chapters.
     from studies.accuracy import measure
-    from studies.solvers import chart, kept, scenes
+    from studies.contacts import chart, kept, scenes
 
     pyplot.switch_backend("agg")
     console = Console(highlight=False)

@@ -10,7 +10,7 @@ from datetime import date
 from pathlib import Path
 
 from studies.accuracy.measure import Point
-from studies.solvers.scenes import FRAMES
+from studies.contacts.scenes import FRAMES
 
 FILE = Path(__file__).with_name("figures.json")
 

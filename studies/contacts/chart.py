@@ -10,9 +10,8 @@ from matplotlib.figure import Figure
 
 from studies.accuracy.measure import Point
 from studies.accuracy.results import models_of, time_to
-from studies.drawing import BLUE, GRAY, GREEN, ORANGE, RED, SKY, Picture
-from studies.solvers.kept import kept
-from studies.solvers.scenes import (
+from studies.contacts.kept import kept
+from studies.contacts.scenes import (
     BOOK,
     COLD,
     IMPULSES,
@@ -25,6 +24,7 @@ from studies.solvers.scenes import (
     SWING,
     named,
 )
+from studies.drawing import BLUE, GRAY, GREEN, ORANGE, RED, SKY, Picture
 
 TOLERANCES = (1e-1, 1e-2, 1e-3)
 COLUMNS = ("scene", "error", *SOLVERS)

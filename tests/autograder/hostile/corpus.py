@@ -6,7 +6,8 @@ Most are a file KIND/NAME.py, handed in as sums.py. Its docstring says what it t
     says: words that must stand in the messages of the checks it loses (may be left out)
 
 add, Counter and total_of may be left out where nothing about them is special: they are added at the
-end, solved where the exercise is earned and idle where it is not.
+end, solved where the exercise is earned and idle where it is not. Idle code returns what the file
+calls RIGHT, or None if it has no such name.
 
 A word such as @ROOT@ stands for a place that an attacker may well know. Many attacks end in a right
 answer only where they succeed: the score then tells. What is no source comes from odd_files.py
@@ -173,7 +174,8 @@ def completed(source: str, earns: frozenset[str]) -> str:
     defined = {getattr(node, "name", "") for node in ast.parse(source).body}
     missing = DEFINITIONS.keys() - defined
     solved = {name for name in missing if EXERCISES[DEFINITIONS[name]] in earns}
-    return source + _only(RIGHT, solved) + _only(IDLE, missing - solved)
+    idle = IDLE.replace("None", "RIGHT") if "\nRIGHT = " in source else IDLE
+    return source + _only(RIGHT, solved) + _only(idle, missing - solved)
 
 
 def _only(source: str, names: set[str]) -> str:

@@ -1,4 +1,4 @@
-"""Matrix3 and Matrix4 compared with NumPy on 10,000 random matrices, their laws, and limits.
+"""Matrix3 and Matrix4 compared with NumPy on 2,000 random matrices, their laws, and limits.
 
 With ``pytest -s`` every comparison prints the largest deviation.
 """
@@ -16,11 +16,11 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from ch02_vectors.vector import Vector3
-from ch09_rotations.matrix import ROTATION_TOLERANCE, SINGULAR, Matrix3, Matrix4, change_basis
-from ch09_rotations.quaternion import UNIT_TOLERANCE, Quaternion
+from ch09_rotations.matrix import SINGULAR, Matrix3, Matrix4, change_basis
+from ch09_rotations.quaternion import Quaternion
 
 Array = numpy.ndarray
-CASES = 10_000
+CASES = 2_000
 # Sums of three rounded products: 3 u of the products' sizes with u = 1.1e-16, on both sides.
 ROUNDINGS = 1e-15
 
@@ -267,29 +267,3 @@ def test_a_tiny_row_beside_nearly_parallel_ones_costs_no_digits(tiny: float) -> 
     except ValueError:
         first = math.inf  # rejected, because 1 / tiny is not a float
     assert first == pytest.approx(1.0 / tiny, rel=1e-14)  # infinity for 5e-324
-
-
-@pytest.mark.parametrize("sign", [1.0, -1.0])
-def test_what_is_a_rotation_is_told_to_its_tolerance(sign: float) -> None:
-    for share, yes in ((0.99, True), (1.01, False)):
-        miss = sign * share * ROTATION_TOLERANCE
-        skewed = Matrix3(1, miss, 0, 0, 1, 0, 0, 0, 1)  # first row times second row is the miss
-        longer = Matrix3(1, 0, 0, 0, math.sqrt(1.0 + miss), 0, 0, 0, 1)
-        assert skewed.is_rotation() is longer.is_rotation() is yes
-    for component in range(4):  # a quaternion that just passes as unit length gives a rotation
-        long = 1.0 + sign * 0.999 * UNIT_TOLERANCE
-        q = Quaternion(*(long * (place == component) for place in range(4)))
-        assert Matrix3.from_quaternion(q).is_rotation()
-    even = Quaternion(*[0.5 * (1.0 + sign * 0.999 * UNIT_TOLERANCE)] * 4)
-    assert Matrix3.from_quaternion(even).is_rotation()
-    mirror = Matrix3(1, 0, 0, 0, sign, 0, 0, 0, 1)
-    assert mirror.is_rotation() is (sign > 0.0)
-
-
-@pytest.mark.parametrize("bad", [math.nan, math.inf, 1e200, 1e-200, 0.0])
-def test_what_is_no_rotation_has_no_quaternion(bad: float) -> None:
-    for place in range(3):
-        m = Matrix3(*(bad if n == 4 * place else float(n % 4 == 0) for n in range(9)))
-        assert not m.is_rotation()
-        with pytest.raises(ValueError, match=r"the matrix must be a rotation, got Matrix3\("):
-            m.to_quaternion()

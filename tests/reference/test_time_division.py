@@ -114,20 +114,6 @@ def test_billiard_balls_meet_in_the_order_of_another_simulation(seed: int, c: fl
         assert kept == pytest.approx(energy, rel=1e-13) if c == 1.0 else kept < 0.99 * energy
 
 
-@pytest.mark.parametrize("k", [1, 2, 3, 4])
-def test_as_many_balls_leave_a_cradle_as_come(k: int) -> None:
-    """Of five in a row, k are swung in at 2 m/s. The last k leave at 2 m/s, and the others stay."""
-    balls = [Particle(Vector3(1.0 * i - (1.0 if i < k else 0.0))) for i in range(5)]
-    for ball in balls[:k]:
-        ball.velocity.x = 2.0
-    for _ in range(60):
-        time_division_step(balls, ParticlePairs(balls, 0.5, 1.0), FRAME)
-    # Equal masses exchange their speeds, with a rounding of 2 m/s each time.
-    assert [ball.velocity.x for ball in balls] == pytest.approx(
-        [0.0] * (5 - k) + [2.0] * k, abs=1e-14
-    )
-
-
 # A bouncing ball
 
 
@@ -219,58 +205,6 @@ def test_the_top_one_of_two_balls_dropped_at_once() -> None:
         assert top_ball_speed(1.0, 9.0, 1.0, 0.5, 0.75) == pytest.approx(speed, abs=10.0 * gap)
 
 
-# The frame
-
-
-def test_forces_by_hand_act_for_one_frame_and_damping_once() -> None:
-    """8 N on 2 kg with g = 10: 6 m/s^2 for a frame of 0.6 s with a bounce, and then 10 m/s^2."""
-    ball = Particle(Vector3(0.0, 0.75), acceleration=UP * -10.0, mass=2.0, damping=0.81)
-    ground = GroundPlane([ball], restitution=0.5)
-    ball.add_force(UP * 8.0)
-    time_division_step([ball], ground, 0.6)
-    # It falls for sqrt(2 * 0.75 / 6) = 0.5 s to 3 m/s, and rises at 1.5 m/s for the other 0.1 s.
-    assert ball.position.y == pytest.approx(1.5 * 0.1 - 3.0 * 0.01, abs=1e-15)
-    assert ball.velocity.y == pytest.approx((1.5 - 6.0 * 0.1) * 0.81**0.6, abs=1e-15)
-    assert ball.last_acceleration.y == -6.0
-    assert ball.force_accumulator == Vector3()
-    ball.position.y, speed = 9.0, ball.velocity.y
-    time_division_step([ball], ground, 0.5)
-    assert ball.position.y == pytest.approx(9.0 + 0.5 * speed - 5.0 * 0.25, abs=1e-14)
-    assert ball.velocity.y == pytest.approx((speed - 5.0) * 0.9, abs=1e-14)
-
-
-def test_what_is_immovable_stays_and_is_hit() -> None:
-    wall = Particle(Vector3(3.0), Vector3(5.0), UP * 7.0, mass=math.inf)
-    wall.acceleration.clear()
-    wall.velocity.clear()
-    ball = Particle(velocity=Vector3(2.0))
-    wall.add_force(UP)
-    time_division_step([ball, wall], ParticlePairs([ball, wall], 0.5, 0.5), 2.0)
-    assert tuple(wall.position) == (3.0, 0.0, 0.0)
-    assert tuple(wall.velocity) == (0.0, 0.0, 0.0)
-    assert (ball.position.x, ball.velocity.x) == (2.0 - 1.0, -1.0)
-
-
-@pytest.mark.parametrize(
-    ("duration", "most", "error"),
-    [(0.0, 9, ValueError), (math.nan, 9, ValueError), (1.0, 0, ValueError), (1.0, True, TypeError)],
-)
-def test_a_refused_frame_leaves_all_as_it_was(
-    duration: float, most: int, error: type[Exception]
-) -> None:
-    ball = Particle(Vector3(0.0, 1.0), acceleration=UP * -10.0)
-    ball.add_force(UP)
-    with pytest.raises(error):
-        time_division_step([ball], GroundPlane([ball]), duration, most)
-    assert (ball.position.y, ball.velocity.y, ball.force_accumulator) == (1.0, 0.0, UP)
-
-
-def test_two_under_different_accelerations_are_beyond_the_pairs() -> None:
-    balls = [Particle(acceleration=UP), Particle(Vector3(9.0))]
-    with pytest.raises(ValueError, match="same last_acceleration"):
-        ParticlePairs(balls, 0.5).next_impact(1.0)
-
-
 # The time at which a gap closes
 
 
@@ -294,27 +228,3 @@ def test_a_gap_closes_when_numpy_s_roots_have_it() -> None:
         assert time_to_close(gap, v, a) == pytest.approx(wanted, rel=1e-9)  # as NumPy's are worse
         never += wanted == math.inf
     assert 1000 < never < 4000
-
-
-@pytest.mark.parametrize(
-    ("gap", "velocity", "acceleration", "wanted"),
-    [
-        (0.0, -1.0, 0.0, 0.0),
-        (-1.0, -1.0, 10.0, 0.0),
-        (0.0, 0.0, -10.0, 0.0),
-        (0.0, 0.0, 0.0, math.inf),
-        (0.0, 1.0, 0.0, math.inf),
-        (1.0, 0.0, 0.0, math.inf),
-        (1.0, -1e-13, 0.0, math.inf),
-        (1.0, -2.0, 2.0, math.inf),  # it only grazes
-        (1.0, -2.0, 1.999, 2.0 / (2.0 + math.sqrt(4.0 - 2.0 * 1.999))),
-        (0.0, 5.0, -10.0, 1.0),  # thrown up from the ground
-        (-0.1, 5.0, -10.0, (5.0 + math.sqrt(25.0 - 2.0)) / 10.0),  # thrown up from inside it
-        (5.0, 0.0, -10.0, 1.0),
-        (1e-300, -1.0, -10.0, 1e-300),
-    ],
-)
-def test_the_edges_of_a_closing_gap(
-    gap: float, velocity: float, acceleration: float, wanted: float
-) -> None:
-    assert time_to_close(gap, velocity, acceleration) == pytest.approx(wanted, rel=1e-14)

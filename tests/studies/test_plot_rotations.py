@@ -185,10 +185,7 @@ def test_what_is_not_written_is_left_out(tmp_path: Path) -> None:
     ("text", "message"),
     [
         ("what,mass,x,y\n", "there are no stones in stones.csv: weigh some"),
-        (
-            "what,mass,x,y\nslate,0.2,0.1\n",
-            "stones.csv, line 2 must be a name, a positive mass",
-        ),
+        ("what,mass,x,y\nslate,0.2,0.1\n", "stones.csv, line 2 must be a name, a positive mass"),
         ("", "stones.csv: line 1 must be what,mass,x,y"),
     ],
 )
@@ -228,13 +225,7 @@ Matrix3.from_quaternion = staticmethod(lambda q: _right(q).transpose())""",
 @pytest.mark.parametrize("result", ["None", "float('nan')", "(float('nan'), float('inf'))"])
 def test_an_engine_of_nonsense_gives_pictures_all_the_same(result: str, tmp_path: Path) -> None:
     nothing = f"lambda *_: {result}"
-    of_quaternion = (
-        "rotate",
-        "rotate_by",
-        "add_scaled",
-        "normalize",
-        "__mul__",
-    )
+    of_quaternion = ("rotate", "rotate_by", "add_scaled", "normalize", "__mul__")
     made = f"Quaternion.from_axis_angle = staticmethod({nothing})\n"
     wrong = {
         "quaternion.py": made + "\n".join(f"Quaternion.{n} = {nothing}" for n in of_quaternion),

@@ -127,6 +127,8 @@ def test_a_call_ends_after_the_most_steps(monkeypatch: pytest.MonkeyPatch) -> No
 def test_a_tolerance_that_means_nothing_is_refused(bad: float) -> None:
     with pytest.raises(ValueError, match="tolerance must be positive and finite, got"):
         adaptive(bad)
+    with pytest.raises(TypeError, match="tolerance must be a number, got '1e-6'"):
+        adaptive("1e-6")  # type: ignore[arg-type]
 
 
 def test_it_says_what_it_is() -> None:

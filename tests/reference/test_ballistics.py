@@ -95,17 +95,6 @@ def test_flight_time_and_range_reach_the_known_figures(
     assert 2.0 * fine[1] - coarse[1] == pytest.approx(reach, abs=1e-4)
 
 
-def test_every_shot_leaves_the_range_in_the_end() -> None:
-    at = BallisticRange()
-    for name in SHOT_TYPES:
-        for azimuth in (-2.0, 0.0, 1.0, 3.0):
-            for elevation in (None, -1.0, 0.5, math.pi / 2.0):
-                at.fire(name, azimuth, elevation)
-    for _ in range(600):
-        at.update(1.0 / 60.0)
-    assert at.shots == []
-
-
 point = st.tuples(*[st.floats(-10.0, 10.0)] * 3)
 
 

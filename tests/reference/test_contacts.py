@@ -161,18 +161,6 @@ def test_the_depth_is_shared_by_inverse_mass(
     assert contact.resolve_penetration() == (Vector3(), Vector3())
 
 
-@pytest.mark.parametrize(("m", "n"), [(math.inf, 2.0), (2.0, math.inf), (math.inf, math.inf)])
-def test_the_one_that_can_be_moved_is_moved_all_the_way(m: float, n: float) -> None:
-    a, b = Particle(mass=m), Particle(mass=n)
-    contact = Contact(a, b, UP, 0.0, 0.25)
-    up, down = contact.resolve_penetration()
-    assert (up.y, down.y) == (0.25 * (m == 2.0), -0.25 * (n == 2.0))
-    assert contact.penetration == (0.0 if up.y or down.y else 0.25)
-    a.velocity.y = -3.0
-    contact.resolve_velocity()
-    assert a.velocity.y == (-3.0 if m == math.inf and n == math.inf else 0.0 if m == 2.0 else -3.0)
-
-
 # Rest
 
 

@@ -142,16 +142,6 @@ def test_what_means_nothing_is_refused_by_name(make: Any, complaint: str) -> Non
         make()
 
 
-@given(st.floats(-100.0, 100.0), st.floats(0.1, 10.0))
-def test_a_square_stays_a_square_of_its_size(angle: float, size: float) -> None:
-    corners = screen_corners((3.0, -4.0), size, angle)
-    for i in range(4):
-        side = math.dist(corners[i], corners[i - 1])
-        away = math.dist(corners[i], (3.0, -4.0))
-        assert side == pytest.approx(size, rel=1e-13)
-        assert away == pytest.approx(size / math.sqrt(2.0), rel=1e-13)
-
-
 def test_a_game_can_be_kept_alive_and_ends_when_nobody_clicks() -> None:
     display = Display(FireworksShow(FIREWORK_TYPES, 400, seed=1))
     display.show.launch(1)

@@ -28,9 +28,6 @@ NAN, INF = math.nan, math.inf
 UP = Vector3(0.0, 1.0, 0.0)
 component = st.floats(-1e6, 1e6)
 vector = st.tuples(component, component, component)
-# 1e-12 of the value, applied three times, is still an ordinary float.
-ordinary = component.filter(lambda value: value == 0.0 or abs(value) > 1e-200)
-size = st.floats(-6.0, 6.0).map(lambda power: 10.0**power)
 
 
 # The accumulator and the step
@@ -111,22 +108,6 @@ def test_the_sum_can_only_be_changed_by_adding() -> None:
 
 
 # Generators
-
-
-@given(size, size, st.floats(0.0, 1e300), st.tuples(ordinary, ordinary), st.floats(0.01, 1.0))
-def test_an_airbrake_never_turns_any_motion_round(
-    mass: float, duration: float, k: float, v: tuple[float, float], damping: float
-) -> None:
-    particle = Particle(velocity=Vector3(*v), mass=mass, damping=damping)
-    brake = Airbrake(k)
-    brake.on = True
-    for _ in range(3):
-        before = particle.velocity.copy()
-        brake.update_force(particle, duration)
-        particle.integrate(duration)
-        for now, then in zip(particle.velocity, before, strict=True):
-            assert abs(now) <= abs(then)
-            assert now == 0.0 or math.copysign(1.0, now) == math.copysign(1.0, then)
 
 
 def test_two_generators_share_nothing_with_what_they_were_made_of() -> None:

@@ -1,7 +1,4 @@
-"""Chapter 7's exercises against statistics by hand and the engine, and the format of drops.
-
-The fall of exercise 7.3 is simulated in test_time_division.py.
-"""
+"""Chapter 7's exercises compared with the engine, and the format of drops."""
 
 from __future__ import annotations
 

@@ -207,15 +207,6 @@ def test_the_heap_ends_where_the_scan_does(make: Any, size: int, seed: int, limi
     assert heaped == pytest.approx(scanned, abs=1e-9)
 
 
-def test_the_scenes_have_as_many_contacts_as_they_should() -> None:
-    counts = []
-    for make, size, seed in SCENES:
-        draw = random.Random(f"{make.__name__} {seed}")
-        _, contacts = tangle(draw, size // 3, size) if make is tangle else make(draw, size)
-        counts.append(len(contacts))
-    assert min(counts) <= 12 < 290 < max(counts)
-
-
 @pytest.mark.parametrize("kind", RESOLVERS)
 def test_no_resolution_adds_kinetic_energy(kind: type[ContactResolver]) -> None:
     """This holds for every limit, and so for every part of the work, without moving walls."""

@@ -1,17 +1,15 @@
-"""Cube, wheel and blob against ranks, torques and energies; the trebuchet against SciPy."""
+"""Cube, wheel and blob against torques and energies; the trebuchet against SciPy."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from itertools import combinations
 
-import numpy
 import pytest
 
 from ch02_vectors.vector import Vector3
 from ch08_mass_aggregate.blob import Blob, Bond, spread
-from ch08_mass_aggregate.cube import CORNERS, Cube, cube_rods
+from ch08_mass_aggregate.cube import CORNERS, Cube
 from ch08_mass_aggregate.trebuchet import Design, Trebuchet
 from ch08_mass_aggregate.wheel import Wheel, deformation, spin
 from ch08_mass_aggregate.world import mechanical_energy
@@ -26,24 +24,6 @@ Pairs = list[tuple[int, int]]
 EDGES = [(i, i | bit) for i in range(8) for bit in (1, 2, 4) if not i & bit]
 # Also eighteen rods, but with two diagonals in the face at z = 0, and none in the face at z = 1.
 LOOSE = [*EDGES, (0, 3), (1, 2), (0, 5), (0, 6), (1, 7), (2, 7)]
-
-
-def rank(places: Sequence[Sequence[float]], rods: Pairs) -> int:
-    """Return the rank of the rigidity matrix. A rod's row is the derivative of length^2 / 2."""
-    matrix = numpy.zeros((len(rods), 3 * len(places)))
-    for row, (i, j) in zip(matrix, rods, strict=True):
-        along = numpy.subtract(places[j], places[i])
-        row[3 * i : 3 * i + 3], row[3 * j : 3 * j + 3] = -along, along
-    return int(numpy.linalg.matrix_rank(matrix)) if rods else 0
-
-
-def test_the_cube_s_rods_leave_it_only_the_six_motions_of_a_rigid_body() -> None:
-    assert len(cube_rods()) == len({frozenset(rod) for rod in cube_rods()}) == 18
-    assert rank(CORNERS, cube_rods()) == 24 - 6
-    assert rank(CORNERS, EDGES) == 12  # six ways to deform
-    assert (len(LOOSE), rank(CORNERS, LOOSE)) == (18, 17)  # enough rods in the wrong positions
-    for i in range(18):  # none is redundant
-        assert rank(CORNERS, [*cube_rods()[:i], *cube_rods()[i + 1 :]]) == 17
 
 
 def tumble(rods: Pairs | None, seconds: float = 4.0) -> tuple[float, list[float]]:

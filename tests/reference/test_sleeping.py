@@ -29,15 +29,6 @@ def run(world: ParticleWorld, frames: int) -> None:
         world.step(FRAME)
 
 
-def at_rest(mass: float = 1.0) -> tuple[Particle, SleepingWorld]:
-    """Return a ball that sleeps on the ground at height 0, and its world."""
-    body = ball(0.0, 0.0, mass)
-    world = SleepingWorld([body], [GroundPlane([body])])
-    run(world, 60)
-    assert body in world.asleep
-    return body, world
-
-
 def scene(kind: type[ParticleWorld]) -> tuple[list[Particle], ParticleWorld]:
     """Return five balls that drop to the ground, two of them on a rod and one on a spring."""
     bodies = [ball(2.0 * i, 0.5 + 0.3 * i, 0.5 + i) for i in range(5)]
@@ -47,20 +38,6 @@ def scene(kind: type[ParticleWorld]) -> tuple[list[Particle], ParticleWorld]:
         body.damping = 0.8
     world.registry.add(bodies[4], AnchoredSpring(Vector3(8.0, 3.0), 20.0, 1.0, 3.0))
     return bodies, world
-
-
-def test_what_sleeps_rests_where_it_would_rest_awake() -> None:
-    ends = []
-    for kind in (ParticleWorld, SleepingWorld):
-        bodies, world = scene(kind)
-        run(world, 900)
-        ends.append([tuple(body.position) for body in bodies])
-        if isinstance(world, SleepingWorld):
-            assert len(world.asleep) == 5
-            assert all(body.velocity == Vector3() for body in bodies)
-    for awake, asleep in zip(*ends, strict=True):
-        # A slow particle may have 0.03 m/s and stop up to two frames or a small swing early.
-        assert asleep == pytest.approx(awake, abs=0.01)
 
 
 def test_before_anything_sleeps_both_worlds_are_the_same() -> None:
@@ -83,26 +60,6 @@ def test_a_ball_does_not_fall_asleep_at_its_highest_point(mass: float) -> None:
 
 
 # Causes that wake a particle
-
-
-def test_a_generator_that_is_added_or_changed_later_wakes_within_its_frames() -> None:
-    body, world = at_rest()
-    wind = Gravity(Vector3(3.0))
-    world.registry.add(body, wind)
-    run(world, LOOK_EVERY)
-    assert body not in world.asleep
-    assert body.velocity.x > 0.0
-    body.velocity.clear()
-    world.registry.remove(body, wind)
-    run(world, 60)
-    assert body in world.asleep
-    place = body.position.x
-    weak = Gravity(Vector3(0.005 * G))  # 0.5 % of its weight
-    world.registry.add(body, weak)
-    run(world, 3 * LOOK_EVERY)
-    assert body in world.asleep
-    assert body.position.x == place
-    assert body.force_accumulator == Vector3()
 
 
 def test_a_generator_that_is_taken_away_wakes() -> None:

@@ -15,6 +15,8 @@ from rich.console import Console
 
 from autograder.checks.arrange import Behind
 from autograder.checks.runner import GraderError, Limits, run_checks
+from autograder.course.model import Deadline
+from autograder.course.of_class import lateness, scaled_marks
 from autograder.grader.assignment import Assignment
 from autograder.grader.class_folder import only_run, put_others_aside, seed_of, temporary_files_in
 from autograder.grader.class_run import ClassRun, print_class
@@ -22,6 +24,7 @@ from autograder.grader.cluster import connect, grade_over
 from autograder.isolation.level import choose_level
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.reports.marks import read_marks
+from autograder.reports.report import Late
 from autograder.reports.results import write_class
 from autograder.reports.texts import replace_file
 from autograder.submissions.find import Submission, find_submissions
@@ -35,7 +38,7 @@ class ClassOptions:
     stopped run resumes with its own seed, and a new run draws a new one. ``hidden`` is a folder of
     additional checks, chNN_name/test_*.py. ``unsafe`` accepts a machine without a sandbox. ``jobs``
     submissions are graded at a time, by default one per core. If ``cluster`` is the address of a
-    scheduler, the workers of that cluster grade instead.
+    scheduler, the workers of that cluster grade instead. With a ``deadline``, lateness is reported.
     """
 
     given: Sequence[Chapter] = ()
@@ -46,6 +49,7 @@ class ClassOptions:
     time_limit: float = Limits.check
     jobs: int | None = None
     cluster: str | None = None
+    deadline: Deadline | None = None
 
     def __post_init__(self) -> None:
         if self.jobs is not None and self.jobs < 1:
@@ -66,7 +70,13 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
     """
     submissions, notes = _submissions(folder, out)
     everyone = [submission.student for submission in submissions]
-    marks = read_marks(folder / "marks.csv", load_chapters(options.root), everyone)
+    manifests = load_chapters(options.root)
+    marks = read_marks(folder / "marks.csv", manifests, everyone)
+    marks = scaled_marks(marks, chapters, manifests)
+    late: dict[str, Late] = {}
+    if options.deadline:
+        late, more_notes = lateness(options.deadline, chapters, folder, submissions)
+        notes += more_notes
     level = choose_level(folder, unsafe=options.unsafe)
     with only_run(out) as state:
         seed = seed_of(state, options.seed)
@@ -79,7 +89,7 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         console = Console(highlight=False)
         for note in notes:
             console.print(note, markup=False)
-        class_run = ClassRun(assignment, out, marks, console)
+        class_run = ClassRun(assignment, out, marks, console, late)
         with temporary_files_in(out), ExitStack() as stack:
             if options.cluster:
                 client = stack.enter_context(connect(options.cluster, assignment, console))
@@ -147,13 +157,23 @@ def check_hidden(assignment: Assignment) -> None:
                     "Rename it to hidden_probes.py"
                 )
         try:
-            verdicts = run_checks(chapter, engine, seed=assignment.seed, root=root, behind=behind)
+            verdicts = run_checks(
+                assignment.whole(chapter),
+                engine,
+                seed=assignment.seed,
+                root=root,
+                behind=behind,
+                exercises=[exercise.id for exercise in chapter.exercises],
+            )
         except GraderError as error:
             raise ValueError(
                 f"the checks in {hidden / chapter.name} cannot be run: {error}"
             ) from error
         if not any(verdict.hidden for verdict in verdicts):
-            raise ValueError(f"there is no check in {hidden / chapter.name}: add a test_*.py")
+            raise ValueError(
+                f"there is no check in {hidden / chapter.name} of a graded exercise: "
+                "add a test_*.py"
+            )
         for check in verdicts:
             if check.status != "passed":
                 raise ValueError(f"{check.name} fails on the reference itself: {check.message}")

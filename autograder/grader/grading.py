@@ -209,4 +209,5 @@ def _exercise(
             for check in result.checks
         ],
         chart=chart,
+        extra=exercise.extra,
     )

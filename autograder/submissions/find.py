@@ -11,7 +11,10 @@ from pathlib import Path
 from autograder.clean import visible
 
 LONGEST_NAME = 100  # bytes without a suffix; file systems allow 255 in all
-SILENT = ("__pycache__", "__MACOSX", "README.md", "marks.csv")
+SILENT = (
+    *("__pycache__", "__MACOSX", "README.md", "marks.csv", "course.toml"),
+    *("times.csv", "submission_metadata.yml", "grades.csv"),  # the times of submissions
+)
 DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 HASHED = re.compile(r".*-[0-9a-f]{8}")
 
@@ -28,7 +31,7 @@ def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
     """Return the submissions in a class's folder, sorted by student, and notes on other entries.
 
     A submission is a folder or a .zip file that is named after the student. Links are never
-    followed. Hidden files, caches, README.md and marks.csv are skipped without a note.
+    followed. Hidden files, caches, and the instructor's own files are skipped without a note.
 
     Raises:
         ValueError: It is not a folder, has no submission, or has two of one student.

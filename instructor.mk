@@ -5,7 +5,10 @@ HOSTILE := tests/autograder/test_hostile.py
 # One more than there are cores, since some tests wait for a browser or a time limit.
 WORKERS = $$($(RUN) -c "import os; print((os.cpu_count() or 1) + 1)")
 
-TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED ASSIGNMENT COURSE
+# Reports with codes never go to a folder of reports with names.
+CODED = $(filter-out 0,$(ANONYMOUS))
+
+TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED ROSTER ANONYMOUS TITLE POINTS ASSIGNMENT COURSE
 TAKES_similarity := SUBMISSIONS CHAPTERS OUT
 TAKES_mark := SUBMISSIONS CHAPTERS OPEN ASSIGNMENT COURSE
 TAKES_handout := CHAPTERS GIVEN OUT ASSIGNMENT COURSE
@@ -22,13 +25,15 @@ TAKES_seeds := CH SEEDS
 TAKES_table :=
 TAKES_bench :=
 TAKES_charts := QUICK
+TAKES_choose := SCENE TOLERANCE
 TAKES_limits :=
 TAKES_economy :=
 TAKES_soak :=
+TAKES_contacts := QUICK
 
 .PHONY: grade similarity mark handout classroom gradescope site update stubs test say-what-test-is lint
-.PHONY: bench charts limits
-.PHONY: economy soak figures mutants seeds table
+.PHONY: bench charts choose limits
+.PHONY: economy soak contacts figures mutants seeds table
 
 # ASSIGNMENT names an assignment of the course file, which then says what the other variables do.
 ASSIGNED = $(if $(ASSIGNMENT),--assignment "$(ASSIGNMENT)") $(if $(COURSE),--course "$(COURSE)")
@@ -38,7 +43,7 @@ BUILT = build/$(if $(ASSIGNMENT),$(ASSIGNMENT)/)
 
 # == For instructors ==
 grade: $(READY) ## grade a class (SUBMISSIONS=dir CHAPTERS=3 or ASSIGNMENT=lab1)
-	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),$(BUILT)grades)" $(ASSIGNED) $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)")
+	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),$(BUILT)grades$(if $(CODED),-anonymous))" $(ASSIGNED) $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)") $(if $(ROSTER),--roster "$(ROSTER)") $(if $(CODED),--anonymous) $(if $(TITLE),--title "$(TITLE)") $(if $(POINTS),--points "$(POINTS)")
 
 similarity: $(READY) ## which submissions of a class are alike (CHAPTERS=2-3)
 	@$(RUN) -m autograder similarity "$(SUBMISSIONS)" --out "$(or $(OUT),build/similarity)" $(if $(CHAPTERS),--chapters "$(CHAPTERS)")
@@ -108,6 +113,9 @@ bench: $(READY) ## speed, as ratios measured in turn
 charts: $(READY) ## speed against accuracy (QUICK=1 takes one minute)
 	@$(RUN) -m studies charts $(if $(QUICK),--quick)
 
+choose: $(READY) ## the cheapest model (SCENE=my_scene.py TOLERANCE=1e-3)
+	@$(RUN) -m studies choose "$(or $(SCENE),$(error name a scene: make choose SCENE=pendulum, or a file that describes yours))" $(if $(TOLERANCE),--tolerance "$(TOLERANCE)") $(DIAGNOSIS)
+
 limits: $(READY) ## the stiffness and drag up to which methods are stable
 	@$(RUN) -m studies limits
 
@@ -116,3 +124,6 @@ economy: $(READY) ## what parts of a model cost that a scene does not need
 
 soak: $(READY) ## run bridge and platform for ten minutes each
 	@$(RUN) -m studies soak
+
+contacts: $(READY) ## contact solvers, error over time (QUICK=1 takes one minute)
+	@$(RUN) -m studies contacts $(if $(QUICK),--quick)

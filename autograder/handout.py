@@ -23,10 +23,9 @@ STUDENT_TOOLS = {
     "autograder/checks": "*.py",
     "autograder/student": "*.py",
     "studies": (
-        "__init__.py __main__.py balance.py constraints.py drag_flight.py drawing.py "
-        "engine.py links.py mass_aggregate.py piles.py plot.py readings.py releases.py reason.py "
-        "ropes.py rotations.py stability.py timing.py"
+        "__init__.py __main__.py drawing.py engine.py plot.py readings.py reason.py timing.py"
     ),
+    "studies/runs": "*.py",
 }
 
 README = """\

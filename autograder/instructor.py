@@ -14,7 +14,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     """Add the instructor's commands. Each one imports its modules late, to keep check fast."""
     unsafe = "if there is no sandbox here, grade a class that you trust without one"
     command = commands.add_parser("grade", help="grade a folder of submissions")
-    command.add_argument("folder", type=Path, help="contains a folder or .zip per student")
+    command.add_argument("folder", type=Path, help="a folder or .zip per student, or a zip of them")
     command.add_argument("--out", type=Path, required=True, help="folder for the results")
     command.add_argument("--seed", help="seed of the checks' numbers (default: a new one)")
     command.add_argument("--chapters", default="", help="such as 2,3 (default: all)")
@@ -22,6 +22,10 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command.add_argument("--jobs", type=int, help="submissions at a time (default: one per core)")
     command.add_argument("--cluster", help="Dask scheduler to use, such as tcp://host:8786")
     command.add_argument("--checks", type=Path, help="folder of hidden checks, chNN_name/test_*.py")
+    command.add_argument("--roster", type=Path, help="CSV with the columns id,name,email,login")
+    command.add_argument("--anonymous", action="store_true", help="codes in place of names")
+    command.add_argument("--title", default="", help="assignment in Canvas, as in 'Lab 1 (12345)'")
+    command.add_argument("--points", type=float, help="points of the assignment on the platform")
     command.add_argument("--unsafe-no-sandbox", action="store_true", help=unsafe)
     add_options(command)
     command.set_defaults(run=run_grade)
@@ -70,6 +74,8 @@ def run_grade(arguments: argparse.Namespace) -> int:
     import signal
 
     from autograder.grader.cohort import ClassOptions, grade
+    from autograder.platforms.uploads import Column
+    from autograder.submissions.unpack import class_folder
 
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # handled like Ctrl-C
 
@@ -82,8 +88,11 @@ def run_grade(arguments: argparse.Namespace) -> int:
         unsafe=arguments.unsafe_no_sandbox,
         jobs=arguments.jobs,
         cluster=arguments.cluster,
+        roster=arguments.roster or work.roster,
+        anonymous=arguments.anonymous,
+        column=Column(arguments.title or work.title, arguments.points),
     )
-    return grade(arguments.folder, arguments.out, work.chapters, options)
+    return grade(class_folder(arguments.folder), arguments.out, work.chapters, options)
 
 
 def run_handout(arguments: argparse.Namespace) -> int:
@@ -117,8 +126,10 @@ def run_gradescope(arguments: argparse.Namespace) -> int:
 def run_similarity(arguments: argparse.Namespace) -> int:
     """Compare the submissions of a class, and say how many pairs stand out."""
     from autograder.similarity.run import similarity
+    from autograder.submissions.unpack import class_folder
 
-    return similarity(arguments.folder, arguments.out, select_chapters(arguments.chapters))
+    folder = class_folder(arguments.folder)
+    return similarity(folder, arguments.out, select_chapters(arguments.chapters))
 
 
 def run_mark(arguments: argparse.Namespace) -> int:
@@ -126,9 +137,10 @@ def run_mark(arguments: argparse.Namespace) -> int:
     if sys.platform == "win32":
         raise ValueError("mark takes Linux or macOS; on Windows run it under WSL")
     from autograder.marking.server import mark
+    from autograder.submissions.unpack import class_folder
 
     chapters = work_of(arguments).chapters
-    return mark(arguments.folder, chapters, browser=not arguments.no_browser)
+    return mark(class_folder(arguments.folder), chapters, browser=not arguments.no_browser)
 
 
 def run_stubs(arguments: argparse.Namespace) -> int:

@@ -48,6 +48,7 @@ class Work:
 
     ``chapters`` have only the exercises of the assignment, with its points. ``given`` chapters are
     complete. ``earlier`` lists the exercises of earlier assignments on which this one builds.
+    ``roster`` is the class list.
     """
 
     name: str
@@ -58,12 +59,12 @@ class Work:
     deadline: Deadline | None = None
     hidden: Path | None = None
     seed: str | None = None
+    roster: Path | None = None
 
 
 @dataclass(frozen=True)
 class Course:
-    """The assignments of a term, in the order in which students do them, and the class list."""
+    """The assignments of a term, in the order in which students do them."""
 
     assignments: list[Work]
     title: str = ""
-    roster: Path | None = None

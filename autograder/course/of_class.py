@@ -32,19 +32,36 @@ def lateness(
     points = points_of(chapters)
     students = [submission.student for submission in submissions]
     late = {
-        student: late_of(deadline, [student], said.get(student), points) for student in students
+        submission.student: late_of(
+            deadline, submission.names, said.get(submission.student), points
+        )
+        for submission in submissions
     }
     notes = []
-    for name in (name for name in deadline.extensions if name not in students):
-        wanted = nearest(name, students, 1)
+    names = [name for submission in submissions for name in submission.names]
+    for name in (name for name in deadline.extensions if name not in names):
+        wanted = nearest(name, names, 1)
         notes.append(f"Extension for {name!r}: no submission has this name. {wanted}".strip())
+    add = f"To add times, write {folder / TIMES}."
     if unknown := [student for student in students if student not in said]:
-        named = ", ".join(unknown[:5]) + (", ..." if len(unknown) > 5 else "")
         notes.append(
             f"No time of submission is known for {len(unknown)} of {len(students)} students, who "
-            f"get no penalty: {named}. To add times, write {folder / TIMES}."
+            f"get no penalty: {_some(unknown)}. {add}"
         )
+    unclear = [student for student, at in said.items() if at.late and at.at is None]
+    if unclear:
+        notes.append(
+            f"Late by an unknown time, so without a penalty: {len(unclear)} ({_some(unclear)}). "
+            f"{add}"
+        )
+    if days := [each for each in late.values() if each.days]:
+        lose = sum(each.deduction > 0.0 for each in days)
+        notes.append(f"Late: {len(days)}, of which {lose} lose points.")
     return late, notes
+
+
+def _some(names: list[str]) -> str:
+    return ", ".join(names[:5]) + (", ..." if len(names) > 5 else "")
 
 
 def late_on_gradescope(

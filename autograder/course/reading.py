@@ -72,12 +72,9 @@ class Reader:
                 ("assignment",), "there is no assignment. Each one begins with [[assignment]]"
             )
             tables = []
+        self.roster = self._path(data, (), "roster")
         assignments = [self._assignment(i, table) for i, table in enumerate(tables)]
-        course = Course(
-            assignments,
-            title=mistakes.value(data, (), "title", str) or "",
-            roster=self._path(data, (), "roster"),
-        )
+        course = Course(assignments, mistakes.value(data, (), "title", str) or "")
         mistakes.raise_any()
         return course
 
@@ -109,6 +106,7 @@ class Reader:
             deadline=self._deadline(table, path),
             hidden=self._hidden(table, path, chosen.chapters),
             seed=None if seed is None else str(seed),
+            roster=self.roster,
         )
 
     def _deadline(self, table: dict[str, Any], path: tuple[str | int, ...]) -> Deadline | None:

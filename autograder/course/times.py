@@ -6,7 +6,6 @@ The time stamps of files and folders are not used: copying or unpacking them cha
 from __future__ import annotations
 
 import csv
-import re
 import unicodedata
 from collections.abc import Iterator
 from datetime import UTC, datetime, tzinfo
@@ -23,7 +22,6 @@ TIMES = "times.csv"
 OF_GRADESCOPE = "submission_metadata.yml"
 OF_GITHUB = "grades.csv"  # the grades of GitHub Classroom, saved under this name
 REPOSITORY, SUBMITTED = "student_repository_name", "submission_timestamp"
-OF_CANVAS = re.compile(r"[^_]+_(LATE_)?\d+_\d+_.+")  # lastfirst_LATE_userid_submissionid_name.zip
 
 
 def times_of(folder: Path, submissions: list[Submission], zone: tzinfo) -> dict[str, HandedIn]:
@@ -44,7 +42,7 @@ def times_of(folder: Path, submissions: list[Submission], zone: tzinfo) -> dict[
         known[_key(name)] = said
     found = {}
     for submission in submissions:
-        for name in (submission.path.name, submission.path.stem, submission.student):
+        for name in (submission.path.name, submission.path.stem, *submission.names):
             if _key(name) in known:
                 found[submission.student] = known[_key(name)]
     return found
@@ -111,8 +109,8 @@ def _of_github(folder: Path) -> Iterator[tuple[str, HandedIn]]:
 def _of_canvas(submissions: list[Submission]) -> Iterator[tuple[str, HandedIn]]:
     """Yield what the names of downloads from Canvas say: late or not, but no time."""
     for submission in submissions:
-        if match := OF_CANVAS.fullmatch(submission.path.name):
-            yield submission.path.name, HandedIn("Canvas", late=bool(match[1]))
+        if submission.export and submission.export.platform == "canvas":
+            yield submission.path.name, HandedIn("Canvas", late=submission.late)
 
 
 def _time(value: Any) -> datetime | None:

@@ -23,6 +23,7 @@ from autograder.reports.marks import Marks, apply_marks
 from autograder.reports.report import Late, StudentReport
 from autograder.reports.results import read_result, write_student
 from autograder.scores import shown
+from autograder.submissions.codes import without_names
 from autograder.submissions.find import Submission, file_name
 
 
@@ -36,6 +37,8 @@ class ClassRun:
         marks: Marks,
         console: Console,
         late: Mapping[str, Late] | None = None,
+        *,
+        anonymous: bool = False,
     ) -> None:
         self.assignment = assignment
         self.out = out
@@ -44,6 +47,7 @@ class ClassRun:
         self.key = run_key(assignment)
         self.once = OnceForAll()
         self.console = console
+        self.anonymous = anonymous
         self.reused: list[str] = []
 
     def collect(
@@ -115,6 +119,8 @@ class ClassRun:
     def save(self, report: StudentReport) -> StudentReport:
         """Add marks and lateness, write the report and its pages, and return it."""
         report = replace(apply_marks(report, self.marks), late=self.late.get(report.student))
+        if self.anonymous:
+            report = replace(report, notes=[without_names(note) for note in report.notes])
         write_student(self.out, report)
         return report
 

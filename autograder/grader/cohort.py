@@ -7,7 +7,7 @@ import os
 import sys
 from collections.abc import Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
@@ -21,12 +21,14 @@ from autograder.grader.assignment import Assignment
 from autograder.grader.class_folder import only_run, put_others_aside, seed_of, temporary_files_in
 from autograder.grader.class_run import ClassRun, print_class
 from autograder.grader.cluster import connect, grade_over
+from autograder.grader.people import differences, folder_with_names, marks_of, people_of
 from autograder.isolation.level import choose_level
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.reports.marks import read_marks
+from autograder.platforms.uploads import Column, write_uploads
 from autograder.reports.report import Late
 from autograder.reports.results import write_class
 from autograder.reports.texts import replace_file
+from autograder.submissions.codes import key_path
 from autograder.submissions.find import Submission, find_submissions
 
 
@@ -38,7 +40,9 @@ class ClassOptions:
     stopped run resumes with its own seed, and a new run draws a new one. ``hidden`` is a folder of
     additional checks, chNN_name/test_*.py. ``unsafe`` accepts a machine without a sandbox. ``jobs``
     submissions are graded at a time, by default one per core. If ``cluster`` is the address of a
-    scheduler, the workers of that cluster grade instead. With a ``deadline``, lateness is reported.
+    scheduler, the workers of that cluster grade instead. ``roster`` is a CSV of the students. An
+    ``anonymous`` class has codes for names. ``column`` is for the files for Canvas and Moodle. With
+    a ``deadline``, lateness is reported.
     """
 
     given: Sequence[Chapter] = ()
@@ -50,6 +54,9 @@ class ClassOptions:
     jobs: int | None = None
     cluster: str | None = None
     deadline: Deadline | None = None
+    roster: Path | None = None
+    anonymous: bool = False
+    column: Column = field(default_factory=Column)
 
     def __post_init__(self) -> None:
         if self.jobs is not None and self.jobs < 1:
@@ -68,10 +75,12 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         ValueError: The class cannot be graded with these options.
         OSError: A file cannot be read or written.
     """
-    submissions, notes = _submissions(folder, out)
+    found, notes = _submissions(folder, out)
+    people = people_of(found, out, options.roster, anonymous=options.anonymous)
+    submissions = people.submissions
     everyone = [submission.student for submission in submissions]
     manifests = load_chapters(options.root)
-    marks = read_marks(folder / "marks.csv", manifests, everyone)
+    marks = marks_of(people, folder / "marks.csv", manifests)
     marks = scaled_marks(marks, chapters, manifests)
     late: dict[str, Late] = {}
     if options.deadline:
@@ -89,7 +98,7 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         console = Console(highlight=False)
         for note in notes:
             console.print(note, markup=False)
-        class_run = ClassRun(assignment, out, marks, console, late)
+        class_run = ClassRun(assignment, out, marks, console, late, anonymous=options.anonymous)
         with temporary_files_in(out), ExitStack() as stack:
             if options.cluster:
                 client = stack.enter_context(connect(options.cluster, assignment, console))
@@ -99,7 +108,9 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
                 arriving = class_run.here(submissions, options.jobs or _cores())
             reports = class_run.collect(submissions, arriving)
         moved = put_others_aside(out, everyone)
-        places = write_class(out, chapters, reports)
+        places = write_class(out, chapters, reports, people.missing, people.unmatched)
+        named = folder_with_names(out, anonymous=options.anonymous)
+        uploads, lines = write_uploads(named, chapters, people, reports, options.column)
         finished = all(report.status == "graded" for report in reports)
         replace_file(state, json.dumps({"seed": seed, "finished": finished}) + "\n")
     print_class(console, reports)
@@ -112,9 +123,16 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         console.print(
             f"{len(class_run.reused)} of {len(reports)} reports were kept from an earlier run."
         )
+    for line in [*differences(people), *lines]:
+        console.print(line, markup=False, soft_wrap=True)
     console.print(f"Seed {seed}. Isolation: {level}.", markup=False)
+    if options.anonymous:
+        uploads.append(key_path(options.roster, out))
     for place in places:
         console.print(str(place), markup=False, soft_wrap=True)
+    for place in uploads:
+        only_you = ": keep it to yourself, since it has names" if options.anonymous else ""
+        console.print(f"{place}{only_you}", markup=False, soft_wrap=True)
     return int(not finished)
 
 

@@ -100,7 +100,13 @@ def write_feedback(out: Path, report: StudentReport) -> Path:
     return path
 
 
-def write_index(out: Path, chapters: list[Chapter], reports: Sequence[StudentReport]) -> Path:
+def write_index(
+    out: Path,
+    chapters: list[Chapter],
+    reports: Sequence[StudentReport],
+    missing: Sequence[str] = (),
+    unmatched: Sequence[str] = (),
+) -> Path:
     """Write index.html, the page of the class for its instructor, and return its path."""
     path = out / "index.html"
     links = [f"feedback/{quote(file_name(report.student))}.html" for report in reports]
@@ -112,6 +118,8 @@ def write_index(out: Path, chapters: list[Chapter], reports: Sequence[StudentRep
     page = _render(
         "index.html",
         reports=[*zip(clean, links, strict=True)],
+        missing=missing,
+        unmatched=unmatched,
         chapters=chapters,
         late=any(report.late for report in clean),
         errors=sum(report.status != "graded" for report in clean),

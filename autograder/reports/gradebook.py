@@ -14,6 +14,8 @@ from autograder.reports.report import StudentReport
 from autograder.reports.texts import number, replace_file
 from autograder.scores import possible
 
+MISSING = "nothing handed in"
+UNMATCHED = "not in the roster"
 COLUMNS = "student,status,score,score on given chapters,by hand,waiting"
 WITH_DUE_DATE = ["points", "late days", "penalty"]  # of an assignment of a course
 # A character that begins a formula, also in full width, at the start of a cell or after spaces. A
@@ -21,11 +23,19 @@ WITH_DUE_DATE = ["points", "late days", "penalty"]  # of an assignment of a cour
 FORMULA = re.compile(r"(^|;)(\s*)(?=[=+\-@＝＋－＠])")  # noqa: RUF001
 
 
-def write_gradebook(out: Path, chapters: list[Chapter], reports: Sequence[StudentReport]) -> Path:
+def write_gradebook(
+    out: Path,
+    chapters: list[Chapter],
+    reports: Sequence[StudentReport],
+    missing: Sequence[str] = (),
+    unmatched: Sequence[str] = (),
+) -> Path:
     """Write gradebook.csv with the points possible in its second row, and return its path.
 
-    An empty cell means that there is no grade: an answer waits for a person, or the grader failed.
-    If there is a due date, the total is the points without the penalty. Both have columns too.
+    An empty cell means that there is no grade: an answer waits for a person, the grader failed, or
+    the student is ``missing``, since nothing was handed in. ``unmatched`` are those who are not in
+    the roster. If there is a due date, the total is the points without the penalty. Both have
+    columns too.
     """
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     written = possible(exercise for exercise in exercises if exercise.kind == "written")
@@ -51,7 +61,9 @@ def write_gradebook(out: Path, chapters: list[Chapter], reports: Sequence[Studen
             report.total,
             *(scores.get(exercise.id) for exercise in exercises),
         ]
-        rows.append([*map(as_cell, (report.student, report.status)), *map(number, cells)])
+        status = f"{report.status}; {UNMATCHED}" if report.student in unmatched else report.status
+        rows.append([*map(as_cell, (report.student, status)), *map(number, cells)])
+    rows += [[as_cell(name), MISSING, *[""] * (len(rows[0]) - 2)] for name in missing]
     text = io.StringIO(newline="")
     csv.writer(text).writerows(rows)
     path = out / "gradebook.csv"

@@ -25,19 +25,8 @@ from autograder.isolation import level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT
 from copies import copy_tree
-from small import RIGHT, hand_in, make_root
+from small import RIGHT, WRITTEN, hand_in, make_root
 from small_class import HALF, everything_in, grade, make_class, results, scores
-
-WRITTEN = """
-[[exercise]]
-id = "90.2"
-title = "Why"
-kind = "written"
-stars = 1
-points = 3
-hints = ["think"]
-terms = []
-"""
 
 
 @pytest.fixture

@@ -51,8 +51,8 @@ def mistakes(folder: Path, text: str) -> list[tuple[int, str]]:
 
 def test_the_example_of_the_readme_is_a_course(folder: Path) -> None:
     course = read_course(write(folder, example()))
-    assert course.roster == folder / "roster.csv"
     one, two = course.assignments
+    assert one.roster == two.roster == folder / "roster.csv"
     own = {e.id: e for chapter in one.chapters for e in chapter.exercises}
     assert list(own) == ["B2.1", "B2.2", "B2.3", "B2.4", "B2.5", "B2.8", "B2.9", "2.2b", "2.5"]
     assert [name for name, e in own.items() if e.extra] == ["2.5"]

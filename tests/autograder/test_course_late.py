@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import random
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta, timezone
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,7 @@ from autograder.course.model import Deadline, LatePolicy
 from autograder.course.of_class import late_on_gradescope, lateness
 from autograder.course.times import times_of
 from autograder.reports.marks import Mark, apply_marks
+from autograder.submissions.exports import read_export
 from autograder.submissions.find import Submission
 from graded import CHAPTERS, failed_run, report_of
 
@@ -148,8 +150,10 @@ def test_times_come_from_the_best_source_that_knows_one(tmp_path: Path) -> None:
     (tmp_path / "times.csv").write_text(times.replace("2026\n", "2026-01-01\n"), encoding="utf-8")
     names = ["submission_17", "submission_18", "lab1-bob", "lab1-cem", "fay", "gil_7_8_work.zip"]
     names += ["dee_LATE_12_34_work.zip", "eli_56_78_ch02-1.zip", "hal"]
-    submissions = [Submission(Path(name).stem, tmp_path / name) for name in names]
-    submissions[5] = Submission("gil", tmp_path / names[5])  # as a class list may name it
+    submissions = [
+        Submission(Path(name).stem, tmp_path / name, read_export(Path(name).stem)) for name in names
+    ]
+    submissions[5] = replace(submissions[5], student="Gil Lee", aliases=("gil",))  # of a roster
     found = times_of(tmp_path, submissions, BERLIN)
     said = {name: (one.source, one.at, one.late) for name, one in found.items()}
     at = datetime(2026, 10, 24, 10, 0, tzinfo=UTC)
@@ -157,7 +161,7 @@ def test_times_come_from_the_best_source_that_knows_one(tmp_path: Path) -> None:
         "submission_17": ("Gradescope", at.replace(microsecond=123456), False),
         "lab1-bob": ("GitHub Classroom", at + timedelta(hours=1), False),
         "fay": ("times.csv", at, False),  # 12:00 in Berlin
-        "gil": ("times.csv", at + timedelta(hours=6), False),
+        "Gil Lee": ("times.csv", at + timedelta(hours=6), False),
         "dee_LATE_12_34_work": ("Canvas", None, True),
         "eli_56_78_ch02-1": ("Canvas", None, False),
     }
@@ -183,17 +187,25 @@ def test_wrong_lines_of_times_are_reported_together(tmp_path: Path, text: str, w
 def test_the_instructor_hears_of_unknown_times_and_of_extensions_that_fit_nobody(
     tmp_path: Path,
 ) -> None:
-    submissions = [Submission(name, tmp_path / name) for name in ("ann", "bob")]
+    submissions = [
+        Submission("ann", tmp_path / "ann"),
+        Submission("bob", tmp_path / "bob", aliases=("bob@example.org",)),
+    ]
     (tmp_path / "times.csv").write_text("student,submitted\nann,2026-10-27\n", encoding="utf-8")
     late, notes = lateness(
-        Deadline(FALL, LatePolicy(10, "percent"), {"anne": FALL}), CHAPTERS, tmp_path, submissions
+        Deadline(FALL, LatePolicy(10, "percent"), {"anne": FALL, "bob@example.org": FALL}),
+        CHAPTERS,
+        tmp_path,
+        submissions,
     )
+    assert "(extended)" in late["bob"].words, "by another name of the roster"
     assert (late["ann"].days, late["ann"].deduction) == (4, 4 * 1.4), "of 14 points possible"
     assert (late["bob"].days, late["bob"].deduction) == (None, 0)
-    first, second = notes
+    first, second, third = notes
     assert first == "Extension for 'anne': no submission has this name. Did you mean ann?"
     assert second.startswith("No time of submission is known for 1 of 2 students")
     assert second.endswith(f"bob. To add times, write {tmp_path / 'times.csv'}.")
+    assert third == "Late: 1, of which 1 lose points."
 
 
 def test_gradescope_says_when_and_who() -> None:

@@ -16,8 +16,8 @@ from ch04_particle_engine import scaling
 from ch04_particle_engine.ballistics import MUZZLE, SHOT_TYPES, BallisticRange, Shot, aim, is_spent
 from ch04_particle_engine.grenade import FUSE, bounce
 from ch04_particle_engine.targets import TargetBlock, hit_fraction
-from studies.drag_flight import flight_of, with_pymunk
 from studies.drawing import slope
+from studies.runs.drag_flight import flight_of, with_pymunk
 
 NAN, INF = math.nan, math.inf
 FRAMES = (1.0 / 240.0, 1.0 / 60.0, 1.0 / 15.0)

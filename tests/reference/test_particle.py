@@ -10,7 +10,8 @@ import pytest
 
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
-from studies.drag_flight import (
+from studies.drawing import slope
+from studies.runs.drag_flight import (
     DAMPED_FALL,
     FREE_FALL,
     GRAVITY,
@@ -19,7 +20,6 @@ from studies.drag_flight import (
     State,
     with_particle,
 )
-from studies.drawing import slope
 
 NAN, INF = math.nan, math.inf
 VECTORS = ("position", "velocity", "acceleration")

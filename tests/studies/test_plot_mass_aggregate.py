@@ -10,7 +10,7 @@ import pytest
 
 import drawn_plots
 from drawn_plots import plot_of_stubs
-from studies.ropes import catenary_sag, polygon_sag
+from studies.runs.ropes import catenary_sag, polygon_sag
 
 CHAPTER = "ch08_mass_aggregate"
 PLOTS = 9

@@ -21,9 +21,9 @@ from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.tilting_platform import TiltingPlatform
 from ch08_mass_aggregate.wheel import Wheel, deformation, spin
 from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
-from studies.constraints import Move, Track
-from studies.links import over_length
 from studies.readings import Numbers, number, numbers, stopped
+from studies.runs.constraints import Move, Track
+from studies.runs.links import over_length
 
 FRAME = 1.0 / 60.0
 SPIKE = 0.5  # s, a frame in which the machine was busy with something else

@@ -18,8 +18,9 @@ from ch07_constraints.smooth_net import SmoothNet
 from ch08_mass_aggregate.bridge_plan import CABLE_LENGTH, PLANK_MASS, ROWS
 from ch08_mass_aggregate.equilibrium import equilibrium
 from ch08_mass_aggregate.world import ParticleWorld
-from studies.accuracy.bridge import MASSES, cables, hanging
-from studies.accuracy.planes import (
+from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene
+from studies.accuracy.scenes.bridge import MASSES, cables, hanging
+from studies.accuracy.scenes.planes import (
     COUNTED,
     Plane,
     Walker,
@@ -27,8 +28,7 @@ from studies.accuracy.planes import (
     by_net,
     by_slide_joints,
 )
-from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene
-from studies.accuracy.taut import Tie
+from studies.accuracy.scenes.taut import Tie
 
 FINE = 8  # steps a frame, of our own run that the truth is compared with
 

@@ -30,7 +30,7 @@ from ch07_constraints.links import AnchoredRod, Rod
 from ch07_constraints.rod_tensions import RodTensions
 from ch07_constraints.smooth_net import hermite
 from studies.accuracy.scene import MANY, RATE, STEPS, Model, Outcome, Place, in_frames, solved
-from studies.constraints import resolving
+from studies.runs.constraints import resolving
 
 LONG = 12  # frames, in which long steps are counted
 LONG_STEPS = (1, 2, 3, 4, 6, 8, 9, 10)

@@ -19,8 +19,8 @@ from ch08_mass_aggregate.trebuchet import (
     G,
     Trebuchet,
 )
-from studies.mass_aggregate import resolve_by_heap
 from studies.readings import numbers, stopped
+from studies.runs.mass_aggregate import resolve_by_heap
 
 
 @dataclass(frozen=True)

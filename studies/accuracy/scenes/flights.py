@@ -29,7 +29,7 @@ from studies.accuracy.scene import (
     by_pymunk,
     space_with,
 )
-from studies.drag_flight import PROJECTILE, make_particle, make_space
+from studies.runs.drag_flight import PROJECTILE, make_particle, make_space
 
 if TYPE_CHECKING:
     import pymunk

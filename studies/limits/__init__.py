@@ -23,7 +23,7 @@ from autograder.manifest import ROOT
 from studies.reason import shown
 
 if TYPE_CHECKING:
-    from studies.limit_search import Bound
+    from studies.limits.search import Bound
 
 SWINGS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000]
 WORST = 0.05  # largest relative error allowed for a limit
@@ -41,18 +41,18 @@ def main(arguments: list[str]) -> int:
     options = parser.parse_args(arguments)
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
     # These modules import chapters.
-    from studies import limit_maps, limit_search
+    from studies.limits import maps, search
 
     pyplot.switch_backend("agg")
     console = Console(highlight=False)
     with console.status("finding the limits of springs"):
-        springs = limit_search.spring_limits()
+        springs = search.spring_limits()
     with console.status("finding the limits of drag"):
-        drags = limit_search.drag_limits()
+        drags = search.drag_limits()
     with console.status(f"simulating {SWINGS[-1]} oscillations"):
-        drifts = limit_search.energy_drifts(SWINGS)
+        drifts = search.energy_drifts(SWINGS)
     with console.status("simulating unstable springs"):
-        losses = limit_maps.divergence()
+        losses = maps.divergence()
     tables = ((springs, "case", "k h^2 / m"), (drags, "case", "k1 h / m"))
     for bounds, where, what in tables:
         console.print(_table(bounds, where, what))
@@ -68,20 +68,20 @@ def main(arguments: list[str]) -> int:
             writer.writerows([heading, *bounds])
         writer.writerow(("method", *(f"energy after {count} oscillations" for count in SWINGS)))
         writer.writerows((name, *ratios) for name, ratios in drifts.items())
-        writer.writerows([limit_maps.LOSS_COLUMNS, *losses])
-    maps = options.out.with_suffix(".png")
+        writer.writerows([maps.LOSS_COLUMNS, *losses])
+    picture = options.out.with_suffix(".png")
     curves = options.out.with_name(f"{options.out.stem}_divergence.png")
     with console.status("drawing maps"):
-        limit_maps.draw_maps(maps)
-    limit_maps.draw_divergence(losses, drifts, SWINGS, curves)
+        maps.draw_maps(picture)
+    maps.draw_divergence(losses, drifts, SWINGS, curves)
     console.print(
         "Column 'steps': number of steps until an oscillation at "
-        f"{limit_search.OUTSIDE} times the limit\n"
-        f"is 1e6 times as large. A limit of 0 means growth even at {limit_search.LEAST:g}.\n"
+        f"{search.OUTSIDE} times the limit\n"
+        f"is 1e6 times as large. A limit of 0 means growth even at {search.LEAST:g}.\n"
         "Energies are relative to the initial energy, at k h^2 / m = "
-        f"{limit_search.STIFFNESS * limit_search.FRAME**2:.3g},\n"
+        f"{search.STIFFNESS * search.FRAME**2:.3g},\n"
         "where explicit Euler is unstable.\n"
-        f"\nMaps: {shown(maps)}\nTime to divergence, energies: {shown(curves)}\n"
+        f"\nMaps: {shown(picture)}\nTime to divergence, energies: {shown(curves)}\n"
         f"All numbers: {shown(options.out)}",
         soft_wrap=True,
     )

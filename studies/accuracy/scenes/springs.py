@@ -27,7 +27,7 @@ from studies.accuracy.scene import (
     solved,
     space_with,
 )
-from studies.stability import Solver
+from studies.runs.stability import Solver
 
 if TYPE_CHECKING:
     import pymunk

@@ -17,7 +17,7 @@ import pymunk
 
 from ch05_forces.forces import Drag
 from ch06_springs.integrators import Integrator
-from studies.stability import (
+from studies.runs.stability import (
     INTEGRATORS,
     SOLVERS,
     Pull,

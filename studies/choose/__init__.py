@@ -1,6 +1,8 @@
 """Find the cheapest model of a scene that meets a tolerance, by measuring all models.
 
-The command also shows the next cheaper model and its error.
+The command also shows the next cheaper model and its error. A scene is part of the name of one of
+ours, or a Python file that describes your own, as studies/choose/example.py does. Without an
+exact solution, errors are estimated by halving the steps.
 """
 
 from __future__ import annotations
@@ -8,6 +10,7 @@ from __future__ import annotations
 import argparse
 import math
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rich.console import Console
@@ -24,15 +27,26 @@ ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
 def main(arguments: list[str]) -> int:
     """Measure and report. Return 1 if no model of ours meets the tolerance."""
     parser = argparse.ArgumentParser(prog="python -m studies choose", description=__doc__)
-    parser.add_argument("scene", help="part of a scene's name, such as pendulum")
+    parser.add_argument("scene", help="part of a scene's name, such as pendulum, or a .py file")
     parser.add_argument(
-        "--tolerance", type=float, default=1e-3, help="allowed error, in units of the scene's scale"
+        "--tolerance",
+        type=float,
+        default=1e-3,
+        help="allowed error, in units of the scene's scale, or for a file in those of its measure",
     )
     options = parser.parse_args(arguments)
     if not 0.0 < options.tolerance < math.inf:
         parser.error(f"--tolerance must be positive and finite, got {options.tolerance!r}")
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
     # These modules import chapters.
+    if options.scene.endswith(".py"):
+        from studies.choose.report import choose
+        from studies.choose.scene import SceneError
+
+        try:
+            return choose(Path(options.scene), options.tolerance, Console(highlight=False))
+        except SceneError as error:
+            parser.error(str(error))
     from studies.accuracy import measure, results
     from studies.accuracy.catalog import scenes_with
     from studies.accuracy.scene import RATE

@@ -21,7 +21,7 @@ from ch07_constraints.links import AnchoredCable, Cable
 from ch07_constraints.net import Strut
 from ch07_constraints.smooth_net import SmoothNet, hermite
 from studies.accuracy.scene import RATE, Outcome, Place, in_frames
-from studies.accuracy.taut import TautMotion, Tie
+from studies.accuracy.scenes.taut import TautMotion, Tie
 
 COUNTED = "links solved for"
 LONG = 12  # frames, in which a net of order 4 makes few steps

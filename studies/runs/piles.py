@@ -14,8 +14,8 @@ from ch05_forces.particle import Particle
 from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import DEPTH_TOLERANCE, VELOCITY_TOLERANCE, Contact, ContactResolver
 from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
-from studies.constraints import FRAME, GRAVITY, RADIUS, Track, by_resolver, resolving, track
 from studies.readings import numbers
+from studies.runs.constraints import FRAME, GRAVITY, RADIUS, Track, by_resolver, resolving, track
 
 
 def stack(count: int, iterations: int | None, frames: int) -> tuple[Track, Track]:

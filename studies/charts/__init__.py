@@ -1,15 +1,19 @@
 """Chart speed against accuracy: run every scene by all of our models, and by pymunk.
 
-The command writes a chart and its numbers for each scene, and a table of all scenes, to
-build/charts/. If a run is interrupted, start it again and it resumes.
+The command writes one page with all charts, a picture and its numbers for each scene, and a table
+of all scenes, to build/charts/. A full run also updates the page and the overview that the
+repository keeps. If a run is interrupted, start it again and it resumes.
 """
 
 from __future__ import annotations
 
 import argparse
 import csv
+import platform
 import re
 import sys
+from datetime import date
+from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -46,6 +50,7 @@ def main(arguments: list[str]) -> int:
     # These modules import chapters.
     from studies.accuracy import chart, measure, results
     from studies.accuracy.catalog import scenes_with
+    from studies.charts import kept, page
 
     pyplot.switch_backend("agg")
     try:
@@ -55,11 +60,11 @@ def main(arguments: list[str]) -> int:
     rounds, slowest, theirs = QUICK if options.quick else FULL
     console = Console(highlight=False)
     options.out.mkdir(parents=True, exist_ok=True)
-    kept = options.out / "measured.json"
+    resumed = options.out / "measured.json"
     sign = measure.sign_of([scene.name for scene in scenes], slowest, theirs)
     columns = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn())
     with Progress(*columns, console=console, transient=True) as progress:
-        measured = measure.load(kept, sign)
+        measured = measure.load(resumed, sign)
         if measured is None:
             task = progress.add_task("", total=None)
             measured = measure.explore(
@@ -72,7 +77,7 @@ def main(arguments: list[str]) -> int:
         task = progress.add_task("timing", total=left * len(measured.points))
         for _ in range(left):
             measure.time_once(measured, scenes, lambda: progress.advance(task))
-            measure.save(measured, kept, sign)
+            measure.save(measured, resumed, sign)
     for scene in scenes:
         own = [point for point in measured.points if point.scene == scene.name]
         png = options.out / f"{re.sub('[^a-z0-9]+', '_', scene.name.lower()).strip('_')}.png"
@@ -88,12 +93,30 @@ def main(arguments: list[str]) -> int:
     if any(row.is_extrapolated for row in rows):
         console.print("~: pymunk's time is extrapolated from its measured order of convergence.")
     _write(rows, words, options.out / "table.csv")
+    page.write(scenes, measured.points, _how(measured.rounds, options.quick), options.out)
+    is_whole = not options.quick and not options.scene
+    if is_whole:
+        kept.keep(rows, options.out)
     console.print(
         f"overview of all scenes: {shown(options.out / 'overview.png')}\n"
-        f"{rounds} rounds; all numbers: {shown(options.out / 'table.csv')}",
+        f"{rounds} rounds; all numbers: {shown(options.out / 'table.csv')}\n"
+        f"all charts on one page: {shown(options.out / 'index.html')}",
         soft_wrap=True,
     )
+    if is_whole:
+        files = ", ".join((kept.PICTURE, kept.PAGE, *kept.READMES))
+        console.print(f"updated for readers: {files}", soft_wrap=True)
     return 0
+
+
+def _how(rounds: int, is_quick: bool) -> str:
+    """Return a sentence about how the page was measured."""
+    quick = " in a quick run, with fewer steps for all models" if is_quick else ""
+    versions = f"Python {platform.python_version()} and pymunk {metadata.version('pymunk')}"
+    return (
+        f"Measured on {date.today():%Y-%m-%d}{quick}, with {versions}. Each time is the median of "
+        f"{rounds} rounds."
+    )
 
 
 def _print(rows: list[Row], words: list[list[str]], console: Console) -> None:

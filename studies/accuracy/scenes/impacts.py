@@ -19,7 +19,7 @@ from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import Detectors, GroundPlane, Impact, ParticlePairs
 from ch07_constraints.time_division import time_division_step
 from studies.accuracy.scene import MANY, RATE, Model, Outcome, Place, Scene, in_frames
-from studies.constraints import resolving
+from studies.runs.constraints import resolving
 
 G = 10.0  # m/s^2
 RADIUS = 0.1  # m

@@ -15,7 +15,7 @@ from matplotlib import pyplot
 from matplotlib.axes import Axes
 
 from studies.drawing import BLACK, COLORS, GRAY, growth_bar, growth_map
-from studies.limit_search import (
+from studies.limits.search import (
     FRAME,
     HUGE,
     STIFFNESS,
@@ -24,7 +24,7 @@ from studies.limit_search import (
     stepping,
     theory_at,
 )
-from studies.stability import INTEGRATORS, SOLVERS, swing
+from studies.runs.stability import INTEGRATORS, SOLVERS, swing
 
 SHADES = COLORS | {"pymunk's spring": BLACK, "pymunk, by hand": GRAY}
 # Pymunk's results lie on the curves of equal methods, so their marks must show on top of others.

@@ -55,7 +55,7 @@ def hand_in(kind: str, folder: Path) -> dict[str, str]:
     if (folder / FILE).exists():
         return {FILE: (folder / FILE).read_text(encoding="utf-8")}
     return {
-        "misnamed": {f"{CH02.name}/vektor.py": RIGHT},
+        "misnamed": {f"{CH02.name}/my_vectors.py": RIGHT},
         "hostile": {FILE: f"{RIGHT}\nimport os\n\nos._exit(0)\n"},
         "empty": {"notes.txt": "nothing"},
     }.get(kind, {FILE: RIGHT})

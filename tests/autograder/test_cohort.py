@@ -252,10 +252,7 @@ def test_reports_do_not_go_where_submissions_are(
 
 def test_two_runs_do_not_share_a_folder(submissions: Path, root: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
-    with (
-        only_run(out),
-        pytest.raises(ValueError, match="another run is grading into"),
-    ):
+    with only_run(out), pytest.raises(ValueError, match="another run is grading into"):
         grade(submissions, out, root)
     assert grade(submissions, out, root) == 0
 

@@ -81,11 +81,7 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
     share, damping = draw_step(rng)
     limit = limit_of(share, explicit, damping, h)
     for part, wanted, cause in (
-        (
-            0.98,
-            False,
-            "At 2 % below the limit the oscillations die out, so they do not get wider.",
-        ),
+        (0.98, False, "At 2 % below the limit the oscillations die out, so they do not get wider."),
         (
             1.02,
             True,

@@ -285,9 +285,7 @@ def test_charts_are_drawn_and_a_run_goes_on_where_it_was(
     assert (tmp_path / "measured.json").read_bytes() == first
 
 
-def test_a_scene_that_is_not_there_is_refused_by_name(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_a_scene_that_is_not_there_is_refused_by_name(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit):
         charts.main(["--scene", "a cat"])
     assert "must be a part of a scene's name, got 'a cat': projectile" in capsys.readouterr().err

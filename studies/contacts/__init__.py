@@ -26,7 +26,7 @@ def main(arguments: list[str]) -> int:
     """Measure, print, draw and store. Return 0."""
     parser = argparse.ArgumentParser(prog="python -m studies contacts", description=__doc__)
     parser.add_argument(
-        "--quick", action="store_true", help="take a minute: fewer steps, one round, not stored"
+        "--quick", action="store_true", help="at most a minute: fewer steps, one round, not stored"
     )
     parser.add_argument(
         "--out", type=Path, default=ROOT / "build" / "contacts", help="the folder for the results"
@@ -62,6 +62,7 @@ def main(arguments: list[str]) -> int:
         table.add_row(*row)
     console.print("Time in ms per frame within which a solver stays within an error for 1 s:")
     console.print(table)
+    console.print("-: not reached by the longest run, or no model of this scene.")
     options.out.mkdir(parents=True, exist_ok=True)
     png, numbers = options.out / "contact_solvers.png", options.out / "points.json"
     chart.draw(points).savefig(png, dpi=110)

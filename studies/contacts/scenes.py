@@ -39,7 +39,7 @@ DOWN = Vector3(0.0, -10.0)
 
 BOOK, IMPULSES, COLD = "the book's resolver", "sequential impulses", "without warm starting"
 SMALL, NET = "soft constraints", "direct net"
-STACK, ROPE, SWING = "stack", "rope", "swinging rope"
+STACK, ROPE, SWING = "stack", "rope", "swing"
 
 Move = Callable[[float], object]
 

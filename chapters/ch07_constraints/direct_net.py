@@ -4,6 +4,10 @@ DirectNet does for any net what DirectChain does for a chain. Two things are new
 equations of a chain can be solved from one end to the other, but the equations of a net need an
 order of elimination. Second, a cable can only pull, so the step must also find out which cables are
 taut.
+
+A chain is also a net, and both solvers have the same error. But for 30 rods a net takes 3.6 times as
+long (`make bench`), because it looks up which links meet at each particle. DirectChain therefore has a
+solver of its own.
 """
 
 from __future__ import annotations

@@ -185,10 +185,7 @@ def test_the_time_of_the_equation_is_positive_and_finite(bad: float) -> None:
 @pytest.mark.exercise("3.4b")
 def test_one_step_and_five_steps_of_a_second() -> None:
     about.read = "book 2.2, Eq. 2.7 and 2.8; errata.md"
-    wanted = {
-        1: ((3.0, 4.0, 1.0), (-1.0, 0.0, 2.5)),
-        5: ((-13.0, 10.0, 14.0), (-9.0, 4.0, 4.5)),
-    }
+    wanted = {1: ((3.0, 4.0, 1.0), (-1.0, 0.0, 2.5)), 5: ((-13.0, 10.0, 14.0), (-9.0, 4.0, 4.5))}
     for steps, (x, v) in wanted.items():
         about.call = f"state_by_steps({EXAMPLE}, 1, {steps})"
         about.cause = (

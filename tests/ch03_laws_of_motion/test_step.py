@@ -11,15 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import probes
 from ch03_laws_of_motion.particle import Particle
 from draw import Components, components
-from expect import (
-    about,
-    blame,
-    expect_close,
-    expect_error,
-    expect_exactly,
-    expect_unchanged,
-    xyz,
-)
+from expect import about, blame, expect_close, expect_error, expect_exactly, expect_unchanged, xyz
 
 
 def draw_frame(rng: Random) -> float:

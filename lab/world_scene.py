@@ -11,7 +11,7 @@ from lab.contact_view import ContactView
 from lab.parameters import Choice
 from lab.pen import Pen
 from lab.scene import Scene
-from studies.links import ends_of
+from studies.runs.links import ends_of
 
 
 class WorldScene(Scene):

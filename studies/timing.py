@@ -182,7 +182,7 @@ def against_peers(
         if importlib.util.find_spec(peer) is None:
             console.print(
                 f"{peer} is not installed. To install it:\n"
-                f"  {shown_python()} -m pip install -r studies/peers.txt"
+                f"  {shown_python()} -m pip install -r studies/benchmarks/peers.txt"
             )
             continue
         theirs = statements[peer]

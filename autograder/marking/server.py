@@ -149,12 +149,17 @@ def mark_of(value: Any, most: float) -> Mark | None:
 def mark(folder: Path, chapters: list[Chapter], *, browser: bool = True, root: Path = ROOT) -> int:
     """Serve the marking page for a class until Ctrl-C is pressed.
 
+    If ``chapters`` have only the exercises of an assignment, the page has only their questions.
+
     Raises ValueError if there is nothing to mark, or if marks.csv contains a mistake.
     """
     submissions, notes = find_submissions(folder)
-    tasks = collect_tasks(submissions, chapters, root)
+    whole = {chapter.name: chapter for chapter in load_chapters(root)}
+    asked = {exercise.id for chapter in chapters for exercise in chapter.exercises}
+    tasks = collect_tasks(submissions, [whole[chapter.name] for chapter in chapters], root)
+    tasks = [task for task in tasks if task.exercise.id in asked]
     if not tasks:
-        raise ValueError("these chapters have no written exercises")
+        raise ValueError("there are no written exercises to mark")
     students = [submission.student for submission in submissions]
     marks = MarksFile(folder / "marks.csv", load_chapters(root), students)
     marks.read()

@@ -3,6 +3,10 @@
 It does for any net what DirectChain does for a chain. Two things are new. The equations of a chain
 can be solved from one end to the other, while those of a net need an order of elimination. And a
 cable can only pull: which cables are taut has to be found together with the pulls.
+
+So a chain could be a net too, with the same error. But a net takes 3.6 times as long for 30 rods
+(`make bench`). DirectChain therefore has a solver of its own, which need not look up which links
+meet at a particle.
 """
 
 from __future__ import annotations

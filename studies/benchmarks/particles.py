@@ -6,7 +6,7 @@ import random
 import sys
 
 from ch03_laws_of_motion.particle import Particle
-from studies.drag_flight import DAMPED_FALL, PROJECTILE, Numbers, make_particle, make_space
+from studies.runs.drag_flight import DAMPED_FALL, PROJECTILE, Numbers, make_particle, make_space
 from studies.timing import Measurement, Target, timer, versus
 
 FRAME = 1.0 / 60.0

@@ -35,11 +35,7 @@ def two_at_an_angle(rng: Random, angle: float) -> tuple[Components, Components]:
     first, second = rng.uniform(1.0, 9.0), rng.uniform(1.0, 9.0)
     cosine, sine = second * math.cos(angle), second * math.sin(angle)
     a = (first * u[0], first * u[1], first * u[2])
-    b = (
-        cosine * u[0] + sine * w[0],
-        cosine * u[1] + sine * w[1],
-        cosine * u[2] + sine * w[2],
-    )
+    b = (cosine * u[0] + sine * w[0], cosine * u[1] + sine * w[1], cosine * u[2] + sine * w[2])
     return a, b
 
 

@@ -247,11 +247,7 @@ def test_the_scalar_product_refuses_what_is_no_vector(rng: Random) -> None:
 
 def vector_product(a: Components, b: Components) -> Components:
     """Return a x b, computed from its definition."""
-    return (
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    )
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 @pytest.mark.exercise("B2.9")

@@ -183,10 +183,7 @@ def test_the_time_of_the_equation_is_positive_and_finite(bad: float) -> None:
 @pytest.mark.exercise("3.4b")
 def test_one_step_and_five_steps_of_a_second() -> None:
     about.read = "book 2.2, Eq. 2.7 and 2.8; errata.md"
-    wanted = {
-        1: ((3.0, 4.0, 1.0), (-1.0, 0.0, 2.5)),
-        5: ((-13.0, 10.0, 14.0), (-9.0, 4.0, 4.5)),
-    }
+    wanted = {1: ((3.0, 4.0, 1.0), (-1.0, 0.0, 2.5)), 5: ((-13.0, 10.0, 14.0), (-9.0, 4.0, 4.5))}
     for steps, (x, v) in wanted.items():
         about.call = f"state_by_steps({EXAMPLE}, 1, {steps})"
         about.cause = "Return a pair, position and velocity. In each step first p' = p + v h, then "
@@ -265,10 +262,7 @@ def expect_refusal(name: str, duration: float, steps: int) -> None:
 
 @pytest.mark.exercise("3.4d")
 def test_five_steps_are_off_by_half_a_step() -> None:
-    about(
-        f"stepping_error({EXAMPLE}, 1, 5)",
-        cause="Return stepped minus exact position.",
-    )
+    about(f"stepping_error({EXAMPLE}, 1, 5)", cause="Return stepped minus exact position.")
     about.read = "book 3, exercise 3.4"
     got = exercises.stepping_error(*vectors(START, VELOCITY, ACCELERATION), 1, 5)
     mistakes = [

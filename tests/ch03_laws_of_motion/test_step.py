@@ -11,15 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import probes
 from ch03_laws_of_motion.particle import Particle
 from draw import Components, components
-from expect import (
-    about,
-    blame,
-    expect_close,
-    expect_error,
-    expect_exactly,
-    expect_unchanged,
-    xyz,
-)
+from expect import about, blame, expect_close, expect_error, expect_exactly, expect_unchanged, xyz
 
 
 def draw_frame(rng: Random) -> float:
@@ -135,10 +127,7 @@ def test_damping_is_the_share_that_is_kept_in_a_second(rng: Random) -> None:
         got = probes.velocity_after(v, damping, frames)
         each, first = damping ** len(frames), damping ** (len(frames) * frames[0])
         mistakes = [
-            (
-                tuple(n * each for n in v),
-                "d was used in every step, as in Eq. 3.5. Use d^h.",
-            ),
+            (tuple(n * each for n in v), "d was used in every step, as in Eq. 3.5. Use d^h."),
             (
                 tuple(n * first for n in v),
                 "d^h of the first step was used in all steps. Compute it for each duration.",

@@ -64,10 +64,7 @@ def test_the_axes_of_aiming(rng: Random) -> None:
                 ((speed * math.sin(small), 0.0, speed * math.cos(small)), degrees),
             ],
             (0.0, QUARTER): [
-                (
-                    (0.0, speed, speed),
-                    "The speed along the ground must be speed x cos(elevation).",
-                ),
+                ((0.0, speed, speed), "The speed along the ground must be speed x cos(elevation)."),
                 ((0.0, -speed, 0.0), "A positive elevation points up. The sign is wrong."),
                 ((0.0, speed * math.sin(small), speed * math.cos(small)), degrees),
             ],

@@ -13,15 +13,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine import closed_form, probes
 from draw import Components, components, number
-from expect import (
-    about,
-    blame,
-    expect_close,
-    expect_error,
-    expect_unchanged,
-    expect_vector,
-    xyz,
-)
+from expect import about, blame, expect_close, expect_error, expect_unchanged, expect_vector, xyz
 
 FACTORS = "the docstring of drag_factors"
 STATE = "the docstring of state_after"

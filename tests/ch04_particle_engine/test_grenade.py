@@ -13,15 +13,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine import ballistics, grenade, probes
 from draw import components, number
-from expect import (
-    about,
-    blame,
-    expect_close,
-    expect_exactly,
-    expect_unchanged,
-    scoped,
-    xyz,
-)
+from expect import about, blame, expect_close, expect_exactly, expect_unchanged, scoped, xyz
 
 BURST_FRAME = 16  # of a quarter of a second each: 4 s
 

@@ -57,10 +57,7 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
                     "the game, as in the book's text and not its footnote (E-19)."
                 ),
             ),
-            (
-                mass,
-                ("The mass stays the same, so the energy shrinks. Square the factor."),
-            ),
+            (mass, ("The mass stays the same, so the energy shrinks. Square the factor.")),
         ]
         blame(slow, mistakes)
         energy = 0.5 * slow * (500.0 / factor) ** 2

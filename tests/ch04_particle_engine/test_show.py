@@ -233,12 +233,7 @@ def test_the_oldest_comes_first_from_generation_to_generation() -> None:
         "behind those that burn already."
     )
     seen = probes.sparks(rules, [1, 2, 1], 50, "keep_old", 1, 0.25, 4)
-    wanted = [
-        "1 1 5",
-        "5 3 3 4 3 3 4",
-        "5 3 3 4 3 3 4",
-        "5 3 3 3 3 6 6",
-    ]
+    wanted = ["1 1 5", "5 3 3 4 3 3 4", "5 3 3 4 3 3 4", "5 3 3 3 3 6 6"]
     got = [" ".join(str(type) for type in types) for types in seen]
     expect_exactly(got, wanted, read=READ)
 

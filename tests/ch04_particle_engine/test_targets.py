@@ -206,10 +206,7 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
     # A rounding or two of numbers up to 20.
     gained = tuple(mass * n / block_mass for n in v)
     mistakes = [
-        (
-            (gained[0], 0.0, gained[2]),
-            "The velocity was replaced. Add to it.",
-        ),
+        ((gained[0], 0.0, gained[2]), "The velocity was replaced. Add to it."),
         (
             tuple(before[i] + gained[i] for i in range(3)),
             "The ground absorbs the part along Y. Change only X and Z.",

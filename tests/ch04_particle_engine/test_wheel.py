@@ -12,15 +12,7 @@ from ch02_vectors.vector import Vector3
 from ch04_particle_engine import probes
 from ch04_particle_engine.catherine_wheel import CatherineWheel
 from draw import Components, components
-from expect import (
-    about,
-    blame,
-    expect_close,
-    expect_error,
-    expect_exactly,
-    expect_unchanged,
-    xyz,
-)
+from expect import about, blame, expect_close, expect_error, expect_exactly, expect_unchanged, xyz
 
 STILL = (0.0, 0.0, 0.0)
 SPARK: probes.RuleData = (7, 9.0, 9.0, STILL, STILL, 1.0, ())

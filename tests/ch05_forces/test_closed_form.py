@@ -147,10 +147,7 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
         )
         left = distance - u * u / g * (math.log1p(e) + g * time / u - math.log(2.0))
         expect_close(
-            left,
-            0.0,
-            then=", the error of the distance",
-            tolerance=ROUNDED * (distance + u),
+            left, 0.0, then=", the error of the distance", tolerance=ROUNDED * (distance + u)
         )
 
 

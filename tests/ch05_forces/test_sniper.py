@@ -13,15 +13,7 @@ from ch05_forces.forces import Drag
 from ch05_forces.probes import play, winds
 from ch05_forces.sniper import SniperRange
 from draw import Components
-from expect import (
-    about,
-    blame,
-    expect_close,
-    expect_error,
-    expect_exactly,
-    expect_unchanged,
-    xyz,
-)
+from expect import about, blame, expect_close, expect_error, expect_exactly, expect_unchanged, xyz
 
 UPDATE = "the docstring of update"
 FRAME = 1.0 / 60.0

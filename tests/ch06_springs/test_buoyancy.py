@@ -70,10 +70,7 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
             250.0 * volume * g,
             750.0 * volume * g,
         ),
-        "This divides by s. max_depth is half of the height, so divide by 2 s.": (
-            0.5 * full,
-            full,
-        ),
+        "This divides by s. max_depth is half of the height, so divide by 2 s.": (0.5 * full, full),
         "The depth is counted from the surface, y_w - y. Add max_depth to it.": (0.0, 0.25 * full),
         "This gives either the whole lift or none. The lift grows with the submerged fraction.": (
             0.0,
@@ -94,11 +91,7 @@ def test_out_of_the_water_there_is_no_lift_and_deep_in_it_no_more(rng: Random) -
     about.read = READ
     s, volume, surface = positive_number(rng), positive_number(rng), number(rng)
     for y, share, cause in (
-        (
-            surface + 1.5 * s,
-            0.0,
-            "Above the water there is no lift, and no downward force either.",
-        ),
+        (surface + 1.5 * s, 0.0, "Above the water there is no lift, and no downward force either."),
         (surface + 50.0, 0.0, "High above the water there is no lift."),
         (
             surface - 1.5 * s,

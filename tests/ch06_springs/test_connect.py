@@ -82,10 +82,7 @@ def test_a_connection_serves_both_ends(rng: Random) -> None:
         )
         blame(
             on_b,
-            {
-                "b gets the same force as a. Give it the opposite one.": on_a,
-                "no force on b": ZERO,
-            },
+            {"b gets the same force as a. Give it the opposite one.": on_a, "no force on b": ZERO},
         )
         opposite = tuple(-part for part in on_a)
         expect_close(on_b, opposite, call=f"{name}; b.force_accumulator", tolerance=0.0)

@@ -176,10 +176,7 @@ def test_the_critical_case_has_no_gap_on_either_side(rng: Random) -> None:
         half = math.sqrt(k / m)
         critical = 2.0 * m * half
         fade = math.exp(-half * t)
-        wanted = (
-            (x0 + (v0 + half * x0) * t) * fade,
-            (v0 - half * (v0 + half * x0) * t) * fade,
-        )
+        wanted = ((x0 + (v0 + half * x0) * t) * fade, (v0 - half * (v0 + half * x0) * t) * fade)
         # A share e of more damping changes the motion by some e times numbers up to 100.
         for share, tolerance, cause in (
             (
@@ -187,16 +184,8 @@ def test_the_critical_case_has_no_gap_on_either_side(rng: Random) -> None:
                 1e-12,
                 "At the critical damping the position is (x0 + (v0 + half x0) t) e^(-half t).",
             ),
-            (
-                -1e-9,
-                1e-7,
-                "Slightly below the critical damping, sin(gamma t) / gamma is nearly t.",
-            ),
-            (
-                1e-9,
-                1e-7,
-                "Slightly above the critical damping, sinh(gamma t) / gamma is nearly t.",
-            ),
+            (-1e-9, 1e-7, "Slightly below the critical damping, sin(gamma t) / gamma is nearly t."),
+            (1e-9, 1e-7, "Slightly above the critical damping, sinh(gamma t) / gamma is nearly t."),
             (
                 -1e-15,
                 1e-8,

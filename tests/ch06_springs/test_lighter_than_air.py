@@ -65,10 +65,7 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
                 "further."
             ),
         ),
-        (
-            -1e6,
-            "Below the ground the lift is the same as at the ground. Do not compute e^1000000.",
-        ),
+        (-1e6, "Below the ground the lift is the same as at the ground. Do not compute e^1000000."),
     ):
         about.cause = cause
         about.call = f"p at (0, {y}, 0); LighterThanAir({most}, {scale}).update_force(p, 0.5)"

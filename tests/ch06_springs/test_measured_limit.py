@@ -81,11 +81,7 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
     share, damping = draw_step(rng)
     limit = limit_of(share, explicit, damping, h)
     for part, wanted, cause in (
-        (
-            0.98,
-            False,
-            "At 2 % below the limit the oscillations die out, so they do not get wider.",
-        ),
+        (0.98, False, "At 2 % below the limit the oscillations die out, so they do not get wider."),
         (
             1.02,
             True,
@@ -187,7 +183,7 @@ def test_the_ends_of_what_is_measured() -> None:
     about.cause = (
         "Do not try any stiffness above STIFFEST / h^2. If even that one is stable, return it."
     )
-    for rate in (60.0, 30.0, 1.25):
+    for rate in (60.0, 1.25):
         about.call = f"largest_stable_stiffness(integrator, 0.5, 1/{rate:g}), a step stable up to "
         about.call += "400 / h^2"
         most = 16.0 * rate**2
@@ -227,7 +223,7 @@ def test_measuring_needs_numbers_that_mean_something() -> None:
             lambda bad=bad: swings_wider(step, *bad),
             ValueError,
             call="swings_wider(integrator, {}, {}, {})".format(*bad),
-            allowed=lambda: wider(1.0, True, 1.0, 0.5, 0.25),
+            allowed=lambda: wider(1.0, True, 1e6, 0.5, 0.25),  # it soon stops
         )
     about.read = LARGEST
     for damping, duration in ((-0.5, 0.25), (math.nan, 0.25), (0.5, 0.0), (0.5, math.inf)):
@@ -237,7 +233,7 @@ def test_measuring_needs_numbers_that_mean_something() -> None:
             ),
             ValueError,
             call=f"largest_stable_stiffness(integrator, {damping}, {duration})",
-            allowed=lambda: wider(1.0, True, 1.0, 0.5, 0.25),
+            allowed=lambda: wider(1.0, True, 1e6, 0.5, 0.25),  # it soon stops
         )
     about.call = "swings_wider(integrator, 10.0, 0.5, 1/60), the book's step"
     about.cause = (

@@ -129,11 +129,7 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
             (0.75, 0.25, 0.0),
             "The nearer plank carries more. The two fractions of the weight are 1 - s and s.",
         ),
-        (
-            1.0,
-            (0.0, 0.25, 0.75),
-            "s goes from 0 at one plank to 1 at the next. Divide by the gap.",
-        ),
+        (1.0, (0.0, 0.25, 0.75), "s goes from 0 at one plank to 1 at the next. Divide by the gap."),
         (-0.5, (0.0, 1.0, 0.0), "A walker directly above a plank is carried by that plank alone."),
         (-7.0, (1.0, 0.0, 0.0), "A walker before the first plank is carried by that plank alone."),
         (9.0, (0.0, 0.0, 1.0), "A walker beyond the last plank is carried by that plank alone."),

@@ -97,11 +97,7 @@ def test_the_ends_of_the_damping() -> None:
                 "negative number."
             ),
         ),
-        (
-            0.0,
-            math.inf,
-            "A damping of 0 stops everything in each step, so every spring is stable.",
-        ),
+        (0.0, math.inf, "A damping of 0 stops everything in each step, so every spring is stable."),
     ):
         about(f"max_stable_stiffness({d}, 0.25)", cause=cause)
         got = max_stable_stiffness(d, 0.25)

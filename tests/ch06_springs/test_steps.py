@@ -110,12 +110,7 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
             3,
             "Every step must begin like the first one, with empty accumulators.",
         ),
-        (
-            "one step",
-            (*draw_body(rng)[:4], 0.0, ZERO),
-            1,
-            "With d = 0 the whole velocity is lost.",
-        ),
+        ("one step", (*draw_body(rng)[:4], 0.0, ZERO), 1, "With d = 0 the whole velocity is lost."),
     ):
         about.cause = cause
         p, v, a, mass, d, hand = body

@@ -78,11 +78,7 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
         (ZERO, ZERO, 1.0),
         (ZERO, (0.0, 3.0, 0.0), math.inf),
     ]
-    contacts = [
-        (0, -1, UP, 1.0, 0.5),
-        (1, -1, UP, 1.0, 0.75),
-        (2, 3, UP, 0.0, -0.25),
-    ]
+    contacts = [(0, -1, UP, 1.0, 0.5), (1, -1, UP, 1.0, 0.75), (2, 3, UP, 0.0, -0.25)]
     about.call = f"a of 100 kg with (0, -2, 0) and b of 100 kg with ({side}, -1, {side}) hit the "
     about.call += "ground, restitution 1; c of 1 kg at rest, 0.25 m above a wall that moves with "
     about.call += "(0, 3, 0), restitution 0; resolve_velocities of the three contacts, limit 1"

@@ -71,9 +71,7 @@ def test_a_number_of_particles_is_1_or_more() -> None:
 @pytest.mark.exercise("8.2", weight=2)
 def test_the_cube_is_rigid() -> None:
     about(
-        "cube_rods()",
-        cause="Each rod must be a pair of different indices from 0 to 7.",
-        read=CUBE,
+        "cube_rods()", cause="Each rod must be a pair of different indices from 0 to 7.", read=CUBE
     )
     rods = cube_rods()
     wrong = [

@@ -71,18 +71,10 @@ def test_halfway_is_the_mean_of_both_points(rng: Random) -> None:
     expect_close(got, [number / 2.0 for number in total])
 '''
 WRONG = """
-["exercises.halfway"."the sum is not halved"]
-caught_by = "test_halfway_is_the_mean_of_both_points"
-says = "This is the sum."
-body = "return a + b"
-
-["exercises.halfway"."half of the difference"]
-caught_by = "test_halfway_is_the_mean_of_both_points"
-replace = ["a + b", "b - a"]
-
-["exercises.halfway"."only b is halved"]
-caught_by = "test_halfway_is_the_mean_of_both_points"
-replace = ["(a + b)", "a + b"]
+["exercises.halfway".test_halfway_is_the_mean_of_both_points]
+"the sum is not halved" = {says = "This is the sum.", body = "return a + b"}
+"half of the difference" = ["a + b", "b - a"]
+"only b is halved" = ["(a + b)", "a + b"]
 """
 TURN = """
 **Your turn** (5 minutes): exercise G2.1, `halfway`.

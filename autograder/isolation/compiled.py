@@ -23,7 +23,7 @@ class CompiledLoader(SourceFileLoader):
 class CompiledFinder:
     """Finds modules of the engine and of the probes that were compiled.
 
-    ``compiled`` maps the name of a module to its marshalled code. The code is loaded here, and it
+    ``compiled`` maps the name of a module to its marshaled code. The code is loaded here, and it
     runs only in a worker that imports the module.
     """
 

@@ -142,7 +142,7 @@ class Template:
         return self._answers.readline().strip()
 
     def hand_over(self, compiled: Mapping[str, bytes]) -> None:
-        """Give later workers the code of these modules, marshalled by a worker."""
+        """Give later workers the code of these modules, marshaled by a worker."""
         self._compiled = dict(compiled)
         if self._process is not None:
             self._discard_next()  # it was forked without this code

@@ -5,7 +5,9 @@ HOSTILE := tests/autograder/test_hostile.py
 # One more than there are cores, since some tests wait for a browser or a time limit.
 WORKERS = $$($(RUN) -c "import os; print((os.cpu_count() or 1) + 1)")
 
-TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED
+TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED STUDENT NOTE
+TAKES_progress := RUNS OUT
+TAKES_release := CHAPTERS EX SUBMISSIONS GRADES OUT
 TAKES_similarity := SUBMISSIONS CHAPTERS OUT
 TAKES_mark := SUBMISSIONS CHAPTERS OPEN
 TAKES_handout := CHAPTERS GIVEN OUT
@@ -26,13 +28,19 @@ TAKES_limits :=
 TAKES_economy :=
 TAKES_soak :=
 
-.PHONY: grade similarity mark handout classroom gradescope site update stubs test say-what-test-is lint
+.PHONY: grade progress release similarity mark handout classroom gradescope site update stubs test say-what-test-is lint
 .PHONY: bench charts limits
 .PHONY: economy soak figures mutants seeds table
 
 # == For instructors ==
 grade: $(READY) ## grade a class (SUBMISSIONS=sample_class CHAPTERS=3)
-	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),build/grades)" $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)")
+	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),build/grades)" $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)") $(if $(STUDENT),--student "$(STUDENT)") $(if $(NOTE),--note "$(NOTE)")
+
+progress: $(READY) ## compare graded assignments (RUNS="build/lab1 build/lab2")
+	@$(RUN) -m autograder progress $(or $(RUNS),$(error name the graded folders: make progress RUNS="build/lab1 build/lab2")) --out "$(or $(OUT),build/progress)"
+
+release: $(READY) ## the reference, after the deadline (CHAPTERS=2 OUT=dir)
+	@$(RUN) -m autograder release $(or $(CHAPTERS),$(error name the chapters: make release CHAPTERS=2 OUT=dir)) --out "$(or $(OUT),build/release)" $(if $(EX),--exercises "$(EX)") $(if $(GRADES)$(wildcard build/grades/results),--submissions "$(SUBMISSIONS)" --grades "$(or $(GRADES),build/grades)")
 
 similarity: $(READY) ## which submissions of a class are alike (CHAPTERS=2-3)
 	@$(RUN) -m autograder similarity "$(SUBMISSIONS)" --out "$(or $(OUT),build/similarity)" $(if $(CHAPTERS),--chapters "$(CHAPTERS)")

@@ -6,7 +6,9 @@ import argparse
 import sys
 from pathlib import Path
 
+from autograder.analysis import commands as analysis
 from autograder.manifest import ROOT, select_chapters, split_given
+from autograder.release import commands as release
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -21,6 +23,8 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command.add_argument("--jobs", type=int, help="submissions at a time (default: one per core)")
     command.add_argument("--cluster", help="Dask scheduler to use, such as tcp://host:8786")
     command.add_argument("--checks", type=Path, help="folder of hidden checks, chNN_name/test_*.py")
+    command.add_argument("--student", help="grade only this one again, with the seed of the class")
+    command.add_argument("--note", default="", help="with --student: the reason, for regrades.csv")
     command.add_argument("--unsafe-no-sandbox", action="store_true", help=unsafe)
     command.set_defaults(run=run_grade)
 
@@ -53,6 +57,9 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command.add_argument("--no-browser", action="store_true", help="print the address only")
     command.set_defaults(run=run_mark)
 
+    analysis.add_commands(commands)
+    release.add_commands(commands)
+
     command = commands.add_parser("stubs", help="generate stubs and tables in chapters/")
     command.add_argument("--check", action="store_true", help="only list what is out of date")
     command.set_defaults(run=run_stubs)
@@ -65,13 +72,18 @@ def run_grade(arguments: argparse.Namespace) -> int:
     import signal
 
     from autograder.grader.cohort import ClassOptions, grade
+    from autograder.grader.regrade import earlier_choice
 
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # handled like Ctrl-C
 
+    if arguments.student and not (arguments.chapters or arguments.given):
+        arguments.chapters, arguments.given = earlier_choice(arguments.out)
     given, chapters = split_given(select_chapters(arguments.chapters), arguments.given)
     options = ClassOptions(
         given=given,
         seed=arguments.seed,
+        student=arguments.student,
+        why=arguments.note,
         hidden=arguments.checks,
         unsafe=arguments.unsafe_no_sandbox,
         jobs=arguments.jobs,

@@ -5,14 +5,17 @@ HOSTILE := tests/autograder/test_hostile.py
 # One more than there are cores, since some tests wait for a browser or a time limit.
 WORKERS = $$($(RUN) -c "import os; print((os.cpu_count() or 1) + 1)")
 
-TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED STUDENT NOTE
+# Reports with codes never go to a folder of reports with names.
+CODED = $(filter-out 0,$(ANONYMOUS))
+
+TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED ROSTER ANONYMOUS TITLE POINTS ASSIGNMENT COURSE STUDENT NOTE
 TAKES_progress := RUNS OUT
 TAKES_release := CHAPTERS EX SUBMISSIONS GRADES OUT
 TAKES_similarity := SUBMISSIONS CHAPTERS OUT
-TAKES_mark := SUBMISSIONS CHAPTERS OPEN
-TAKES_handout := CHAPTERS GIVEN OUT
-TAKES_classroom := CHAPTERS GIVEN OUT
-TAKES_gradescope := CHAPTERS GIVEN OUT
+TAKES_mark := SUBMISSIONS CHAPTERS OPEN ASSIGNMENT COURSE
+TAKES_handout := CHAPTERS GIVEN OUT ASSIGNMENT COURSE
+TAKES_classroom := CHAPTERS GIVEN OUT ASSIGNMENT COURSE
+TAKES_gradescope := CHAPTERS GIVEN OUT ASSIGNMENT COURSE
 TAKES_site := OUT SOLUTIONS
 TAKES_test := CH
 TAKES_lint :=
@@ -24,17 +27,25 @@ TAKES_seeds := CH SEEDS
 TAKES_table :=
 TAKES_bench :=
 TAKES_charts := QUICK
+TAKES_choose := SCENE TOLERANCE
 TAKES_limits :=
 TAKES_economy :=
 TAKES_soak :=
+TAKES_contacts := QUICK
 
 .PHONY: grade progress release similarity mark handout classroom gradescope site update stubs test say-what-test-is lint
-.PHONY: bench charts limits
-.PHONY: economy soak figures mutants seeds table
+.PHONY: bench charts choose limits
+.PHONY: economy soak contacts figures mutants seeds table
+
+# ASSIGNMENT names an assignment of the course file, which then says what the other variables do.
+ASSIGNED = $(if $(ASSIGNMENT),--assignment "$(ASSIGNMENT)") $(if $(COURSE),--course "$(COURSE)")
+# The chapters of a hand-out, which the course file names if there is an assignment.
+NAMED = $(or $(CHAPTERS),$(if $(ASSIGNMENT),,$(error name the chapters: make $@ CHAPTERS=2 OUT=dir, or an assignment: make $@ ASSIGNMENT=lab1)))
+BUILT = build/$(if $(ASSIGNMENT),$(ASSIGNMENT)/)
 
 # == For instructors ==
-grade: $(READY) ## grade a class (SUBMISSIONS=sample_class CHAPTERS=3)
-	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),build/grades)" $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)") $(if $(STUDENT),--student "$(STUDENT)") $(if $(NOTE),--note "$(NOTE)")
+grade: $(READY) ## grade a class (SUBMISSIONS=dir CHAPTERS=3 or ASSIGNMENT=lab1)
+	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),$(BUILT)grades$(if $(CODED),-anonymous))" $(ASSIGNED) $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)") $(if $(ROSTER),--roster "$(ROSTER)") $(if $(CODED),--anonymous) $(if $(TITLE),--title "$(TITLE)") $(if $(POINTS),--points "$(POINTS)") $(if $(STUDENT),--student "$(STUDENT)") $(if $(NOTE),--note "$(NOTE)")
 
 progress: $(READY) ## compare graded assignments (RUNS="build/lab1 build/lab2")
 	@$(RUN) -m autograder progress $(or $(RUNS),$(error name the graded folders: make progress RUNS="build/lab1 build/lab2")) --out "$(or $(OUT),build/progress)"
@@ -46,16 +57,16 @@ similarity: $(READY) ## which submissions of a class are alike (CHAPTERS=2-3)
 	@$(RUN) -m autograder similarity "$(SUBMISSIONS)" --out "$(or $(OUT),build/similarity)" $(if $(CHAPTERS),--chapters "$(CHAPTERS)")
 
 mark: $(READY) ## mark written answers on a page (SUBMISSIONS=dir CHAPTERS=2)
-	@$(RUN) -m autograder mark "$(if $(filter file,$(origin SUBMISSIONS)),$(error name the class: make mark SUBMISSIONS=dir),$(SUBMISSIONS))" $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(filter 0,$(OPEN)),--no-browser)
+	@$(RUN) -m autograder mark "$(if $(filter file,$(origin SUBMISSIONS)),$(error name the class: make mark SUBMISSIONS=dir),$(SUBMISSIONS))" $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(filter 0,$(OPEN)),--no-browser) $(ASSIGNED)
 
 handout: $(READY) ## what students get (CHAPTERS=4-5 GIVEN=2-3 OUT=dir)
-	@$(RUN) -m autograder handout $(or $(CHAPTERS),$(error name the chapters: make handout CHAPTERS=2 OUT=dir)) --out "$(or $(OUT),build/handout)" $(if $(GIVEN),--given "$(GIVEN)")
+	@$(RUN) -m autograder handout $(NAMED) --out "$(or $(OUT),$(BUILT)handout)" $(ASSIGNED) $(if $(GIVEN),--given "$(GIVEN)")
 
 classroom: $(READY) ## a hand-out for GitHub Classroom (CHAPTERS=2 OUT=dir)
-	@$(RUN) -m autograder classroom $(or $(CHAPTERS),$(error name the chapters: make classroom CHAPTERS=2 OUT=dir)) --out "$(or $(OUT),build/classroom)" $(if $(GIVEN),--given "$(GIVEN)")
+	@$(RUN) -m autograder classroom $(NAMED) --out "$(or $(OUT),$(BUILT)classroom)" $(ASSIGNED) $(if $(GIVEN),--given "$(GIVEN)")
 
 gradescope: $(READY) ## the zip for Gradescope (CHAPTERS=2-3 OUT=file.zip)
-	@$(RUN) -m autograder gradescope $(or $(CHAPTERS),$(error name the chapters: make gradescope CHAPTERS=2-3)) --out "$(or $(OUT),build/gradescope.zip)" $(if $(GIVEN),--given "$(GIVEN)")
+	@$(RUN) -m autograder gradescope $(NAMED) --out "$(or $(OUT),$(BUILT)gradescope.zip)" $(ASSIGNED) $(if $(GIVEN),--given "$(GIVEN)")
 
 site: $(READY) ## the course as a site; needs Node.js (OUT=dir SOLUTIONS=1)
 	@$(RUN) -m web --out "$(or $(OUT),build/site)" $(if $(SOLUTIONS),--with-solutions)
@@ -110,6 +121,9 @@ bench: $(READY) ## speed, as ratios measured in turn
 charts: $(READY) ## speed against accuracy (QUICK=1 takes one minute)
 	@$(RUN) -m studies charts $(if $(QUICK),--quick)
 
+choose: $(READY) ## the cheapest model (SCENE=my_scene.py TOLERANCE=1e-3)
+	@$(RUN) -m studies choose "$(or $(SCENE),$(error name a scene: make choose SCENE=pendulum, or a file that describes yours))" $(if $(TOLERANCE),--tolerance "$(TOLERANCE)") $(DIAGNOSIS)
+
 limits: $(READY) ## the stiffness and drag up to which methods are stable
 	@$(RUN) -m studies limits
 
@@ -118,3 +132,6 @@ economy: $(READY) ## what parts of a model cost that a scene does not need
 
 soak: $(READY) ## run bridge and platform for ten minutes each
 	@$(RUN) -m studies soak
+
+contacts: $(READY) ## contact solvers, error over time (QUICK=1 takes one minute)
+	@$(RUN) -m studies contacts $(if $(QUICK),--quick)

@@ -78,7 +78,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_check(arguments: argparse.Namespace) -> bool:
-    """Check chapters, or the chapter of one exercise."""
+    """Check chapters, or only one exercise of a chapter."""
     chapters = select_chapters(arguments.chapter)
     exercise = None
     if arguments.exercise:

@@ -1,6 +1,6 @@
 """Read written answers from answers.md: each question has a heading, the quoted text and an answer.
 
-In solutions/ the answer is the model answer. A line RUBRIC and a rubric follow it.
+In solutions/ the answer is the model answer, followed by a line RUBRIC and the rubric.
 """
 
 from __future__ import annotations
@@ -36,12 +36,12 @@ class Section:
 
     @property
     def places(self) -> list[str]:
-        """The lines of the answer that contain the placeholder, even a damaged one."""
+        """The line numbers at which the answer contains the placeholder, even a damaged one."""
         return [line.strip() for line in self.answer.splitlines() if _is_place(line)]
 
     @property
     def has_words(self) -> bool:
-        """Whether an answer has been written, even if the placeholder is still there."""
+        """Whether the student has written something, even if the placeholder is still there."""
         return self.words >= ENOUGH
 
     @property
@@ -54,7 +54,7 @@ class Section:
 
 @dataclass(frozen=True)
 class Question:
-    """A written exercise with the student's section for it, and the problems found there."""
+    """A written exercise, the student's section for it, and the problems found in that section."""
 
     exercise: Exercise
     file: Path
@@ -63,12 +63,12 @@ class Question:
 
     @property
     def answered(self) -> bool:
-        """Whether there is an answer and nothing has to be corrected first."""
+        """Whether there is an answer and no problem has to be corrected first."""
         return self.section is not None and self.section.has_words and not self.problems
 
     @property
     def place(self) -> str:
-        """The place of the answer as path:line, or only the path if the section is missing."""
+        """The position of the answer as path:line, or only the path if the section is missing."""
         return f"{self.file}:{self.section.line}" if self.section else str(self.file)
 
 
@@ -158,7 +158,7 @@ def _first_word(heading: str) -> str:
 
 
 def _is_place(line: str) -> bool:
-    """Return whether a line is the placeholder, or the remains of one."""
+    """Return whether a line is the placeholder, or what is left of it after an edit."""
     words, wanted = (" ".join(re.findall(r"\w+", text)) for text in (line.lower(), PLACE.lower()))
     return SequenceMatcher(None, words.strip("_"), wanted.strip("_")).ratio() > 0.8
 

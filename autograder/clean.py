@@ -1,6 +1,6 @@
 """Make untrusted text safe to show on a terminal or page, in a spreadsheet and in a JSON file.
 
-This module alone decides which characters may be shown.
+No other module decides which characters may be shown.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Helpers for the command lines: start-up, finding an engine, and commands to suggest."""
+"""Helpers for the command lines: start-up, finding an engine, and suggesting commands."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of
 
 
 def prepare() -> bool:
-    """Set up the output streams, and return whether the packages that are needed are installed.
+    """Set up the output streams, and return whether the required packages are installed.
 
-    If they are not, print how to install them.
+    If a package is missing, print how to install it.
     """
     for stream in (sys.stdout, sys.stderr):  # show ? for what the console cannot encode
         if isinstance(stream, io.TextIOWrapper):
@@ -42,10 +42,10 @@ def prepare() -> bool:
 
 
 def find_engine(folder: str) -> list[Path]:
-    """Return the folders that make up an engine. The first one overlays the second.
+    """Return the folders that make up an engine. The first folder overlays the second.
 
     Raises:
-        ValueError: There is no such folder.
+        ValueError: The folder does not exist.
     """
     # Files that students do not edit exist only in chapters/.
     engine = [ROOT / name for name in dict.fromkeys((folder, "chapters"))]
@@ -55,7 +55,7 @@ def find_engine(folder: str) -> list[Path]:
 
 
 def command(name: str, **variables: str) -> str:
-    """Return the line that runs a command, with make or, where it is not installed, with Python.
+    """Return the line that runs a command: with make, or with Python if make is not installed.
 
     In a browser there are no commands, but the page's buttons have the names of make's commands.
     """
@@ -71,7 +71,7 @@ def command(name: str, **variables: str) -> str:
 
 
 def engine_variables(engine: list[Path]) -> dict[str, str]:
-    """Return the make variables that select an engine: none for the student's own."""
+    """Return the make variables that select an engine. The student's own engine needs none."""
     if engine[0] == ROOT / "chapters":
         return {}
     inside = engine[0].is_relative_to(ROOT)
@@ -79,5 +79,5 @@ def engine_variables(engine: list[Path]) -> dict[str, str]:
 
 
 def check_command(engine: list[Path], **arguments: str) -> str:
-    """Return the command that checks this engine again."""
+    """Return the command that checks this engine again, to print as a next step."""
     return command("check", **arguments, **engine_variables(engine))

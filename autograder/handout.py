@@ -9,8 +9,10 @@ from collections.abc import Collection, Iterable, Iterator
 from pathlib import Path
 
 from autograder.checks.arrange import shared_by_checks
-from autograder.manifest import ROOT, Chapter, chapters_below
+from autograder.course.handout import for_students, manifest_of
+from autograder.manifest import ROOT, Chapter, chapters_below, load_chapter
 from autograder.stubs import KEPT, make_stubs
+from autograder.tables import with_table
 
 STUDENT_TOOLS = {
     ".": "Makefile pyproject.toml requirements.lock stubs.lock LICENSE .gitignore glossary.md",
@@ -21,10 +23,9 @@ STUDENT_TOOLS = {
     "autograder/checks": "*.py",
     "autograder/student": "*.py",
     "studies": (
-        "__init__.py __main__.py balance.py constraints.py drag_flight.py drawing.py "
-        "engine.py links.py mass_aggregate.py piles.py plot.py readings.py releases.py reason.py "
-        "ropes.py rotations.py stability.py timing.py"
+        "__init__.py __main__.py drawing.py engine.py plot.py readings.py reason.py timing.py"
     ),
+    "studies/runs": "*.py",
 }
 
 README = """\
@@ -61,17 +62,18 @@ def student_tools(root: Path = ROOT) -> Iterator[Path]:
 
 
 def make_handout(
-    chapters: list[Chapter], given: list[Chapter], out: Path, root: Path = ROOT
+    chapters: list[Chapter], given: list[Chapter], out: Path, root: Path = ROOT, *, about: str = ""
 ) -> None:
     """Write a hand-out into a new folder and print what it contains.
 
     The hand-out has ``chapters`` as stubs with their checks, and ``given`` chapters complete and
-    without checks.
+    without checks. If a chapter lacks some exercises of its manifest, these become optional.
+    ``about`` is a section about the assignment for the README.
 
     Raises:
         ValueError: A chapter is in both lists, or the folder is not empty.
     """
-    if both := [chapter.name for chapter in chapters if chapter in given]:
+    if both := [c.name for c in chapters if c.name in [other.name for other in given]]:
         raise ValueError(f"{', '.join(both)} cannot be handed out both as stubs and as given")
     if out.exists() and any(out.iterdir()):
         raise ValueError(f"out must be a new or empty folder, but {out} is not empty")
@@ -90,7 +92,7 @@ def make_handout(
         _copy([*complete, *pictures], out / "chapters" / chapter.name)
     for chapter in chapters:
         folder = f"chapters/{chapter.name}"
-        _copy([root / folder / "chapter.toml"], out / folder)
+        _write_manifest(chapter, root / folder, out / folder)
         for path, text in stubs.items():
             if path.startswith(folder + "/"):  # generated, since the files here may be edited
                 (out / path).write_text(text, encoding="utf-8", newline="\n")
@@ -106,15 +108,29 @@ def make_handout(
         _copy(modules, out / "chapters" / chapter.name)
     titles = ", ".join(chapter.title.lower() for chapter in chapters)
     example = chapters[0].exercises[0].id
-    text = README.format(titles=titles, example=example)
+    heading, _, body = README.format(titles=titles, example=example).partition("\n\n")
+    text = "\n\n".join([heading, about, body] if about else [heading, body])
     (out / "README.md").write_text(text, encoding="utf-8", newline="\n")
     print(f"as stubs: {', '.join(chapter.name for chapter in chapters)}")
     print(f"given complete: {', '.join(chapter.name for chapter in given) or 'none'}")
-    there = [*chapters, *given]
+    there = [chapter.name for chapter in [*chapters, *given]]
     below = [other for chapter in chapters for other in chapters_below(chapter, root)]
-    if missing := sorted({other.name for other in below if other not in there}):
+    if missing := sorted({other.name for other in below if other.name not in there}):
         print(f"each student must add: {', '.join(missing)}")
     print(f"hand-out: {out}; try it with: make -C {shlex.quote(str(out))} check")
+
+
+def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:
+    """Write the manifest and the exercise table, with the points of the assigned exercises."""
+    whole = for_students(load_chapter(source), chapter)
+    text = (source / "chapter.toml").read_text(encoding="utf-8")
+    if whole != load_chapter(source):
+        text = manifest_of(text, whole)
+        page = target / "reference.md"
+        if page.is_file():
+            new = with_table(page.read_text(encoding="utf-8"), whole)
+            page.write_text(new, encoding="utf-8", newline="\n")
+    (target / "chapter.toml").write_text(text, encoding="utf-8", newline="\n")
 
 
 def _copy_lab(root: Path, out: Path, chapters: Collection[str]) -> None:

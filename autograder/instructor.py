@@ -7,15 +7,19 @@ import sys
 from pathlib import Path
 
 from autograder.analysis import commands as analysis
-from autograder.manifest import ROOT, select_chapters, split_given
+from autograder.course.choose import add_options, work_of
+from autograder.manifest import ROOT, select_chapters
 from autograder.release import commands as release
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add the instructor's commands. Each one imports its modules late, to keep check fast."""
+    """Add the instructor's commands.
+
+    Each command imports its modules only when it runs, so that `check` starts quickly.
+    """
     unsafe = "if there is no sandbox here, grade a class that you trust without one"
     command = commands.add_parser("grade", help="grade a folder of submissions")
-    command.add_argument("folder", type=Path, help="contains a folder or .zip per student")
+    command.add_argument("folder", type=Path, help="a folder or .zip per student, or a zip of them")
     command.add_argument("--out", type=Path, required=True, help="folder for the results")
     command.add_argument("--seed", help="seed of the checks' numbers (default: a new one)")
     command.add_argument("--chapters", default="", help="such as 2,3 (default: all)")
@@ -25,7 +29,12 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command.add_argument("--checks", type=Path, help="folder of hidden checks, chNN_name/test_*.py")
     command.add_argument("--student", help="grade only this one again, with the seed of the class")
     command.add_argument("--note", default="", help="with --student: the reason, for regrades.csv")
+    command.add_argument("--roster", type=Path, help="CSV with the columns id,name,email,login")
+    command.add_argument("--anonymous", action="store_true", help="codes in place of names")
+    command.add_argument("--title", default="", help="assignment in Canvas, as in 'Lab 1 (12345)'")
+    command.add_argument("--points", type=float, help="points of the assignment on the platform")
     command.add_argument("--unsafe-no-sandbox", action="store_true", help=unsafe)
+    add_options(command)
     command.set_defaults(run=run_grade)
 
     for name, help_text, run in (
@@ -33,16 +42,18 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
         ("classroom", "make a hand-out with a workflow for GitHub Classroom", run_classroom),
     ):
         command = commands.add_parser(name, help=help_text)
-        command.add_argument("chapters", help="chapters to include as stubs, such as 4-5")
+        command.add_argument("chapters", nargs="?", help="chapters as stubs, such as 4-5")
         command.add_argument("--given", default="", help="complete chapters, such as 2-3")
         command.add_argument("--out", type=Path, required=True, help="a new folder")
+        add_options(command)
         command.set_defaults(run=run)
 
     command = commands.add_parser("gradescope", help="make the autograder zip for Gradescope")
-    command.add_argument("chapters", help="chapters to grade, such as 2-3")
+    command.add_argument("chapters", nargs="?", default="", help="such as 2-3 (default: all)")
     command.add_argument("--given", default="", help="chapters that were handed out complete")
     command.add_argument("--out", type=Path, required=True, help="the zip file")
     command.add_argument("--unsafe-no-sandbox", action="store_true", help=unsafe)
+    add_options(command)
     command.set_defaults(run=run_gradescope)
 
     command = commands.add_parser("similarity", help="compare the submissions of a class")
@@ -55,6 +66,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command.add_argument("folder", type=Path, help="with a folder, or a .zip, for each student")
     command.add_argument("--chapters", default="", help="such as 2,3 (default: all)")
     command.add_argument("--no-browser", action="store_true", help="print the address only")
+    add_options(command)
     command.set_defaults(run=run_mark)
 
     analysis.add_commands(commands)
@@ -73,40 +85,48 @@ def run_grade(arguments: argparse.Namespace) -> int:
 
     from autograder.grader.cohort import ClassOptions, grade
     from autograder.grader.regrade import earlier_choice
+    from autograder.platforms.uploads import Column
+    from autograder.submissions.unpack import class_folder
 
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # handled like Ctrl-C
 
-    if arguments.student and not (arguments.chapters or arguments.given):
+    if arguments.student and not (arguments.chapters or arguments.given or arguments.assignment):
         arguments.chapters, arguments.given = earlier_choice(arguments.out)
-    given, chapters = split_given(select_chapters(arguments.chapters), arguments.given)
+    work = work_of(arguments)
     options = ClassOptions(
-        given=given,
-        seed=arguments.seed,
+        given=work.given,
+        seed=arguments.seed or work.seed,
         student=arguments.student,
         why=arguments.note,
-        hidden=arguments.checks,
+        hidden=work.hidden,
+        deadline=work.deadline,
         unsafe=arguments.unsafe_no_sandbox,
         jobs=arguments.jobs,
         cluster=arguments.cluster,
+        roster=arguments.roster or work.roster,
+        anonymous=arguments.anonymous,
+        column=Column(arguments.title or work.title, arguments.points),
     )
-    return grade(arguments.folder, arguments.out, chapters, options)
+    return grade(class_folder(arguments.folder), arguments.out, work.chapters, options)
 
 
 def run_handout(arguments: argparse.Namespace) -> int:
     """Make a hand-out and print what it contains."""
+    from autograder.course.handout import about
     from autograder.handout import make_handout
 
-    given = select_chapters(arguments.given) if arguments.given else []
-    make_handout(select_chapters(arguments.chapters), given, arguments.out)
+    work = work_of(arguments, handed_out=True)
+    make_handout(work.chapters, work.given, arguments.out, about=about(work))
     return 0
 
 
 def run_classroom(arguments: argparse.Namespace) -> int:
     """Make a hand-out with a workflow for GitHub Classroom and print what it contains."""
+    from autograder.course.handout import about
     from autograder.platforms.classroom import make_classroom
 
-    given = select_chapters(arguments.given) if arguments.given else []
-    make_classroom(select_chapters(arguments.chapters), given, arguments.out)
+    work = work_of(arguments, handed_out=True)
+    make_classroom(work.chapters, work.given, arguments.out, about=about(work))
     return 0
 
 
@@ -114,16 +134,17 @@ def run_gradescope(arguments: argparse.Namespace) -> int:
     """Make the zip for Gradescope and print what it contains."""
     from autograder.platforms.gradescope import make_gradescope
 
-    given, chapters = split_given(select_chapters(arguments.chapters), arguments.given)
-    make_gradescope(chapters, given, arguments.out, unsafe=arguments.unsafe_no_sandbox)
+    make_gradescope(work_of(arguments), arguments.out, unsafe=arguments.unsafe_no_sandbox)
     return 0
 
 
 def run_similarity(arguments: argparse.Namespace) -> int:
-    """Compare the submissions of a class, and say how many pairs stand out."""
+    """Compare the submissions of a class, and report how many pairs stand out."""
     from autograder.similarity.run import similarity
+    from autograder.submissions.unpack import class_folder
 
-    return similarity(arguments.folder, arguments.out, select_chapters(arguments.chapters))
+    folder = class_folder(arguments.folder)
+    return similarity(folder, arguments.out, select_chapters(arguments.chapters))
 
 
 def run_mark(arguments: argparse.Namespace) -> int:
@@ -131,9 +152,10 @@ def run_mark(arguments: argparse.Namespace) -> int:
     if sys.platform == "win32":
         raise ValueError("mark takes Linux or macOS; on Windows run it under WSL")
     from autograder.marking.server import mark
+    from autograder.submissions.unpack import class_folder
 
-    chapters = select_chapters(arguments.chapters)
-    return mark(arguments.folder, chapters, browser=not arguments.no_browser)
+    chapters = work_of(arguments).chapters
+    return mark(class_folder(arguments.folder), chapters, browser=not arguments.no_browser)
 
 
 def run_stubs(arguments: argparse.Namespace) -> int:

@@ -1,4 +1,4 @@
-"""What the servers of local pages share: they serve their own page alone, and nobody else.
+"""A base for the servers of local pages, which answer only their own page.
 
 A site listens on 127.0.0.1 only. Every address begins with a random token, so that no other page or
 user of the machine can guess it. A request for another host, or from a page of another origin, is
@@ -26,7 +26,7 @@ HEADERS = {
 
 
 class Site:
-    """A page on this machine: its address, and which requests it answers."""
+    """A page on this machine: its address, and the requests that it answers."""
 
     def __init__(self) -> None:
         self.token = secrets.token_urlsafe(16)
@@ -37,24 +37,24 @@ class Site:
         return f"http://127.0.0.1:{self.port}/{self.token}/"
 
     def listen(self, application: Application, port: int = 0) -> None:
-        """Serve on this port, or on any that is free. It needs a running event loop."""
+        """Serve on this port, or on any free port. The caller must have a running event loop."""
         sockets = bind_sockets(port, "127.0.0.1")
         self.port = sockets[0].getsockname()[1]
         HTTPServer(application).add_sockets(sockets)
 
     def check_host(self, request: HTTPServerRequest) -> None:
-        """Refuse a request that came by another name: a foreign page may point one at us."""
+        """Refuse a request for another host name, because a foreign page may point a name at us."""
         if request.host not in (f"127.0.0.1:{self.port}", f"localhost:{self.port}"):
             raise HTTPError(403)
 
 
 def is_own_page(request: HTTPServerRequest, origin: str) -> bool:
-    """Say whether a request's origin is the host that it asks: no other page may change a thing."""
+    """Return whether a request comes from our own page, because only it may change anything."""
     return urlsplit(origin).netloc == request.host
 
 
 class Handler(RequestHandler):
-    """Answers requests for a site's own host."""
+    """A request handler that answers only requests for its site's own host."""
 
     site: Site
 
@@ -70,7 +70,7 @@ class Handler(RequestHandler):
 
 
 class Files(StaticFileHandler):
-    """The page and its files."""
+    """A handler for the page and its files."""
 
     def initialize(self, site: Site, path: str, default_filename: str = "index.html") -> None:  # type: ignore[override]
         self.site = site

@@ -1,8 +1,8 @@
-"""Make .venv and install the pinned packages of requirements.lock in it.
+"""Create .venv and install the pinned packages of requirements.lock in it.
 
-make runs this script before its first command. Without make: python3 autograder/make_venv.py
-The script uses only what Python 3.6 understands, so that an old Python can report that it is too
-old.
+`make` runs this script before its first command. Without make: python3 autograder/make_venv.py The
+script uses only the syntax of Python 3.6, so that an old Python can run it far enough to report
+that it is too old.
 """
 
 import os
@@ -18,7 +18,7 @@ NETWORK_WORDS = ("connection broken", "name resolution", "read timed out", "is u
 
 
 def stop(sentence: str) -> None:
-    """Exit with one sentence. Without .venv/ready, the next run starts over."""
+    """Exit with one sentence. Without .venv/ready, the next run starts from the beginning."""
     sys.exit(f"Cannot set up: {sentence}")
 
 
@@ -36,7 +36,7 @@ def shown_python() -> str:
 
 
 def check_python() -> None:
-    """Exit if this Python is too old or lacks the venv module."""
+    """Exit with a message if this Python is too old or lacks the venv module."""
     version = ".".join(str(part) for part in sys.version_info[:2])
     if sys.version_info < (3, 11):  # noqa: UP036 - an old Python ends here
         newer = "py -3.12" if os.name == "nt" else "python3.12"

@@ -16,13 +16,17 @@ FOLDER_NAME = re.compile(r"ch(\d\d)_[a-z0-9_]+")
 
 @dataclass(frozen=True)
 class Exercise:
-    """One exercise or build task of a chapter."""
+    """One exercise or build task of a chapter.
+
+    An assignment of a course can make it ``extra`` credit, which counts above the total. In the
+    hand-out of an assignment, the exercises that are not assigned are ``optional``.
+    """
 
     id: str
     title: str
     kind: str
     stars: int
-    points: int
+    points: float
     hints: list[str]
     terms: list[str]
     edit: list[str] = field(default_factory=list)
@@ -31,6 +35,8 @@ class Exercise:
     chart: list[str] = field(default_factory=list)  # of an open exercise: its axes, cost and error
     robust: str = ""  # why an engine needs the robust checks, if the exercise has any
     play: list[str] = field(default_factory=list)  # scenes of the lab that it makes playable
+    extra: bool = False
+    optional: bool = False
 
 
 @dataclass(frozen=True)
@@ -198,8 +204,8 @@ def _exercise(path: Path, entry: dict[str, Any]) -> Exercise:
         raise ValueError(f"{where}: kind must be one of {', '.join(KINDS)}, got {exercise.kind!r}")
     if exercise.stars not in (1, 2, 3):
         raise ValueError(f"{where}: stars must be 1, 2 or 3, got {exercise.stars!r}")
-    if not (isinstance(exercise.points, int) and exercise.points > 0):
-        raise ValueError(f"{where}: points must be a positive whole number")
+    if type(exercise.points) not in (int, float) or exercise.points <= 0:
+        raise ValueError(f"{where}: points must be a positive number, got {exercise.points!r}")
     if len(exercise.chart) not in (0, 2):
         raise ValueError(f"{where}: chart must name the cost and the error, got {exercise.chart!r}")
     if not _are_words(exercise.play):

@@ -1,4 +1,4 @@
-"""The message of a check, as data. Each screen, page and file formats it in its own way."""
+"""The message of a check, as data. Each screen, page and file formats the data in its own way."""
 
 from __future__ import annotations
 
@@ -44,9 +44,9 @@ class Message:
 
     ``title`` is a sentence that does not fit under one of the labels. ``got`` must equal ``wanted``
     to within ``tolerance``, or exactly if the tolerance is 0. ``where`` is a line of the student's
-    code. ``likely`` is the likely cause of the failure, and ``other`` a second possible cause.
-    ``exercise`` names the exercise whose body is not written yet, and ``blocked_by`` the exercises
-    that must pass first.
+    code. ``likely`` is the likely cause of the failure, and ``other`` is a second possible cause.
+    ``exercise`` names the exercise whose body is not written yet, and ``blocked_by`` lists the
+    exercises that must pass first.
     """
 
     title: str = ""
@@ -64,11 +64,11 @@ class Message:
     blocked_by: tuple[str, ...] = ()
 
     def __bool__(self) -> bool:
-        """Return whether the message says anything."""
+        """Return whether the message has any content."""
         return self != NOTHING
 
     def changed(self, change: Callable[[str], str]) -> Message:
-        """Return a copy of the message in which a function has changed every text."""
+        """Return a copy of the message in which a function has been applied to every text."""
         values: dict[str, Any] = {
             field.name: change(value)
             for field in fields(self)
@@ -114,7 +114,7 @@ class Message:
 
 
 def one_per_line(call: str) -> str:
-    """Return a call, with one statement per line if it is long. Brackets are kept together."""
+    """Return a call with one statement per line if it is long. Brackets are kept together."""
     if len(call) <= LONG_CALL:
         return call
     lines, depth = [""], 0
@@ -143,7 +143,7 @@ NOTHING = Message()
 
 
 class ExpectationError(AssertionError):
-    """The code did not do what a check expected. The exception carries the message."""
+    """Raised when the code did not meet an expectation of a check. It carries the message."""
 
     def __init__(self, message: Message) -> None:
         super().__init__(message)

@@ -86,15 +86,22 @@ def _passing(checks: Sequence[Verdict]) -> float:
     return passed / sum(check.weight for check in checks)
 
 
-def total(results: Iterable[Result]) -> tuple[float | None, int]:
+def total(results: Iterable[Result]) -> tuple[float | None, float]:
     """Return the points earned and the points that checks can give, without written answers.
 
     The points earned are None if the grader failed on an exercise, since they are then unknown.
+    Extra credit is earned above the points that checks can give. Optional exercises do not count.
     """
-    checked = [result for result in results if result.exercise.kind != "written"]
-    points = sum(result.exercise.points for result in checked)
+    checked = [r for r in results if not (r.exercise.kind == "written" or r.exercise.optional)]
+    points = possible(result.exercise for result in checked)
     scores = [result.score for result in checked if result.score is not None]
     return (round(sum(scores), 2) if len(scores) == len(checked) else None), points
+
+
+def possible(exercises: Iterable[Exercise]) -> float:
+    """Return the points that these exercises can give, without extra credit."""
+    counted = [e.points for e in exercises if not (e.extra or e.optional)]
+    return round(sum(counted), 2)
 
 
 def shown(score: float | None) -> str:

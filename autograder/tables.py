@@ -18,11 +18,16 @@ def exercise_table(chapter: Chapter) -> str:
     for exercise in chapter.exercises:
         places = "; ".join(_places(exercise, chapter)) or "`answers.md`"
         stars, needs = "\\*" * exercise.stars, ", ".join(exercise.needs)
+        points = "optional" if exercise.optional else f"{exercise.points}{_extra(exercise)}"
         rows.append(
-            f"| {exercise.id} | {exercise.title} | {exercise.kind} | {stars} | {exercise.points} "
+            f"| {exercise.id} | {exercise.title} | {exercise.kind} | {stars} | {points} "
             f"| {places} | {needs} |"
         )
     return "\n".join(rows)
+
+
+def _extra(exercise: Exercise) -> str:
+    return " (extra credit)" if exercise.extra else ""
 
 
 def _places(exercise: Exercise, chapter: Chapter) -> list[str]:

@@ -1,1 +1,1 @@
-"""Interactive scenes, which run a student's own engine in a browser, a window or a picture."""
+"""Interactive scenes that run on a student's own engine, in a browser, a window or a picture."""

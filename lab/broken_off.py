@@ -1,4 +1,4 @@
-"""Explain why an engine stopped in the middle of a message."""
+"""Explain why an engine stopped while it was answering a message."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ TIME_LIMIT = 2.5  # s per message; a message normally takes a few milliseconds
 
 
 def why_it_broke_off(stack: str, engine: list[Path]) -> str:
-    """Return the explanation. ``stack`` is what the engine wrote when its time was up, or empty."""
+    """Return the explanation, from the stack that the engine wrote when its time was up, if any."""
     if stack:
         return str(explain_hang(stack, TIME_LIMIT, engine))
     return "The engine's process ended by itself. Does your code call os._exit?"

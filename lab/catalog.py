@@ -14,7 +14,7 @@ FOLDER = Path(__file__).parent / "scenes"
 
 @dataclass(frozen=True)
 class Entry:
-    """The location of a scene, known without importing an engine."""
+    """The name and location of a scene, which can be found without importing an engine."""
 
     name: str
     title: str

@@ -10,7 +10,7 @@ from lab.pen import Pen
 
 
 class ContactView(ContactResolver):
-    """A resolver that delegates to another one and records the results of the last step."""
+    """A resolver that calls another resolver and records the results of the last step."""
 
     def __init__(self, resolver: ContactResolver) -> None:
         self.resolver = resolver

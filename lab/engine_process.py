@@ -1,4 +1,4 @@
-"""Start, query and stop the processes that run a student's code, on behalf of the server."""
+"""Start, query and stop the processes that run students' code, on behalf of the server."""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
-"""The engine host: it runs one scene on an engine and communicates by messages.
+"""The engine host, which runs one scene on an engine and communicates by messages.
 
-The host does not depend on pages, sockets or processes. A message is a dict with a ``kind``. It
-contains only numbers, texts, lists and dicts, so that it can be sent as JSON.
+The host does not depend on pages, sockets or processes, so the local server and the course's site
+can share it. A message is a dict with a ``kind``. It contains only numbers, texts, lists and dicts,
+so that it can be sent as JSON.
 """
 
 from __future__ import annotations

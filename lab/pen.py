@@ -1,7 +1,8 @@
 """A pen that records what a scene draws as plain data, for a page or matplotlib to draw later.
 
 Coordinates are in the scene's own units, with +x to the right and +y up. A point is a Vector3 or a
-pair (x, y). Colors are names, so that each renderer can choose shades for a light or a dark page.
+pair (x, y). Colors are given by name, so that each renderer can choose shades for a light or a dark
+page.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The lab's web server. It serves the page and connects each open page to an engine."""
+"""The lab's web server, which serves the page and connects each open page to an engine."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ from lab.contact_view import ContactView
 from lab.parameters import Choice
 from lab.pen import Pen
 from lab.scene import Scene
-from studies.links import ends_of
+from studies.runs.links import ends_of
 
 
 class WorldScene(Scene):
@@ -21,7 +21,7 @@ class WorldScene(Scene):
     iterations = Choice(100, "most iterations per phase", [1, 3, 10, 30, 100, 300], live=True)
 
     def run(self, step: Callable[[float], object], world: ParticleWorld) -> None:
-        """Use ``step`` to advance the world from now on, and record the world's contacts."""
+        """Advance the world by ``step`` from now on, and record the world's contacts."""
         self.make_step = step
         self.owed = 0.0  # s that have passed but have not been simulated yet
         self.contacts = ContactView(world.resolver)

@@ -9,7 +9,7 @@ import sys
 from autograder.commands import prepare
 
 # A hand-out contains only the first of these.
-COMMANDS = ("plot", "figures", "bench", "charts", "choose", "limits", "economy", "soak")
+COMMANDS = ("plot", "figures", "bench", "charts", "choose", "limits", "economy", "soak", "contacts")
 
 
 def main() -> int:

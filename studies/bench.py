@@ -1,4 +1,4 @@
-"""Measure speed as ratios of times, and print each ratio with its target."""
+"""Measure the speed of the engine as ratios of times, and compare each ratio with its target."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def every(console: Console) -> list[Measurement]:
 
 
 def told(line: Line) -> str:
-    """Return a line's median, quartiles and verdict as one phrase."""
+    """Return a line's median, quartiles and verdict in one phrase."""
     spread = f"{number(line.median)} ({number(line.low)} to {number(line.high)})"
     return f"{spread}, target {line.target}: {line.verdict}" if line.target else spread
 

@@ -29,8 +29,8 @@ def add_engine_options(parser: argparse.ArgumentParser) -> None:
 def use_engine(parser: argparse.ArgumentParser, engine: str, given: str = "") -> None:
     """Import chapters from this folder from now on, and given chapters from the reference.
 
-    The code in the folder has the same restrictions as in grading. A folder or a chapter that
-    does not exist is reported as an error of the command line.
+    The code in the folder has the same restrictions as in grading. If a folder or a chapter does
+    not exist, the command line reports an error.
     """
     try:
         chapters = select_chapters(given) if given else []

@@ -38,12 +38,15 @@ PLOTS = (
     "ch06_springs/stability_map",
     "ch07_constraints/bounce_heights",
     "ch07_constraints/stack_height",
+    "ch07_constraints/contact_solvers",
     "ch08_mass_aggregate/mass_ratios",
     "ch08_mass_aggregate/wheel_deformation",
     "ch09_rotations/order_of_turns",
     "ch09_rotations/drift_of_first_order",
     "ch09_rotations/gimbal_lock",
 )
+# Plots that show the committed numbers of a study, with the module that draws them.
+OF_STUDIES = {"ch07_constraints/contact_solvers": "studies.contacts.chart"}
 # The length of each animation in s, and the time of its still picture. Pages show the still picture
 # and link to the animation, so that nothing moves unless the reader wants it to.
 ANIMATIONS = {
@@ -73,7 +76,8 @@ def main(arguments: list[str]) -> int:
     for name in PLOTS:
         folder = work / Path(name).parent
         folder.mkdir(parents=True, exist_ok=True)
-        plots = importlib.import_module(f"lab.plots.{Path(name).parent}")
+        module = OF_STUDIES.get(name, f"lab.plots.{Path(name).parent}")
+        plots = importlib.import_module(module)
         done.append(plot.draw(getattr(plots, Path(name).name), folder, TIME_LIMIT))
         if done[-1]:
             with Image.open(work / f"{name}.png") as drawn:

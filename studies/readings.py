@@ -1,4 +1,4 @@
-"""Numbers read from an engine that may be wrong or unfinished, and vectors as plain numbers."""
+"""Read numbers from an engine that may be wrong or unfinished, and vectors as plain numbers."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
 def numbers(v: Any) -> Numbers:
     """Return the components of an engine's vector, with NaN for anything that is not a number.
 
-    The plot of a wrong engine then lacks a curve, but drawing it does not fail.
+    If an engine is wrong, its plot then lacks a curve, but drawing the plot does not fail.
     """
     return (
         number(getattr(v, "x", None)),

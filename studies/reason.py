@@ -1,4 +1,4 @@
-"""Explain why the student's code could not be run, for pictures and scenes."""
+"""Explain in pictures and scenes why the student's code could not be run."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Timing as ratios: two times are measured in turn, in one run on one machine.
+"""Measure times as ratios: two times are measured in turn, in one run on one machine.
 
 A ratio is similar on all machines, but seconds are not. The two times of a ratio are measured
 directly one after the other. The rounds of all lines are mixed, so that a slow minute of the
@@ -33,7 +33,7 @@ LEAST = 5e-3  # s; a shorter time is measured several times per round
 
 @dataclass(frozen=True)
 class Target:
-    """A bound for a figure: at least or at most this much."""
+    """A bound for a figure: the figure must be at least, or at most, this large."""
 
     side: Literal["at least", "at most"]
     bound: float
@@ -182,7 +182,7 @@ def against_peers(
         if importlib.util.find_spec(peer) is None:
             console.print(
                 f"{peer} is not installed. To install it:\n"
-                f"  {shown_python()} -m pip install -r studies/peers.txt"
+                f"  {shown_python()} -m pip install -r studies/benchmarks/peers.txt"
             )
             continue
         theirs = statements[peer]

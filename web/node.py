@@ -1,4 +1,4 @@
-"""Run Node, which only the site's build needs, with the packages that package-lock.json pins."""
+"""Run Node, with the packages that package-lock.json pins. Only the site's build needs it."""
 
 from __future__ import annotations
 

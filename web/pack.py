@@ -23,6 +23,7 @@ CHECKED = ("chapters", "tests")  # these stay source code, because tracebacks sh
 OURS = ("autograder", "lab", "studies", "web")
 # Packages copied whole, because pytest finds their parts by name, and packages used only in part.
 WHOLE, IN_PART = ("_pytest", "pytest", "pluggy", "iniconfig"), ("packaging", "py", "pygments")
+PYTEST = "[tool.pytest.ini_options]"
 LICENSED = ("pytest", "pluggy", "iniconfig", "packaging", "pygments")
 # Parts of Python's library that need another process, a socket, a terminal or a database.
 LEFT_OUT = "_pyrepl/ ctypes/macholib/ multiprocessing/ sqlite3/ wsgiref/ xmlrpc/ mailbox. imaplib."
@@ -54,8 +55,12 @@ def _stage_course(folder: Path, *, with_solutions: bool) -> None:
         (handout / "web" / "__init__.py").write_text(text, encoding="utf-8")
         for part in CHECKED:
             _copy_tree(handout / part, folder / part, "*")
-        for name in ("pyproject.toml", "stubs.lock", "LICENSE"):
+        for name in ("stubs.lock", "LICENSE"):
             shutil.copyfile(handout / name, folder / name)
+        # pytest reads its settings in every run, and a whole file takes a seventh of a short one.
+        settings = (handout / "pyproject.toml").read_text(encoding="utf-8")
+        table = settings[settings.index(PYTEST) :].split("\n\n")[0]
+        (folder / "pyproject.toml").write_text(f"{table}\n", encoding="utf-8")
         roots = [*handout.glob("web/python/**/*.py"), *handout.glob("lab/scenes/*.py")]
         roots += handout.glob("tests/**/*.py")
         for file in imported_by(roots, [handout], OURS):

@@ -1,4 +1,4 @@
-"""Copy the pictures of the pages as smaller files that look the same, and note their sizes."""
+"""Copy the pictures of the pages as smaller files that look the same, and record their sizes."""
 
 from __future__ import annotations
 

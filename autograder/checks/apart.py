@@ -1,8 +1,8 @@
-"""Run checks in a copy of this process, so that they do not see the effects of other checks.
+"""Run checks in a copy of this process, so that the effects of a check do not reach other checks.
 
-A grader starts a fresh process for each check, so a counter or a cache in a module starts over. At
-home, one copy serves all checks of an exercise, because making a copy for each check would take
-twice as long as running all of the checks.
+A grader starts a fresh process for each check, so a counter or a cache in a module starts over. On
+a student's machine, one copy serves all checks of an exercise, because making a copy for each check
+would take twice as long as running all of the checks.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ def run_in_a_copy(work: Callable[[], object]) -> None:
 
 
 def how_it_ended(code: int) -> str:
-    """Return a sentence about a process that ended while it ran a student's code."""
+    """Return a sentence that explains how a process ended while it ran a student's code."""
     if code < 0:
         name = signal.strsignal(-code) or f"signal {-code}"
         return f"the process ended early: Python crashed ({name})"

@@ -13,13 +13,13 @@ from autograder.message import Message
 
 @dataclass(frozen=True)
 class Behind:
-    """How untrusted code is confined: it runs in workers, inside a sandbox.
+    """The confinement of untrusted code: it runs in workers, inside a sandbox.
 
     ``level`` names the layers of the sandbox (a sandbox.Level as a dict). ``fresh`` starts a new
     interpreter for each check. ``missing`` maps each module that was not taken to the reason.
     ``hidden`` is a folder of additional checks, of which students see only the rationale.
-    ``for_instructor`` shows the full messages of hidden checks, because only an instructor reads
-    them.
+    ``for_instructor`` shows the full messages of hidden checks, which is safe because only an
+    instructor reads them.
     """
 
     level: dict[str, bool]
@@ -31,7 +31,7 @@ class Behind:
 
 @dataclass(frozen=True)
 class Workers:
-    """How the check process starts its workers. ``probes`` is the folder of the probes."""
+    """The settings with which a check process starts its workers, and the folder of the probes."""
 
     level: dict[str, bool]
     fresh: bool

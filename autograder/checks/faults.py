@@ -1,4 +1,4 @@
-"""Describe what went wrong in a student's code as plain data.
+"""Describe an error in a student's code as plain data.
 
 The description is the same whether the code ran in this process or in a worker.
 """
@@ -18,9 +18,9 @@ MOST_FRAMES = 50
 
 
 class CheckEnded(BaseException):
-    """Ends a check with a message.
+    """Raised to end a check with a message.
 
-    It is not an Exception, so that code that expects an Exception does not catch it.
+    It is not a subclass of Exception, so that code that catches Exception does not catch it.
     """
 
     def __init__(self, message: Message) -> None:
@@ -32,11 +32,11 @@ class CheckEnded(BaseException):
 
 
 class GraderFault(BaseException):
-    """Ends a check because of an error that is not the fault of the checked code."""
+    """Raised to end a check because of an error that is not the fault of the checked code."""
 
 
 class StudentLeft(BaseException):
-    """The student's code raised something other than an Exception, such as SystemExit."""
+    """Raised when the student's code raised no Exception but, for example, SystemExit."""
 
     fault: Fault
 

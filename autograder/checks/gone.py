@@ -1,7 +1,7 @@
 """Explain a failure that comes from a function that the student's file no longer defines.
 
 The manifest names the functions to write. If a student deletes or renames one of them, Python says
-only that a name is missing. The student should read that the stub is gone, and how to get it back.
+only that a name is missing. The explanation adds that the stub is gone, and how to get it back.
 """
 
 from __future__ import annotations

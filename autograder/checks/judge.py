@@ -36,9 +36,9 @@ _stopping = threading.Event()
 
 @contextlib.contextmanager
 def stopping() -> Iterator[None]:
-    """End the runs in all threads, and let none begin inside this context.
+    """End the runs in all threads, and prevent new runs inside this context.
 
-    Each of these runs raises GraderError.
+    Each of the runs raises GraderError.
     """
     _stopping.set()
     for process in list(_processes):
@@ -55,13 +55,13 @@ def is_stopped() -> bool:
 
 
 class SilentError(Exception):
-    """The process has printed nothing for too long."""
+    """Raised when the process has printed nothing for too long."""
 
 
 class Judge:
     """A process that runs verdicts.py with one configuration.
 
-    Once it has ended, ``stderr`` is the end of its standard error, and ``code`` its exit code.
+    After it has ended, ``stderr`` is the end of its standard error, and ``code`` is its exit code.
     """
 
     def __init__(self, config: Path, folder: Path, *, holds_input: bool) -> None:
@@ -108,10 +108,10 @@ class Judge:
 
 @dataclass(frozen=True)
 class Ending:
-    """How a process of the checks has ended.
+    """A description of how a process of the checks has ended.
 
-    Where its time was up, ``stack`` says what it was doing. It is ``silent`` where it had to be
-    ended from outside. ``stderr`` is the end of what it said of itself.
+    If its time was up, ``stack`` shows what it was doing. ``silent`` means that it had to be ended
+    from outside. ``stderr`` is the end of its standard error.
     """
 
     stack: str = ""
@@ -120,14 +120,14 @@ class Ending:
     stderr: str = ""
 
     def explain(self, time_limit: float, engine: list[Path]) -> Message:
-        """Return what a check says in which the process ended."""
+        """Return the message for the check in which the process ended."""
         if self.stack or self.silent:
             return explain_hang(self.stack, time_limit, engine)
         return Message(how_it_ended(self.code), kind=Kind.LEFT)
 
 
 def judge(run: Run) -> Ending:
-    """Start a process for the checks of a run that have no verdict yet; follow it to its end."""
+    """Start a process for the checks that have no verdict yet, and follow it to its end."""
     order, silent = run.order, False
     # Windows holds on to the files of a process for a moment after its end.
     with tempfile.TemporaryDirectory(prefix="checks-", ignore_cleanup_errors=True) as name:
@@ -181,7 +181,7 @@ def _kill(process: subprocess.Popen[str]) -> None:
 
 
 def environment() -> dict[str, str]:
-    """Return the environment of a check process: this one's, without automatic pytest plugins."""
+    """Return the environment of a check process, without automatic pytest plugins."""
     path = os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH", "")]))
     return os.environ | {
         "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",

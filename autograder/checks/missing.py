@@ -1,6 +1,6 @@
 """Placeholders for modules that cannot be imported and for names that do not exist.
 
-Code that uses such a name fails with an explanation. It fails where the name is used, not before.
+With a placeholder, code fails with an explanation, and only where it uses the name.
 """
 
 from __future__ import annotations

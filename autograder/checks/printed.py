@@ -1,4 +1,4 @@
-"""Keep the first characters that a student's code prints, and drop the rest."""
+"""Keep the first characters that a student's code prints, and discard the rest."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ LONGEST = 4000  # characters
 
 
 class CappedText(io.TextIOBase):
-    """Standard output and standard error of a student's code, limited in length."""
+    """A stream for the output of a student's code, which keeps only its first characters."""
 
     def __init__(self, keep: Callable[[str], object]) -> None:
         self.left = LONGEST

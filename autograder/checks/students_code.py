@@ -43,7 +43,7 @@ class StudentsCode:
         graded: Mapping[str, Collection[str]],
         ours: Collection[str] = (),
     ) -> None:
-        """Know the code of another engine from now on; what limits it stays installed."""
+        """Switch to the code of another engine. The installed limits stay in place."""
         self.folders = [folder.resolve() for folder in folders]
         self.graded = graded
         self.ours = ours

@@ -44,6 +44,11 @@ def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
     return [exercise for exercise in everything if exercise in wanted]
 
 
+def asked_for(chapter: Chapter) -> list[str]:
+    """Return the exercises that are not optional, and those that they need."""
+    return with_needs(chapter, [e.id for e in chapter.exercises if not e.optional])
+
+
 def mark_blocked(chapter: Chapter, verdicts: list[Verdict]) -> list[Verdict]:
     """Change failed verdicts to blocked in each exercise that builds on a failing one.
 

@@ -14,7 +14,7 @@ from autograder.checks.given import has_reference, with_given
 from autograder.checks.runner import GraderError, Limits, run_checks
 from autograder.checks.verdict import Verdict
 from autograder.isolation.sandbox import Level
-from autograder.manifest import ROOT, Chapter, chapters_below, load_chapters
+from autograder.manifest import ROOT, Chapter, chapters_below, load_chapter, load_chapters
 from autograder.message import Kind, Message
 from autograder.scores import Result, results_of
 from autograder.submissions.stage import stage
@@ -24,6 +24,7 @@ from autograder.submissions.stage import stage
 class Assignment:
     """The assignment that a class is graded on, which is the same for each submission.
 
+    ``chapters`` have the exercises that are graded, which may be fewer than those of the manifest.
     ``given`` chapters are taken from the reference, whatever is handed in. ``hidden`` is a folder
     of additional checks. ``level`` names the layers of the sandbox.
     """
@@ -45,18 +46,22 @@ class Assignment:
         run_limit: float = Limits.run,
         exercises: list[str] | None = None,
     ) -> list[Verdict]:
-        """Run a chapter's checks on an engine.
+        """Run the checks of a chapter's graded exercises and of those that they need.
 
         ``missing`` maps each module that was not taken to the reason.
 
         Raises:
             GraderError: The checks cannot be run.
         """
+        if exercises is None:
+            exercises = [e.id for e in chapter.exercises if e.kind != "written"]
+        if not exercises:
+            return []
         why = {
             module: Message(reason, kind=Kind.BROKEN) for module, reason in (missing or {}).items()
         }
         return run_checks(
-            chapter,
+            self.whole(chapter),
             engine,
             seed=self.seed,
             root=self.root,
@@ -64,6 +69,10 @@ class Assignment:
             limits=Limits(self.time_limit, run_limit),
             behind=Behind(vars(self.level), missing=why, hidden=self.hidden),
         )
+
+    def whole(self, chapter: Chapter) -> Chapter:
+        """Return the chapter with all exercises of its manifest, on which the graded ones build."""
+        return load_chapter(self.root / "chapters" / chapter.name)
 
 
 class OnceForAll:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Callable, Generator, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import closing
 from dataclasses import replace
@@ -20,9 +20,10 @@ from autograder.grader.assignment import Assignment, OnceForAll
 from autograder.grader.grading import digest_of, grade_submission
 from autograder.grader.run_key import run_key
 from autograder.reports.marks import Marks, apply_marks
-from autograder.reports.report import StudentReport
+from autograder.reports.report import Late, StudentReport
 from autograder.reports.results import read_result, write_student
 from autograder.scores import shown
+from autograder.submissions.codes import without_names
 from autograder.submissions.find import Submission, file_name
 
 
@@ -35,13 +36,18 @@ class ClassRun:
         out: Path,
         marks: Marks,
         console: Console,
+        late: Mapping[str, Late] | None = None,
+        *,
+        anonymous: bool = False,
     ) -> None:
         self.assignment = assignment
         self.out = out
         self.marks = marks
+        self.late = late or {}
         self.key = run_key(assignment)
         self.once = OnceForAll()
         self.console = console
+        self.anonymous = anonymous
         self.reused: list[str] = []
         self.keeps_reports = True  # those of an earlier run that are still valid
 
@@ -112,8 +118,10 @@ class ClassRun:
         return self.save(report)
 
     def save(self, report: StudentReport) -> StudentReport:
-        """Add the marks that a person gave, write the report and its pages, and return it."""
-        report = apply_marks(report, self.marks)
+        """Add marks and lateness, write the report and its pages, and return it."""
+        report = replace(apply_marks(report, self.marks), late=self.late.get(report.student))
+        if self.anonymous:
+            report = replace(report, notes=[without_names(note) for note in report.notes])
         write_student(self.out, report)
         return report
 
@@ -148,7 +156,7 @@ def print_class(console: Console, reports: list[StudentReport]) -> None:
         lost.sort(key=lambda pair: (order.index(pair[1].status), pair[1].robust))
         table.add_row(
             escape(report.student),
-            f"{shown(report.score)}/{report.points}",
+            f"{shown(report.score)}/{shown(report.points)}",
             shown(report.score_on_given),
             f"{passed}/{len(checks)}",
             report.status,

@@ -7,7 +7,7 @@ import os
 import sys
 from collections.abc import Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
@@ -16,16 +16,21 @@ from rich.console import Console
 from autograder.analysis.class_page import write_class_page
 from autograder.checks.arrange import Behind
 from autograder.checks.runner import GraderError, Limits, run_checks
+from autograder.course.model import Deadline
+from autograder.course.of_class import lateness, scaled_marks
 from autograder.grader.assignment import Assignment
 from autograder.grader.class_folder import only_run, put_others_aside, seed_of, temporary_files_in
 from autograder.grader.class_run import ClassRun, print_class
 from autograder.grader.cluster import connect, grade_over
+from autograder.grader.people import differences, folder_with_names, marks_of, people_of
 from autograder.grader.regrade import Regrade
 from autograder.isolation.level import choose_level
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.reports.marks import read_marks
+from autograder.platforms.uploads import Column, write_uploads
+from autograder.reports.report import Late
 from autograder.reports.results import write_class
 from autograder.reports.texts import replace_file
+from autograder.submissions.codes import key_path
 from autograder.submissions.find import Submission, find_submissions
 
 
@@ -37,8 +42,10 @@ class ClassOptions:
     stopped run resumes with its own seed, and a new run draws a new one. ``hidden`` is a folder of
     additional checks, chNN_name/test_*.py. ``unsafe`` accepts a machine without a sandbox. ``jobs``
     submissions are graded at a time, by default one per core. If ``cluster`` is the address of a
-    scheduler, the workers of that cluster grade instead. If there is a ``student``, only this one
-    is graded again, in the folder of an earlier run, and ``why`` goes into the log of regrades.
+    scheduler, the workers of that cluster grade instead. ``roster`` is a CSV of the students. An
+    ``anonymous`` class has codes for names. ``column`` is for the files for Canvas and Moodle. With
+    a ``deadline``, lateness is reported. If there is a ``student``, only this one is graded again,
+    in the folder of an earlier run, and ``why`` goes into the log of regrades.
     """
 
     given: Sequence[Chapter] = ()
@@ -49,6 +56,10 @@ class ClassOptions:
     time_limit: float = Limits.check
     jobs: int | None = None
     cluster: str | None = None
+    deadline: Deadline | None = None
+    roster: Path | None = None
+    anonymous: bool = False
+    column: Column = field(default_factory=Column)
     student: str | None = None
     why: str = ""
 
@@ -71,9 +82,17 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         ValueError: The class cannot be graded with these options.
         OSError: A file cannot be read or written.
     """
-    submissions, notes = _submissions(folder, out)
+    found, notes = _submissions(folder, out)
+    people = people_of(found, out, options.roster, anonymous=options.anonymous)
+    submissions = people.submissions
     everyone = [submission.student for submission in submissions]
-    marks = read_marks(folder / "marks.csv", load_chapters(options.root), everyone)
+    manifests = load_chapters(options.root)
+    marks = marks_of(people, folder / "marks.csv", manifests)
+    marks = scaled_marks(marks, chapters, manifests)
+    late: dict[str, Late] = {}
+    if options.deadline:
+        late, more_notes = lateness(options.deadline, chapters, folder, submissions)
+        notes += more_notes
     level = choose_level(folder, unsafe=options.unsafe)
     with only_run(out) as state:
         again = Regrade(out, options.student, submissions) if options.student else None
@@ -84,7 +103,7 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         )
         check_hidden(assignment)
         console = Console(highlight=False)
-        class_run = ClassRun(assignment, out, marks, console)
+        class_run = ClassRun(assignment, out, marks, console, late, anonymous=options.anonymous)
         if again:
             submissions = again.prepare(class_run)
         replace_file(state, json.dumps({"seed": seed, "finished": False}) + "\n")
@@ -100,8 +119,10 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
             graded = class_run.collect(submissions, arriving)
         reports = again.finish(graded, options.why, console) if again else graded
         moved = put_others_aside(out, [report.student for report in reports])
-        places = write_class(out, chapters, reports)
+        places = write_class(out, chapters, reports, people.missing, people.unmatched)
         places.append(write_class_page(out, chapters, reports))
+        named = folder_with_names(out, anonymous=options.anonymous)
+        uploads, lines = write_uploads(named, chapters, people, reports, options.column)
         finished = all(report.status == "graded" for report in reports)
         finished = finished and {*everyone} == {report.student for report in reports}
         replace_file(state, json.dumps({"seed": seed, "finished": finished}) + "\n")
@@ -115,9 +136,16 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         console.print(
             f"{len(class_run.reused)} of {len(graded)} reports were kept from an earlier run."
         )
+    for line in [*differences(people), *lines]:
+        console.print(line, markup=False, soft_wrap=True)
     console.print(f"Seed {seed}. Isolation: {level}.", markup=False)
+    if options.anonymous:
+        uploads.append(key_path(options.roster, out))
     for place in places:
         console.print(str(place), markup=False, soft_wrap=True)
+    for place in uploads:
+        only_you = ": keep it to yourself, since it has names" if options.anonymous else ""
+        console.print(f"{place}{only_you}", markup=False, soft_wrap=True)
     return int(any(report.status != "graded" for report in graded))
 
 
@@ -160,13 +188,23 @@ def check_hidden(assignment: Assignment) -> None:
                     "Rename it to hidden_probes.py"
                 )
         try:
-            verdicts = run_checks(chapter, engine, seed=assignment.seed, root=root, behind=behind)
+            verdicts = run_checks(
+                assignment.whole(chapter),
+                engine,
+                seed=assignment.seed,
+                root=root,
+                behind=behind,
+                exercises=[exercise.id for exercise in chapter.exercises],
+            )
         except GraderError as error:
             raise ValueError(
                 f"the checks in {hidden / chapter.name} cannot be run: {error}"
             ) from error
         if not any(verdict.hidden for verdict in verdicts):
-            raise ValueError(f"there is no check in {hidden / chapter.name}: add a test_*.py")
+            raise ValueError(
+                f"there is no check in {hidden / chapter.name} of a graded exercise: "
+                "add a test_*.py"
+            )
         for check in verdicts:
             if check.status != "passed":
                 raise ValueError(f"{check.name} fails on the reference itself: {check.message}")

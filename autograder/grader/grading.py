@@ -43,7 +43,7 @@ def grade_submission(
             box = Path(folder)
             chapters = load_chapters(assignment.root)
             staged = (fill or stage)(submission.path, chapters, box, assignment.root)
-            notes = _notes(staged, chapters, box)
+            notes = _notes(staged, assignment.chapters, chapters, box)
             with with_given(assignment.given, [box], assignment.root) as engine:
                 pairs = _all_results(assignment, once, engine, staged, box)
         report = _report(assignment, once, submission.student, pairs, notes)
@@ -59,12 +59,12 @@ def report_of_failure(assignment: Assignment, student: str, reason: str) -> Stud
     return replace(_report(assignment, OnceForAll(), student, pairs, []), seconds=0.0)
 
 
-def _notes(staged: Staged, chapters: list[Chapter], box: Path) -> list[str]:
+def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: Path) -> list[str]:
     """Return the notes on a submission. If nothing was found in it, one of them says so."""
     files = [box / chapter.name / name for chapter in chapters for name in chapter.edited_files]
     if staged.missing or any(file.exists() for file in files):
         return staged.notes
-    wanted = ", ".join(f"{chapter.name}/{chapter.edited_files[0]}" for chapter in chapters)
+    wanted = ", ".join(f"{chapter.name}/{chapter.edited_files[0]}" for chapter in graded)
     return [*staged.notes, f"no files such as {wanted} were found, at most three levels down"]
 
 
@@ -209,4 +209,5 @@ def _exercise(
             for check in result.checks
         ],
         chart=chart,
+        extra=exercise.extra,
     )

@@ -38,10 +38,10 @@ class Regrade:
 
     def __init__(self, out: Path, student: str, submissions: Sequence[Submission]) -> None:
         self.out = out
-        self.student = student
         self.reports = read_results(out)
         self.changed = ""
-        self.submissions = [one for one in submissions if one.student == student]
+        self.submissions = [one for one in submissions if student in one.names]
+        self.student = self.submissions[0].student if self.submissions else student
         if not self.submissions:
             names = ", ".join(submission.student for submission in submissions)
             raise ValueError(f"there is no submission of {student!r}. There are: {names}")

@@ -27,6 +27,8 @@ def run_key(assignment: Assignment) -> RunKey:
     return RunKey(
         seed=assignment.seed,
         chapters=[chapter.number for chapter in assignment.chapters],
+        points={e.id: e.points for chapter in assignment.chapters for e in chapter.exercises},
+        extra=[e.id for chapter in assignment.chapters for e in chapter.exercises if e.extra],
         given=[chapter.number for chapter in assignment.given],
         checks=_digest(checks),
         grader=grader_digest(),

@@ -1,4 +1,4 @@
-"""Take the written answers out of a class's submissions, staged as grading does."""
+"""Extract the written answers from a class's submissions, staged as for grading."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ LONGEST = 20_000  # characters of one answer on the page
 class Answer:
     """A student's answer to one question.
 
-    ``code`` stands for the student on the page, and says nothing about who it is. ``note`` says
-    what is wrong with the file. Then ``text`` is all of it.
+    ``code`` stands for the student on the page and does not reveal who it is. ``note`` describes a
+    problem with the file. In that case, ``text`` is the whole file.
     """
 
     student: str
@@ -46,10 +46,10 @@ class Task:
 def collect_tasks(
     submissions: list[Submission], chapters: list[Chapter], root: Path = ROOT
 ) -> list[Task]:
-    """Return the written exercises of the chapters with everybody's answers.
+    """Return the written exercises of the chapters with the answers of all students.
 
-    The answers are in an order that has nothing to do with names, and is always the same. Those
-    who have not answered come last.
+    The order of the answers does not depend on names and is always the same. Missing answers come
+    last.
     """
     answers: dict[str, list[Answer]] = {}
     for submission in submissions:
@@ -70,7 +70,7 @@ def collect_tasks(
 def _answers_of(
     submission: Submission, chapters: list[Chapter], root: Path
 ) -> Iterator[tuple[str, Answer]]:
-    """Yield what one student has answered to each question, or has not."""
+    """Yield a student's answer to each question, or an empty one if there is none."""
     wanted = [_answers_alone(chapter) for chapter in chapters if _written(chapter)]
     with tempfile.TemporaryDirectory(prefix="marking-") as folder:
         staged = stage(submission.path, wanted, Path(folder), root)
@@ -84,7 +84,7 @@ def _answers_of(
 
 
 def _text_of(question: Question, file: Path) -> tuple[str, str]:
-    """Return an answer, and a note where it is not in its place: then the whole file."""
+    """Return an answer and a note. If it is not in its section, return the whole file."""
     if not file.exists():
         return "", ""
     if question.problems:
@@ -102,7 +102,7 @@ def _written(chapter: Chapter) -> list[Exercise]:
 
 
 def _answers_alone(chapter: Chapter) -> Chapter:
-    """Return a chapter in which students hand in nothing but their answers."""
+    """Return a chapter in which students hand in only their answers."""
     exercises = [replace(exercise, files=[]) for exercise in _written(chapter)]
     exercises[0] = replace(exercises[0], files=[FILE])
     return replace(chapter, complete=[], exercises=exercises)

@@ -1,4 +1,4 @@
-"""Change single marks in marks.csv. Everything else in the file stays as somebody wrote it."""
+"""Change single marks in marks.csv. Everything else in the file stays unchanged."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from autograder.reports.texts import replace_file
 
 
 class ChangedError(Exception):
-    """A mark is no longer what somebody saw who changes it."""
+    """Raised if a mark is no longer the one that the page showed when it was changed."""
 
 
 class MarksFile:
-    """The marks.csv of a class. Several pages, and several people, may change it at a time."""
+    """The marks.csv of a class, which several pages and several people may change at a time."""
 
     def __init__(self, path: Path, chapters: list[Chapter], students: list[str]) -> None:
         self.path = path.resolve()  # where a link points
@@ -27,15 +27,15 @@ class MarksFile:
         self.students = students
 
     def read(self) -> Marks:
-        """Return all marks. Raises ValueError that names the line if one is wrong."""
+        """Return all marks. If a line is invalid, raises ValueError that names the line."""
         return read_marks(self.path, self.chapters, self.students)
 
     def change(self, student: str, exercise: str, mark: Mark | None, seen: Mark | None) -> None:
-        """Write a mark, or remove it for None.
+        """Write a mark, or remove it if the new mark is None.
 
         Raises:
             ChangedError: if the mark in the file is not the one that was seen.
-            ValueError: if something in the file is wrong. Then the file stays as it is.
+            ValueError: if something in the file is invalid. In that case the file does not change.
         """
         with self._alone():
             separator, rows = read_rows(self.path, self.chapters, self.students)
@@ -56,7 +56,7 @@ class MarksFile:
             replace_file(self.path, "".join(lines))
 
     def _lines(self) -> list[str]:
-        """Return the lines of the file with their ends, as the reader of rows counts them."""
+        """Return the lines of the file with their endings, as the reader of rows counts them."""
         if not self.path.exists():
             return [",".join(HEADER) + "\n"]
         with self.path.open(encoding="utf-8", newline="") as file:
@@ -72,7 +72,7 @@ class MarksFile:
 
     @contextmanager
     def _alone(self) -> Iterator[None]:
-        """Hold the lock on the marks. Everybody else who changes one waits."""
+        """Hold the lock on the marks, so that others who change a mark wait."""
         with (self.path.parent / ".marks.lock").open("w", encoding="utf-8") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)
             yield

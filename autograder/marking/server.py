@@ -23,7 +23,7 @@ LOOK = Path(__file__).parent.parent / "reports" / "templates"
 
 
 class Marking(Site):
-    """What all handlers share: the answers of the class, and its marks."""
+    """The state that all handlers share: the answers of the class, and its marks."""
 
     def __init__(self, tasks: list[Task], marks: MarksFile) -> None:
         super().__init__()
@@ -36,7 +36,7 @@ class Marking(Site):
         }
 
     def application(self) -> Application:
-        """Return what tornado serves."""
+        """Return the tornado application."""
         below, shared = f"/{self.token}", {"site": self}
         return Application(
             [
@@ -82,7 +82,7 @@ class Questions(Handler):
 
 
 class Marks(Handler):
-    """The marks. A change says which mark it has seen, so that no other one is overwritten."""
+    """The marks. A change names the mark that the page has seen, so no other is overwritten."""
 
     site: Marking
 
@@ -119,7 +119,7 @@ class Marks(Handler):
         self.answer()
 
     def answer(self, status: int = 200, **more: str) -> None:
-        """Send all marks, so that each page knows what the others have done."""
+        """Send all marks, so that each page shows the changes made on the others."""
         try:
             known = self.site.known()
         except (ValueError, OSError) as error:
@@ -129,13 +129,13 @@ class Marks(Handler):
         self.write({"marks": known, **more})
 
     def refuse(self, status: int, why: str) -> None:
-        """Say why something was not done."""
+        """Send the reason why a change was not made."""
         self.set_status(status)
         self.write({"why": why})
 
 
 def mark_of(value: Any, most: float) -> Mark | None:
-    """Return the mark that a page has sent; None for no mark. Raises ValueError for no such."""
+    """Return the mark that a page has sent, or None for no mark. Raises ValueError if invalid."""
     if value is None:
         return None
     points, comment = value["points"], value["comment"]
@@ -149,12 +149,17 @@ def mark_of(value: Any, most: float) -> Mark | None:
 def mark(folder: Path, chapters: list[Chapter], *, browser: bool = True, root: Path = ROOT) -> int:
     """Serve the marking page for a class until Ctrl-C is pressed.
 
+    If ``chapters`` have only the exercises of an assignment, the page has only their questions.
+
     Raises ValueError if there is nothing to mark, or if marks.csv contains a mistake.
     """
     submissions, notes = find_submissions(folder)
-    tasks = collect_tasks(submissions, chapters, root)
+    whole = {chapter.name: chapter for chapter in load_chapters(root)}
+    asked = {exercise.id for chapter in chapters for exercise in chapter.exercises}
+    tasks = collect_tasks(submissions, [whole[chapter.name] for chapter in chapters], root)
+    tasks = [task for task in tasks if task.exercise.id in asked]
     if not tasks:
-        raise ValueError("these chapters have no written exercises")
+        raise ValueError("there are no written exercises to mark")
     students = [submission.student for submission in submissions]
     marks = MarksFile(folder / "marks.csv", load_chapters(root), students)
     marks.read()

@@ -1,1 +1,1 @@
-"""Grade where instructors already are: on Gradescope and GitHub Classroom."""
+"""Work with the platforms of instructors: Gradescope, GitHub Classroom, Canvas and Moodle."""

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import yaml  # type: ignore[import-untyped]
 
+from autograder.course.points import rescaled
 from autograder.handout import make_handout
 from autograder.manifest import ROOT, Chapter, Exercise
+from autograder.scores import possible
 
 WORKFLOW = ".github/workflows/classroom.yml"  # where GitHub Classroom looks for it
 GRADER = "classroom-resources/autograding-command-grader@v1"
@@ -17,14 +20,18 @@ MINUTES = 10  # for the set-up, which takes a minute, and an exercise, which tak
 
 
 def make_classroom(
-    chapters: list[Chapter], given: list[Chapter], out: Path, root: Path = ROOT
+    chapters: list[Chapter], given: list[Chapter], out: Path, root: Path = ROOT, *, about: str = ""
 ) -> None:
     """Write a hand-out with a workflow into a new folder, and print what it contains.
+
+    ``about`` is a section for its README. GitHub Classroom takes whole points only, so the points
+    of an assignment are rounded in a way that keeps their sum.
 
     Raises:
         ValueError: As for ``make_handout``.
     """
-    make_handout(chapters, given, out, root)
+    make_handout(chapters, given, out, root, about=about)
+    chapters = in_whole_points(chapters)
     path = out / WORKFLOW
     path.parent.mkdir(parents=True)
     text = yaml.safe_dump(workflow(chapters), sort_keys=False, width=100)
@@ -74,6 +81,18 @@ def workflow(chapters: list[Chapter]) -> dict[str, Any]:
             }
         },
     }
+
+
+def in_whole_points(chapters: list[Chapter]) -> list[Chapter]:
+    """Return the chapters with whole points, of which no exercise gets less than one."""
+    exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
+    counted = {e.id: e.points for e in exercises if not e.extra}
+    whole = rescaled(counted, round(possible(exercises)), unit="1")
+    whole |= {e.id: round(e.points) for e in exercises if e.extra}
+    return [
+        replace(c, exercises=[replace(e, points=max(1, whole[e.id])) for e in c.exercises])
+        for c in chapters
+    ]
 
 
 def step_id(exercise: Exercise) -> str:

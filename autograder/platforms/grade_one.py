@@ -12,13 +12,17 @@ import sys
 import traceback
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
+from autograder.course.dates import deadline_from_json
+from autograder.course.of_class import late_on_gradescope
 from autograder.grader.assignment import Assignment
 from autograder.grader.grading import grade_submission
 from autograder.isolation.level import choose_level
 from autograder.isolation.probe import best_level
 from autograder.isolation.sandbox import Level, drop_privileges
-from autograder.manifest import ROOT, load_chapters
+from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.platforms.gradescope import HIDDEN
 from autograder.reports.gradescope import as_text, gradescope_results, ungraded_results
 from autograder.reports.report import StudentReport
 from autograder.submissions.find import Submission, printable
@@ -40,7 +44,7 @@ def main(folder: Path, root: Path = ROOT) -> None:
 def grade_one(folder: Path, root: Path) -> StudentReport:
     """Grade ``folder``/submission according to the zip's assignment.json, and return the report.
 
-    Each run draws new numbers for the checks.
+    Each run draws new numbers for the checks, unless the assignment has a seed.
 
     Raises:
         ValueError: There is nothing to grade, or no sandbox to grade it in.
@@ -52,10 +56,17 @@ def grade_one(folder: Path, root: Path) -> StudentReport:
     level = _level(submission, unsafe=settings["unsafe"])
     chapters = {chapter.number: chapter for chapter in load_chapters(root)}
     graded, given = ([chapters[n] for n in settings[key]] for key in ("chapters", "given"))
-    assignment = Assignment(graded, secrets.token_hex(4), level, given, root=root)
+    graded = [_assigned(chapter, settings["points"], settings["extra"]) for chapter in graded]
+    hidden = root / HIDDEN if (root / HIDDEN).is_dir() else None
+    seed = settings["seed"] or secrets.token_hex(4)
+    assignment = Assignment(graded, seed, level, given, hidden, root)
     student = students(folder / "submission_metadata.json")
     print(f"grading {student}, seed {assignment.seed}, isolation: {level}", file=sys.stderr)
     report = grade_submission(assignment, Submission(student, submission))
+    if settings["deadline"]:
+        metadata = _metadata(folder / "submission_metadata.json")
+        deadline = deadline_from_json(settings["deadline"])
+        report = replace(report, late=late_on_gradescope(deadline, graded, metadata))
     # A zip made with this option lacks the reference for a second run.
     return replace(report, score_on_given=None) if settings["unsafe"] else report
 
@@ -63,10 +74,29 @@ def grade_one(folder: Path, root: Path) -> StudentReport:
 def students(metadata: Path) -> str:
     """Return the names of the submitters from Gradescope's metadata, or else "submission"."""
     try:
-        users = json.loads(metadata.read_text(encoding="utf-8"))["users"]
+        users = _metadata(metadata)["users"]
         return ", ".join(printable(user["name"]) for user in users) or "submission"
-    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+    except (KeyError, TypeError, AttributeError):
         return "submission"
+
+
+def _metadata(path: Path) -> dict[str, Any]:
+    """Return Gradescope's metadata, or nothing if they cannot be read."""
+    try:
+        metadata = json.loads(path.read_text(encoding="utf-8"))
+        return metadata if isinstance(metadata, dict) else {}
+    except (OSError, ValueError):
+        return {}
+
+
+def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> Chapter:
+    """Return the chapter with only the assigned exercises, and with their points."""
+    exercises = [
+        replace(exercise, points=points[exercise.id], extra=exercise.id in extra)
+        for exercise in chapter.exercises
+        if exercise.id in points
+    ]
+    return replace(chapter, exercises=exercises)
 
 
 def _level(submission: Path, *, unsafe: bool) -> Level:

@@ -9,15 +9,18 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from autograder.checks.arrange import shared_by_checks
+from autograder.course.dates import deadline_to_json
+from autograder.course.model import Work
 from autograder.manifest import ROOT, Chapter, chapters_below
+from autograder.scores import possible, shown
 
+HIDDEN = "hidden"  # the folder of the hidden checks in the zip
 SCRIPTS = ("setup.sh", "run_autograder")
 FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # of every file, so that two equal zips have equal bytes
 
 
 def make_gradescope(
-    chapters: list[Chapter],
-    given: list[Chapter],
+    work: Work,
     out: Path,
     *,
     unsafe: bool = False,
@@ -25,14 +28,17 @@ def make_gradescope(
 ) -> None:
     """Write the zip and print what it contains.
 
-    ``given`` chapters are taken from the reference, whatever is handed in. ``unsafe`` also grades
-    on a machine without a sandbox.
+    Given chapters are taken from the reference, whatever is handed in. ``unsafe`` also grades on a
+    machine without a sandbox.
 
     Raises:
-        ValueError: ``out`` is not the name of a .zip file.
+        ValueError: ``out`` is not the name of a .zip file, or hidden checks would be unprotected.
     """
     if out.suffix != ".zip" or out.is_dir():
         raise ValueError(f"--out must be a .zip file, got {str(out)!r}")
+    if unsafe and work.hidden:
+        raise ValueError("without a sandbox, students' code could read the hidden checks")
+    chapters, given = work.chapters, work.given
     below = {other.name: other for graded in chapters for other in chapters_below(graded, root)}
     own = [other for other in below.values() if other not in given]
     # Grading a chapter does not need its own reference. The second run needs the reference of
@@ -40,12 +46,18 @@ def make_gradescope(
     reference = [*given] if unsafe else [*given, *own]
     there = {chapter.name: chapter for chapter in [*chapters, *given, *own]}
     files = [*_files(root, chapters, reference, list(there.values()))]
+    exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     settings = {
         "chapters": [chapter.number for chapter in chapters],
         "given": [chapter.number for chapter in given],
+        "points": {exercise.id: exercise.points for exercise in exercises},
+        "extra": [exercise.id for exercise in exercises if exercise.extra],
+        "seed": work.seed,
+        "deadline": deadline_to_json(work.deadline) if work.deadline else None,
         "unsafe": unsafe,
     }
     contents = {file.relative_to(root).as_posix(): file.read_bytes() for file in files}
+    contents |= _hidden(work)
     contents |= {name: (Path(__file__).parent / name).read_bytes() for name in SCRIPTS}
     contents["assignment.json"] = (json.dumps(settings) + "\n").encode()
     out.parent.mkdir(parents=True, exist_ok=True)
@@ -53,8 +65,7 @@ def make_gradescope(
     print(f"graded: {_names(chapters)}")
     print(f"given complete: {_names(given)}")
     print(f"with the reference of: {_names(reference)}")
-    points = sum(exercise.points for chapter in chapters for exercise in chapter.exercises)
-    print(f"points of the assignment, including written answers: {points}")
+    print(f"points of the assignment, including written answers: {shown(possible(exercises))}")
     print(f"autograder: {out}, {len(contents)} files, {out.stat().st_size:,} bytes")
 
 
@@ -76,6 +87,15 @@ def _files(
             yield root / "chapters" / chapter.name / name
     for chapter in reference:
         yield from (root / "solutions" / chapter.name).glob("*.py")
+
+
+def _hidden(work: Work) -> dict[str, bytes]:
+    """Return the hidden checks of the graded chapters, in a folder of the zip."""
+    return {
+        f"{HIDDEN}/{chapter.name}/{file.name}": file.read_bytes()
+        for chapter in work.chapters
+        for file in (sorted((work.hidden / chapter.name).glob("*.py")) if work.hidden else ())
+    }
 
 
 def _zipped(contents: dict[str, bytes]) -> bytes:

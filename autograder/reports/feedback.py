@@ -18,8 +18,8 @@ from autograder.reports.class_stats import exercise_rates, histogram, most_misse
 from autograder.reports.pages import render
 from autograder.reports.report import Chart, CheckReport, ExerciseReport, StudentReport, tiers
 from autograder.reports.scatter import Scatter, scatter
-from autograder.reports.texts import check_title, clean_all, replace_file
-from autograder.scores import PHYSICS_SHARE, place_on_chart
+from autograder.reports.texts import check_title, clean_all, number, replace_file
+from autograder.scores import PHYSICS_SHARE, place_on_chart, possible
 from autograder.submissions.find import file_name
 
 SYMBOLS = {  # beside the word, so that no status is shown by color alone
@@ -57,7 +57,7 @@ class LostChecks:
     count: int = 0
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class ShownExercise(ExerciseReport):
     """An exercise as its page shows it: failures in full, and passing checks in short.
 
@@ -88,7 +88,8 @@ def write_feedback(out: Path, report: StudentReport) -> Path:
         report=report,
         chapters=[(n, list(group)) for n, group in groupby(exercises, lambda e: e.chapter)],
         inherited=None if own is None or given is None else round(given - own, 2),
-        by_hand_points=sum(e.points for e in exercises if e.kind == "written"),
+        by_hand_points=_possible([e for e in exercises if e.kind == "written"]),
+        possible=_possible(exercises),
         waiting=[e.id for e in exercises if e.status == "waiting"],
         next=_first_to_fix(exercises),
         physics_percent=round(100 * PHYSICS_SHARE),
@@ -98,22 +99,31 @@ def write_feedback(out: Path, report: StudentReport) -> Path:
     return path
 
 
-def write_index(out: Path, chapters: list[Chapter], reports: Sequence[StudentReport]) -> Path:
+def write_index(
+    out: Path,
+    chapters: list[Chapter],
+    reports: Sequence[StudentReport],
+    missing: Sequence[str] = (),
+    unmatched: Sequence[str] = (),
+) -> Path:
     """Write index.html, the page of the class for its instructor, and return its path."""
     path = out / "index.html"
     links = [f"feedback/{quote(file_name(report.student))}.html" for report in reports]
     clean = [clean_all(report) for report in reports]
     rates = exercise_rates(chapters, clean)
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
-    by_hand_points = sum(e.points for e in exercises if e.kind == "written")
+    by_hand_points = possible(e for e in exercises if e.kind == "written")
     scores = [report.score for report in clean if report.score is not None]
     page = render(
         "index.html",
         symbols=SYMBOLS,
         reports=[*zip(clean, links, strict=True)],
+        missing=missing,
+        unmatched=unmatched,
         chapters=chapters,
+        late=any(report.late for report in clean),
         errors=sum(report.status != "graded" for report in clean),
-        points=sum(e.points for e in exercises) - by_hand_points,
+        points=round(possible(exercises) - by_hand_points, 2),
         by_hand_points=by_hand_points,
         median=statistics.median(scores) if scores else None,
         waiting=sum(report.waiting for report in clean),
@@ -168,6 +178,11 @@ def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
                 found.setdefault(exercise.id, (exercise, chart))
                 named.setdefault(exercise.id, []).append((report.student, chart.own))
     return [scatter(exercise, chart, named[key]) for key, (exercise, chart) in found.items()]
+
+
+def _possible(exercises: Sequence[ExerciseReport]) -> float:
+    """Return the points that these exercises can give, without extra credit."""
+    return round(sum(e.points for e in exercises if not e.extra), 2)
 
 
 def _groups(checks: list[CheckReport]) -> list[LostChecks]:

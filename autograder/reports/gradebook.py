@@ -12,25 +12,43 @@ from autograder.clean import clean_line
 from autograder.manifest import Chapter
 from autograder.reports.report import StudentReport
 from autograder.reports.texts import number, replace_file
+from autograder.scores import possible
 
-COLUMNS = "student,status,score,score on given chapters,by hand,waiting,total"
+MISSING = "nothing handed in"
+UNMATCHED = "not in the roster"
+COLUMNS = "student,status,score,score on given chapters,by hand,waiting"
+WITH_DUE_DATE = ["points", "late days", "penalty"]  # of an assignment of a course
 # A character that begins a formula, also in full width, at the start of a cell or after spaces. A
 # spreadsheet that separates columns by semicolons begins a cell after each of them.
 FORMULA = re.compile(r"(^|;)(\s*)(?=[=+\-@＝＋－＠])")  # noqa: RUF001
 
 
-def write_gradebook(out: Path, chapters: list[Chapter], reports: Sequence[StudentReport]) -> Path:
+def write_gradebook(
+    out: Path,
+    chapters: list[Chapter],
+    reports: Sequence[StudentReport],
+    missing: Sequence[str] = (),
+    unmatched: Sequence[str] = (),
+) -> Path:
     """Write gradebook.csv with the points possible in its second row, and return its path.
 
-    An empty cell means that there is no grade: an answer waits for a person, or the grader failed.
+    An empty cell means that there is no grade: an answer waits for a person, the grader failed, or
+    the student is ``missing``, since nothing was handed in. ``unmatched`` are those who are not in
+    the roster. If there is a due date, the total is the points without the penalty. Both have
+    columns too.
     """
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
-    written = sum(exercise.points for exercise in exercises if exercise.kind == "written")
+    written = possible(exercise for exercise in exercises if exercise.kind == "written")
+    everything = possible(exercises)
+    checked = everything - written
+    late = any(report.late for report in reports)
+    of_late = [everything, None, None] if late else []
     points = [exercise.points for exercise in exercises]
-    checked = sum(points) - written
+    sums = [checked, checked, written, None, *of_late, everything, *points]
+    columns = [*COLUMNS.split(","), *(WITH_DUE_DATE if late else []), "total"]
     rows = [
-        [*COLUMNS.split(","), *(as_cell(exercise.id) for exercise in exercises)],
-        ["points possible", "", *map(str, (checked, checked, written, "", sum(points), *points))],
+        [*columns, *(as_cell(exercise.id) for exercise in exercises)],
+        ["points possible", "", *map(number, sums)],
     ]
     for report in reports:
         scores = {exercise.id: exercise.score for exercise in report.exercises}
@@ -39,15 +57,24 @@ def write_gradebook(out: Path, chapters: list[Chapter], reports: Sequence[Studen
             report.score_on_given,
             report.by_hand,
             report.waiting,
+            *(_late(report) if late else ()),
             report.total,
             *(scores.get(exercise.id) for exercise in exercises),
         ]
-        rows.append([*map(as_cell, (report.student, report.status)), *map(number, cells)])
+        status = f"{report.status}; {UNMATCHED}" if report.student in unmatched else report.status
+        rows.append([*map(as_cell, (report.student, status)), *map(number, cells)])
+    rows += [[as_cell(name), MISSING, *[""] * (len(rows[0]) - 2)] for name in missing]
     text = io.StringIO(newline="")
     csv.writer(text).writerows(rows)
     path = out / "gradebook.csv"
     replace_file(path, text.getvalue())
     return path
+
+
+def _late(report: StudentReport) -> list[float | None]:
+    """Return the points, the late days and the penalty. Days that are unknown stay empty."""
+    days = report.late.days if report.late else None
+    return [report.earned, days, None if report.earned is None else report.penalty]
 
 
 def as_cell(text: str) -> str:

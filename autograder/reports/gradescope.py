@@ -99,7 +99,7 @@ def _results(
 def _summary(report: StudentReport, failed: bool) -> str:
     lines = [OURS] if failed else []
     if not failed:
-        lines.append(f"checks: {number(report.score)} of {report.points} points")
+        lines.append(f"checks: {number(report.score)} of {number(report.points)} points")
     if report.score_on_given is not None:
         lines.append(
             f"on given chapters: {number(report.score_on_given)} points, with the reference's "
@@ -109,6 +109,10 @@ def _summary(report: StudentReport, failed: bool) -> str:
         lines.append(f"by hand: {number(report.by_hand)} points")
     if report.waiting:
         lines.append(f"waiting for a person: {number(report.waiting)} points")
+    if report.late:
+        lines.append(f"late penalty: {number(report.penalty)} points. {report.late.words}")
+        earned, total = number(report.earned), number(report.total)
+        lines.append(f"total: {earned} - {number(report.penalty)} = {total} points")
     lines += [f"note: {clean_line(note)}" for note in report.notes]
     lines.append(f"seed: {clean_line(report.seed)}")
     lines.append(f"isolation: {clean_line(report.isolation)}")
@@ -122,7 +126,7 @@ def _exercise_result(exercise: ExerciseReport) -> ExerciseResult:
     return ExerciseResult(
         number=clean_line(exercise.id),
         name=clean_line(exercise.title),
-        max_score=exercise.points,
+        max_score=0 if exercise.extra else exercise.points,  # they add up to the points possible
         output=_output(exercise),
         visibility="visible",
         score=exercise.score if has_score else None,
@@ -134,7 +138,7 @@ def _output(exercise: ExerciseReport) -> str:
     """Return the text on one exercise for the student: the messages of the failed checks."""
     status, checks = exercise.status, exercise.checks
     if status == "waiting":
-        return f"waits for a person, who can give up to {exercise.points} points"
+        return f"waits for a person, who can give up to {number(exercise.points)} points"
     if status == "marked":
         return f"marked by a person\n{exercise.comment}".strip()
     lost = [check for check in checks if check.status != "passed"]

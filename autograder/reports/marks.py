@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import re
 import unicodedata
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -15,6 +13,7 @@ from autograder.manifest import Chapter, Exercise
 from autograder.reports.gradebook import as_cell
 from autograder.reports.report import ExerciseReport, StudentReport
 from autograder.scores import shown
+from autograder.submissions.csv_rows import read_csv
 
 HEADER = ["student", "exercise", "points", "comment"]
 # A spreadsheet takes such a comment for a formula. An apostrophe is put before it, and taken away.
@@ -101,6 +100,23 @@ def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> 
     return [name, exercise, shown(mark.points), re.sub(FORMULA_START, "'", comment)]
 
 
+def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
+    """Return marks under the names that the reports show, which ``names`` has for all others.
+
+    Raises:
+        ValueError: A student has two marks for an exercise, under two names.
+    """
+    found: Marks = {}
+    for (student, exercise), mark in marks.items():
+        if (names[student], exercise) in found:
+            raise ValueError(
+                f"{path}: a second mark for {student!r} in {exercise}, under another name. Give "
+                "only one"
+            )
+        found[names[student], exercise] = mark
+    return found
+
+
 def apply_marks(report: StudentReport, marks: Marks) -> StudentReport:
     """Return the report with exactly these marks in it.
 
@@ -133,39 +149,11 @@ def _marked(exercise: ExerciseReport, mark: Mark | None) -> ExerciseReport:
 
 def _rows(path: Path) -> tuple[str, Iterator[tuple[int, int, list[str]]]]:
     """Return the separator, and the rows below the header with their first and last lines."""
-    try:
-        text = path.read_bytes().decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = error.object[: error.start].count(b"\n") + 1
-        raise ValueError(f"{path}, line {line}: this is not UTF-8. Save it as CSV UTF-8") from error
-    first = (text.splitlines() or [""])[0]
-    separator = ";" if ";" in first else ","
-    header = [cell.strip(' "').lower() for cell in first.rstrip(separator).split(separator)]
-    if header != HEADER:
+    table = read_csv(path)
+    if table.header != HEADER:
         wanted = ",".join(HEADER)
-        raise ValueError(f"{path}, line 1: the header must be {wanted}, got {first.strip()!r}")
-    return separator, _cells(path, text, separator)
-
-
-def _cells(path: Path, text: str, separator: str) -> Iterator[tuple[int, int, list[str]]]:
-    # Without strict, a quote that is never closed would hide the marks below it.
-    reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
-    line = 1
-    try:
-        for row in reader:
-            cells = [cell.strip() for cell in row]
-            while cells and not cells[-1]:
-                cells.pop()  # spreadsheets pad rows
-            if line > 1 and len(cells) > len(HEADER):
-                raise ValueError(
-                    f"{path}, line {line}: there must be {len(HEADER)} cells, got {len(cells)}. "
-                    f"Put a comment that contains {separator!r} in quotes"
-                )
-            if line > 1 and cells:
-                yield line, reader.line_num, cells + [""] * (len(HEADER) - len(cells))
-            line = reader.line_num + 1
-    except csv.Error as error:
-        raise ValueError(f"{path}, line {line}: {error}. Close the quote") from error
+        raise ValueError(f"{path}, line 1: the header must be {wanted}, got {table.first_line!r}")
+    return table.separator, table.rows("comment")
 
 
 def _written(where: str, given: str, exercises: dict[str, Exercise]) -> Exercise:

@@ -41,7 +41,8 @@ class Chart:
 class ExerciseReport:
     """The outcome of an exercise. A score is None while it is unknown.
 
-    ``score_on_given`` is the score on the reference's earlier chapters.
+    ``score_on_given`` is the score on the reference's earlier chapters. The points of ``extra``
+    credit are not part of the points possible.
     """
 
     chapter: int
@@ -55,14 +56,32 @@ class ExerciseReport:
     comment: str
     checks: list[CheckReport]
     chart: Chart | None
+    extra: bool = False
+
+
+@dataclass(frozen=True)
+class Late:
+    """How late a submission is by the course's rules, and the points that this costs.
+
+    ``days`` is None if it is unknown. ``words`` explains the rest in sentences.
+    """
+
+    days: int | None
+    deduction: float
+    words: str
 
 
 @dataclass(frozen=True)
 class RunKey:
-    """The conditions, besides the submission, under which a report stays valid."""
+    """The conditions, besides the submission, under which a report stays valid.
+
+    ``points`` maps each graded exercise to its points, and ``extra`` lists those of extra credit.
+    """
 
     seed: str
     chapters: list[int]
+    points: dict[str, float]
+    extra: list[str]
     given: list[int]
     checks: str
     grader: str
@@ -77,7 +96,8 @@ class StudentReport:
 
     Checks can give ``points``. A person has given ``by_hand`` points, and can still give
     ``waiting`` points. ``earlier`` lists the student's own chapters on which the graded ones build.
-    ``submission`` is the digest of the graded files. Grading took ``seconds``.
+    ``submission`` is the digest of the graded files. Grading took ``seconds``. ``late`` is None if
+    nothing is due.
     """
 
     student: str
@@ -95,11 +115,22 @@ class StudentReport:
     submission: str = ""
     seconds: float | None = None
     run: RunKey | None = None
+    late: Late | None = None
+
+    @property
+    def earned(self) -> float | None:
+        """The points from checks and people together, or None if the grader failed."""
+        return None if self.score is None else self.score + (self.by_hand or 0)
+
+    @property
+    def penalty(self) -> float:
+        """The points that lateness takes away, which are never more than the points earned."""
+        return min(self.late.deduction if self.late else 0.0, self.earned or 0.0)
 
     @property
     def total(self) -> float | None:
-        """The points from checks and people together, or None if the grader failed."""
-        return None if self.score is None else self.score + (self.by_hand or 0)
+        """The points earned without the penalty, or None if the grader failed."""
+        return None if self.earned is None else round(self.earned - self.penalty, 2)
 
 
 def tiers(checks: Sequence[CheckReport]) -> list[tuple[str, int, int]]:

@@ -57,10 +57,20 @@ def write_student(out: Path, report: StudentReport) -> None:
     write_result(out, report)
 
 
-def write_class(out: Path, chapters: list[Chapter], reports: Sequence[StudentReport]) -> list[Path]:
-    """Write the files about the whole class, and return the paths that the instructor needs."""
-    index = write_index(out, chapters, reports)
-    gradebook = write_gradebook(out, chapters, reports)
+def write_class(
+    out: Path,
+    chapters: list[Chapter],
+    reports: Sequence[StudentReport],
+    missing: Sequence[str] = (),
+    unmatched: Sequence[str] = (),
+) -> list[Path]:
+    """Write the files about the whole class, and return the paths that the instructor needs.
+
+    ``missing`` are the students of the roster who handed nothing in, and ``unmatched`` those who
+    handed something in and are not in the roster.
+    """
+    index = write_index(out, chapters, reports, missing, unmatched)
+    gradebook = write_gradebook(out, chapters, reports, missing, unmatched)
     return [index, gradebook, *(out / name for name in ("feedback", "gradescope", "results"))]
 
 

@@ -1,1 +1,1 @@
-"""Which submissions of a class resemble each other more than the class as a whole does."""
+"""Find submissions of a class that resemble each other more than the class as a whole does."""

@@ -1,4 +1,4 @@
-"""Read the functions of a student's file as tokens. Nothing is compiled, imported or run."""
+"""Read the functions of a student's file as tokens. The code is never compiled, imported or run."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _Line = list[tokenize.TokenInfo]
 
 @dataclass(frozen=True)
 class Token:
-    """A word of the code as it is compared, and where it is in the file, as (line, column)."""
+    """A word of the code, in the form that is compared, and its (line, column) in the file."""
 
     word: str
     start: tuple[int, int]
@@ -29,7 +29,7 @@ class Token:
 
 @dataclass(frozen=True)
 class Function:
-    """A function or method with the tokens of its body; "" has what is outside of functions."""
+    """A function or method with the tokens of its body. "" stands for code outside functions."""
 
     name: str
     tokens: list[Token]
@@ -43,8 +43,9 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
     """Return the functions of a file, and the line after which it cannot be read, or 0.
 
     Methods are called Particle.mass, and setters Particle.mass.setter. Signatures, comments and
-    docstrings are left out, since they are given or say nothing. Texts are alike, and so are 2 and
-    2.0. ``known`` are the names that all students share: those of the engine.
+    docstrings are left out, because they are given or do not affect what the code does. All strings
+    count as equal, and so do 2 and 2.0. ``known`` are the names of the engine, which all students
+    share.
     """
     text, stopped = _without_the_excessive(text)
     found: dict[str, list[Token]] = {}
@@ -76,7 +77,7 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
 
 
 def names_in(text: str) -> Iterator[str]:
-    """Yield the public names in one of our own files, with those that Python has."""
+    """Yield the public names in one of our own files, and Python's own names."""
     yield from (*dir(builtins), *dir(math))
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
         if token.type == tokenize.NAME and not (
@@ -96,7 +97,7 @@ def _without_the_excessive(text: str) -> tuple[str, int]:
 
 
 def _lines(text: str) -> Iterator[tuple[int, _Line]]:
-    """Yield each logical line with how deeply it is indented."""
+    """Yield each logical line with its depth of indentation."""
     depth, nested = 0, 0
     line: _Line = []
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
@@ -116,7 +117,7 @@ def _lines(text: str) -> Iterator[tuple[int, _Line]]:
 
 
 def _tokens(line: _Line, known: frozenset[str]) -> Iterator[Token]:
-    """Yield what is compared of a logical line; nothing of a docstring."""
+    """Yield the tokens of a logical line that are compared. A docstring has none."""
     if all(token.type in (tokenize.STRING, tokenize.NEWLINE) for token in line):
         return
     for before, token, after in zip([None, *line], line, [*line[1:], None], strict=False):
@@ -143,7 +144,7 @@ def _number(text: str) -> str:
 
 
 def _after_colon(line: _Line) -> _Line:
-    """Return what follows a signature in its line: nothing, or a body of one line."""
+    """Return the tokens after a signature in its line: none, or a body of one line."""
     open_brackets = 0
     for i, token in enumerate(line):
         if token.type == tokenize.OP:

@@ -1,4 +1,4 @@
-"""Take the code that is compared out of a class's submissions, staged as grading does."""
+"""Extract the code to compare from a class's submissions, staged as for grading."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ SMALLEST = 30  # words of the reference, in an exercise that can be written in m
 
 @dataclass(frozen=True)
 class Ground:
-    """What a class's code is compared on.
+    """The context in which a class's code is compared.
 
     ``parts`` names the exercise of each edited function, such as ch02_vectors/vector.py
-    Vector3.dot. ``known`` are the names of the engine, and ``given`` the hashes of stubs, given
+    Vector3.dot. ``known`` are the names of the engine, and ``given`` are the hashes of stubs, given
     modules and the reference. ``small`` are the exercises that are left out.
     """
 
@@ -34,7 +34,7 @@ class Ground:
 
 
 def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
-    """Return what the submissions to these chapters are compared on."""
+    """Return the context in which submissions to these chapters are compared."""
     names = [chapter.name for chapter in load_chapters(root)]
     known = frozenset(name for text in _our_files(root, names) for name in names_in(text))
     given: set[int] = set()
@@ -58,7 +58,7 @@ def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
 def collect(
     submissions: Iterable[Submission], ground: Ground, root: Path = ROOT
 ) -> Iterator[tuple[Work, list[str]]]:
-    """Yield the work of each student, and notes on what could not be read."""
+    """Yield the work of each student, and notes on files that could not be read."""
     for submission in submissions:
         with tempfile.TemporaryDirectory(prefix="similarity-") as folder:
             staged = stage(submission.path, ground.chapters, Path(folder), root)
@@ -73,7 +73,7 @@ def collect(
 
 
 def work_of(student: str, files: dict[str, str], ground: Ground) -> tuple[Work, list[str]]:
-    """Return a student's work in these files, and notes; what is given and small is not in it."""
+    """Return a student's work in these files, without given code and small exercises, and notes."""
     parts: dict[str, Part] = {}
     notes = []
     for file, text in files.items():
@@ -101,7 +101,7 @@ def _our_files(root: Path, chapters: list[str]) -> Iterator[str]:
 def _reference_sizes(
     chapter: Chapter, known: frozenset[str], root: Path
 ) -> dict[tuple[str, str], int]:
-    """Return how many words each function of the reference has."""
+    """Return the number of tokens in each function of the reference."""
     sizes = {}
     for name in chapter.edited_files:
         text = (root / "solutions" / chapter.name / name).read_text(encoding="utf-8")

@@ -1,9 +1,9 @@
-"""Compare the code of a class pair by pair, and judge each pair by how much the others share.
+"""Compare the code of a class pair by pair, and rate how unusual the similarity of each pair is.
 
-Within an exercise, a fingerprint counts the more the fewer students have it. A pair's similarity is
-the mean over the exercises, in which no exercise counts for much more than another. From it the
-usual similarity of both students is taken away. What is left, in units of how much it varies over
-the class, is the pair's surprise.
+Within an exercise, a fingerprint has more weight if fewer students have it. A pair's similarity is
+the mean over the exercises, in which no exercise counts for much more than another. The usual
+similarity of both students is subtracted from it. The difference, in units of its spread over the
+class, is the pair's surprise.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ FALSE_ALARMS = 0.002  # pairs beyond the line without copies, if pairs vary as a
 
 @dataclass(frozen=True)
 class Passage:
-    """A function that a student has written: where, as which tokens, and the whole file."""
+    """A function that a student has written: its position, its tokens, and the whole file."""
 
     file: str
     name: str
@@ -34,7 +34,7 @@ class Passage:
 
 @dataclass
 class Part:
-    """What a student has written for one exercise, or besides all of them in one file."""
+    """The code of a student for one exercise, or the other code in one file."""
 
     passages: list[Passage] = field(default_factory=list)
     fingerprints: set[int] = field(default_factory=set)
@@ -60,7 +60,7 @@ class Pair:
 
 @dataclass(frozen=True)
 class Shared:
-    """What a pair shares in one part. The rarest of it is in the code of ``rarest`` students."""
+    """The code that a pair shares in one part. Its rarest code is used by ``rarest`` students."""
 
     name: str
     similarity: float
@@ -71,7 +71,8 @@ class Shared:
 class Comparison:
     """All pairs of a class, the most surprising first.
 
-    A pair stands out if its surprise is above ``line``. In a small class there is neither.
+    A pair stands out if its surprise is above ``line``. A small class has neither surprises nor a
+    line.
     """
 
     def __init__(self, pairs: list[Pair], line: float | None, measure: Measure) -> None:
@@ -80,18 +81,18 @@ class Comparison:
         self.measure = measure
 
     def stands_out(self, pair: Pair) -> bool:
-        """Say whether chance is unlikely to make such a pair in a class like this one."""
+        """Return whether chance alone is unlikely to produce such a pair in a class like this."""
         if self.line is None or pair.surprise is None:
             return False
         return pair.surprise >= self.line
 
     @property
     def outstanding(self) -> int:
-        """How many pairs stand out: the first ones."""
+        """The number of pairs that stand out. They come first."""
         return sum(map(self.stands_out, self.pairs))
 
     def shared(self, pair: Pair) -> list[Shared]:
-        """Return what a pair shares, the parts with the most, and rarest, shared code first."""
+        """Return the code that a pair shares, the parts with the most rare shared code first."""
         found = []
         for name in pair.one.parts.keys() & pair.other.parts.keys():
             both = pair.one.parts[name].fingerprints & pair.other.parts[name].fingerprints
@@ -119,7 +120,7 @@ def compare(works: list[Work]) -> Comparison:
 
 
 class Measure:
-    """How much fingerprints and exercises count in this class."""
+    """The weights of fingerprints and exercises in this class."""
 
     def __init__(self, works: list[Work]) -> None:
         self.students = len(works)
@@ -136,7 +137,7 @@ class Measure:
         self.usual = {name: statistics.median(values) for name, values in totals.items()}
 
     def similarity(self, one: Work, other: Work) -> float:
-        """Return the mean similarity over the exercises, 0 for those that one of them has not."""
+        """Return the mean similarity over the exercises, 0 for each that one student lacks."""
         found = sum(
             self.size(name) * self.similarity_in(name, one, other)
             for name in one.parts.keys() & other.parts.keys()
@@ -145,7 +146,7 @@ class Measure:
         return found / math.sqrt(math.prod(sizes)) if all(sizes) else 0.0
 
     def size(self, name: str) -> float:
-        """Return how much a part counts in the mean: the root of what students usually write."""
+        """Return the weight of a part in the mean: the square root of its usual size."""
         return math.sqrt(self.usual[name])
 
     def similarity_in(self, name: str, one: Work, other: Work) -> float:
@@ -157,7 +158,7 @@ class Measure:
         return shared / math.sqrt(math.prod(sizes)) if shared else 0.0
 
     def weight(self, name: str, values: set[int]) -> float:
-        """Return how much fingerprints of a part count: the more, the fewer students have them."""
+        """Return the weight of fingerprints of a part: the larger, the fewer students have them."""
         return sum(math.log(self.students / self.holders[name, value]) for value in values)
 
 
@@ -173,9 +174,10 @@ def _excesses(pairs: list[Pair]) -> Iterator[float]:
 
 
 def _spread(values: Iterator[float]) -> tuple[float, float] | None:
-    """Return the median, and a standard deviation that a few copies do not change; None for none.
+    """Return the median and a robust standard deviation, or None for no values.
 
-    It is worked out from the upper half, which has the longer tail.
+    A few copies do not change this standard deviation. It is computed from the upper half, which
+    has the longer tail.
     """
     found = [*values]
     deciles = statistics.quantiles(found, n=10, method="inclusive")

@@ -1,6 +1,6 @@
 """Write the pages of a comparison: an index of pairs, and two students' code side by side.
 
-Names and code are shown as text alone, and nothing is loaded from elsewhere.
+Names and code are inserted only as text, and nothing is loaded from other hosts.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Side:
-    """A function of one student, in pieces, and where it begins."""
+    """A function of one student, in pieces, and the line at which it begins."""
 
     name: str
     file: str
@@ -77,7 +77,7 @@ def write_pages(
 
 
 def pieces_of(passage: Passage, kinds: dict[int, str]) -> list[Piece]:
-    """Return the lines of a function in pieces; ``kinds`` has those of its tokens, by number."""
+    """Return the lines of a function in pieces. ``kinds`` maps token numbers to kinds."""
     first, last = passage.tokens[0].start[0], passage.tokens[-1].end[0]
     lines = passage.text.split("\n")[first - 1 : min(last, first - 1 + MOST_LINES)]
     marks = [[""] * len(line) for line in lines]
@@ -132,7 +132,7 @@ def _works(pair: Pair) -> tuple[Any, Any]:
 
 
 def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
-    """Return the functions of one student in which something is shared."""
+    """Return the functions of one student that contain shared code."""
     sides = []
     for passage in passages:
         kinds = dict.fromkeys(covered(passage.tokens, part.fingerprints), "common")
@@ -145,6 +145,6 @@ def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
 
 
 def _histogram(pairs: Sequence[Pair]) -> list[tuple[int, int]]:
-    """Return how many pairs have a surprise from a whole number on and below the next one."""
+    """Return the number of pairs whose surprise is between one whole number and the next."""
     counts = Counter(math.floor(p.surprise) for p in pairs if p.surprise is not None)
     return [(n, counts[n]) for n in range(min(counts), max(counts) + 1)] if counts else []

@@ -15,9 +15,9 @@ from autograder.submissions.find import find_submissions
 
 
 def similarity(folder: Path, out: Path, chapters: list[Chapter], root: Path = ROOT) -> int:
-    """Compare every two submissions in a folder, and write the pages into out.
+    """Compare every two submissions in a folder, and write the pages into ``out``.
 
-    Raises ValueError where there is nothing to compare, and OSError where a file of ours cannot be
+    Raises ValueError if there is nothing to compare, and OSError if one of our own files cannot be
     read or written.
     """
     if out.resolve().is_relative_to(folder.resolve()):

@@ -1,9 +1,10 @@
 """Fingerprints of code by winnowing (Schleimer, Wilkerson and Aiken, 2003).
 
-Every run of GRAM words is hashed, and of every WINDOW neighbors the smallest hash is kept. So two
-texts that share GRAM + WINDOW - 1 words in a row share a fingerprint. Within a run a student's own
-names are numbered in the order in which they appear, and thus renamed variables match. A run is no
-longer than a short statement, so that reordered statements still share most of theirs.
+Every run of GRAM tokens is hashed, and of every WINDOW neighboring hashes the smallest is kept. Two
+texts that share GRAM + WINDOW - 1 tokens in a row therefore share a fingerprint. Within a run, a
+student's own names are numbered in the order in which they appear, so that renamed variables still
+match. A run is no longer than a short statement, so that reordered statements still share most
+fingerprints.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ WINDOW = 4
 
 @cache
 def hashes(words: tuple[str, ...]) -> tuple[int, ...]:
-    """Return the hash of each run of words, by where it begins."""
+    """Return the hash of each run of tokens, keyed by the position at which the run begins."""
     return tuple(_hash(words[i : i + GRAM]) for i in range(len(words) - GRAM + 1))
 
 

@@ -34,10 +34,10 @@ def check(
 ) -> bool:
     """Check the chapters, or one exercise and what it needs; print the results; return success.
 
-    With ``only``, the command shows just the physics checks of the exercise, and these alone decide
-    success. The robust checks and the exercises that it needs are run, but not shown. ``given``
-    chapters are taken from the reference. A written exercise has no checks, so it is shown and
-    counts as a success. A question that is still open does not prevent success either.
+    With ``only``, the command shows just the physics checks of the exercise, and only these decide
+    success. The exercise's robust checks, and the exercises that it needs, are run but not shown.
+    ``given`` chapters are taken from the reference. A written exercise has no checks, so it is
+    shown and counts as a success. An unanswered question does not prevent success either.
     """
     if exercise and exercise.kind == "written":
         print_written(ProgressBar().console, chapters[0], exercise, engine)

@@ -10,7 +10,7 @@ from autograder.manifest import Chapter, Exercise
 
 
 class Edits:
-    """The functions and the data of chapters, as they were at the last call of ``look``."""
+    """Remembers functions and data of chapters, to find changes since the last ``look``."""
 
     def __init__(self, engine: Path, chapters: list[Chapter]) -> None:
         self.engine = engine

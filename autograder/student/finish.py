@@ -1,7 +1,7 @@
 """The screen at the end of a chapter, and the scenes that an exercise makes playable.
 
 A chapter is finished when the physics of its exercises works. Robust checks, questions, projects
-and going-further exercises may still be open. They are listed.
+and going-further exercises may still be open. The screen lists them.
 """
 
 from __future__ import annotations

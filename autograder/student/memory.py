@@ -1,6 +1,7 @@
-"""Remember verdicts for as long as the checked files stay unchanged.
+"""Remember verdicts for as long as the checked files stay unchanged, to save time.
 
-Verdicts are never read from a file. They always come from running the checks.
+Verdicts are kept in memory only. They are never read from a file, because a student could edit the
+file.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from autograder.manifest import Chapter
 class Memory:
     """Runs checks, except for those that it has already run on the same files.
 
-    ``run`` has the parameters of run_checks.
+    ``run`` is a function with the parameters of ``run_checks``.
     """
 
     def __init__(self, seed: str, run: Callable[..., list[Verdict]] = run_checks) -> None:

@@ -1,4 +1,7 @@
-"""Find out whether a student has edited a file that is given complete. Grading uses originals."""
+"""Find out whether a student has edited a file that is given complete.
+
+Grading uses the original file, so such an edit has no effect there.
+"""
 
 from __future__ import annotations
 

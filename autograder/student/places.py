@@ -1,4 +1,4 @@
-"""Find the place in a student's file that a failed check is about."""
+"""Find the position in a student's file that a failed check is about."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed:
     """Return where to look: the line that the message names, or the body that the check called.
 
     A line in a body of another exercise does not count, because that body may be right. A line in a
-    complete file does not count either, because students do not edit it. A check of the student's
-    own data leads to the data file.
+    complete file does not count either, because students do not edit such files. A check of the
+    student's own data leads to the data file.
     """
     complete = {(other.name, file) for other in load_chapters() for file in other.complete}
     called, where = failed.message.called, failed.message.where

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from autograder.checks.verdict import asked_for
 from autograder.manifest import Chapter, Exercise
 from autograder.scores import Result
 from autograder.student.check import report_on
@@ -35,7 +36,8 @@ class Progress:
     def next_open(self) -> tuple[Chapter, Exercise] | None:
         """Return the next open exercise. In each chapter, physics comes before robust checks."""
         for chapter in self.chapters:
-            results = self.report(chapter).results
+            wanted = asked_for(chapter)
+            results = [r for r in self.report(chapter).results if r.exercise.id in wanted]
             for is_open in (lacks_physics, lacks_anything):
                 for result in results:
                     if is_open(result):
@@ -49,12 +51,14 @@ class Progress:
 
     def has_all_physics(self, chapter: Chapter) -> bool:
         """Return whether the physics of the whole chapter passed when it was last checked."""
-        return not any(lacks_physics(result) for result in self._results(chapter))
+        wanted = asked_for(chapter)
+        return not any(lacks_physics(r) for r in self._results(chapter) if r.exercise.id in wanted)
 
     def words(self, chapter: Chapter) -> str:
         """Return how much of a chapter is done: first its physics, then all of its checks."""
-        results = [result for result in self._results(chapter) if result.status != "waiting"]
-        of = sum(exercise.kind != "written" for exercise in chapter.exercises)
+        wanted = {e.id for e in chapter.exercises if e.kind != "written" and not e.optional}
+        results = [r for r in self._results(chapter) if r.exercise.id in wanted]
+        of = len(wanted)
         done, what = sum(result.works for result in results), "exercises work"
         if done == of:
             done = sum(result.status == "passed" for result in results)

@@ -1,4 +1,4 @@
-"""Restore deleted functions of a module, each at the place that it has in the stub."""
+"""Restore deleted functions of a module, each at its position in the stub."""
 
 from __future__ import annotations
 

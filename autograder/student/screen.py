@@ -12,11 +12,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from autograder.answers import questions_of
-from autograder.checks.verdict import Verdict
+from autograder.checks.verdict import Verdict, asked_for
 from autograder.commands import check_command
 from autograder.manifest import Chapter, Exercise, chapters_below, numbers_of
 from autograder.message import Kind, Message
-from autograder.scores import Result, place_on_chart, shown, total
+from autograder.scores import Result, place_on_chart, possible, shown, total
 from autograder.student.failure import print_failure
 from autograder.student.finish import print_finish
 from autograder.student.originals import changed_files
@@ -112,9 +112,11 @@ def print_report(
 
 
 def first_open(reports: list[Report], exercise: Exercise | None) -> tuple[Chapter, Result] | None:
-    """Return what to work on first, of the results that are open; None where all pass."""
+    """Return the open result to work on first, or None if all pass."""
     everything = [(report.chapter, result) for report in reports for result in report.results]
     open_ones = [pair for pair in everything if pair[1].status not in ("passed", "waiting")]
+    if not exercise:
+        open_ones = [(c, r) for c, r in open_ones if r.exercise.id in asked_for(c)]
     if exercise:  # of the exercises that it builds on, only the physics counts
         open_ones = [p for p in open_ones if p[1].exercise == exercise or not p[1].works]
     # All physics comes before any robust check.
@@ -133,7 +135,7 @@ def passed_words(
     *,
     changed: bool,
 ) -> str:
-    """Return the sentence that says that all checks pass. ``changed``: an original was edited."""
+    """Return the sentence that all checks pass. ``changed``: a given file was edited."""
     if changed:
         return "All checks pass here, but grading uses the original files."
     on_given = f" on the reference's {_named(given)}" if given else ""
@@ -171,7 +173,7 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
             state,
             passing(result.physics),
             passing(result.robust),
-            f"{shown(result.score)}/{exercise.points}",
+            points_of(chapter, result),
             style=STYLES.get(state, ""),
         )
     console.print(table)
@@ -179,10 +181,11 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
     if WORKS in states:
         console.print(f'"{WORKS}" means that the physics passes and robust checks are open.\n')
     earned, points = total(results)
-    answers = sum(result.exercise.points for result in results) - points
-    more = f", and {answers} for written answers, which a person marks" if answers else ""
+    answers = shown(possible(r.exercise for r in results if r.exercise.kind == "written"))
+    more = f", and {answers} for written answers, which a person marks" if answers != "0" else ""
     console.print(
-        f"{bar(earned or 0.0, points)} {shown(earned)} of {points} points{more}\n", markup=False
+        f"{bar(earned or 0.0, points)} {shown(earned)} of {shown(points)} points{more}\n",
+        markup=False,
     )
     for result in results:
         if result.on_chart:
@@ -191,6 +194,15 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
             console.print(f"Your {exercise.id}: {where}\n", markup=False, soft_wrap=True)
     for words in extra_notes(chapter, engine):
         console.print(f"{words}\n", markup=False, soft_wrap=True)
+
+
+def points_of(chapter: Chapter, result: Result) -> str:
+    """Return the points of an exercise for the table, or why it has none."""
+    exercise = result.exercise
+    if exercise.optional:
+        return "needed" if exercise.id in asked_for(chapter) else "optional"
+    extra = " extra" if exercise.extra else ""
+    return f"{shown(result.score)}/{shown(exercise.points)}{extra}"
 
 
 def extra_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
@@ -202,14 +214,14 @@ def extra_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
 
 
 def passing(checks: Sequence[Verdict]) -> str:
-    """Return how many checks of a tier pass, such as 3/4, or "" if it has no checks."""
+    """Return how many checks of a tier pass, such as 3/4, or "" if the tier has no checks."""
     passed = sum(check.status == "passed" for check in checks)
     return f"{passed}/{len(checks)}" if checks else ""
 
 
 def bar(part: float, whole: float) -> str:
     """Return a progress bar that shows ``part`` of ``whole``."""
-    filled = int(BAR * part / whole) if whole else 0
+    filled = min(BAR, int(BAR * part / whole)) if whole else 0
     return f"[{'#' * filled}{'.' * (BAR - filled)}]"
 
 
@@ -234,7 +246,7 @@ def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path
         this = {"EX": exercise.id} if exercise else {"CH": str(chapter.number)}
         notes.append(
             f"{checks} here because of mistakes in {earlier}. On the reference's {earlier} "
-            f"you have {shown(earned)} of {points} points.\n"
+            f"you have {shown(earned)} of {shown(points)} points.\n"
             f"Fix them:    {check_command(engine, CH=numbers)}\n"
             f"Or continue: {check_command(engine, **this, GIVEN=numbers)}"
         )

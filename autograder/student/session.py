@@ -69,7 +69,7 @@ class Session:
             self.show()
 
     def show(self) -> None:
-        """Check the current exercise and show its state; without one, find the next."""
+        """Check the current exercise and show its state. If there is none, find the next one."""
         self.next = None
         self.page = Page()
         try:

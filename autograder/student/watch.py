@@ -50,7 +50,7 @@ def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Ch
 
 
 class Keyboard:
-    """Carries out the commands of the keys."""
+    """Carries out the command of each key that the student presses."""
 
     def __init__(self, session: Session) -> None:
         self.session = session
@@ -75,7 +75,7 @@ class Keyboard:
             self.note(str(error), "magenta")
 
     def note(self, words: str, style: str = "") -> None:
-        """Show words on the page, in place of the last note."""
+        """Show a note on the page, in place of the last note."""
         self.session.page.note = [(line, style) for line in words.splitlines()]
         self.session.draw()
 

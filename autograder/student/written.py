@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from autograder.answers import Question, model_answer, questions_of
 from autograder.manifest import ROOT, Chapter, Exercise
+from autograder.scores import shown
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -18,11 +19,11 @@ def print_written(
 ) -> None:
     """Print the question until it is answered; then the answer, the model answer and the rubric.
 
-    The model answer and the rubric are in solutions/. A hand-out contains neither, because the
-    instructor has them.
+    The model answer and the rubric are in solutions/. A hand-out contains neither of them, because
+    they are only for the instructor.
     """
     question = next(q for q in questions_of(chapter, engine) if q.exercise == exercise)
-    points = "1 point" if exercise.points == 1 else f"{exercise.points} points"
+    points = "1 point" if exercise.points == 1 else f"{shown(exercise.points)} points"
     _say(console, f"\n{exercise.id} {exercise.title} ({points})\n", "bold")
     if question.section:
         _say(console, f"{flowing(question.section.question)}\n")
@@ -48,11 +49,11 @@ def print_written(
 
 
 def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
-    """Return how many questions are unanswered, which ones, and where; "" if there are none."""
+    """Return how many questions are unanswered, which ones, and where, or "" if there are none."""
     groups = [
         open_ones
         for chapter in chapters
-        if (open_ones := [q for q in questions_of(chapter, engine) if not q.answered])
+        if (open_ones := [q for q in questions_of(chapter, engine) if _is_open(q)])
     ]
     if not groups:
         return ""
@@ -64,7 +65,13 @@ def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
 def all_pass(chapters: list[Chapter], engine: list[Path], on_given: str = "") -> str:
     """Return the sentence for checks that all pass, with the questions that are still open."""
     still = open_questions(chapters, engine)
-    return f"All checks pass{on_given}.{f' {still}.' if still else ''}"
+    optional = any(exercise.optional for chapter in chapters for exercise in chapter.exercises)
+    which = "All checks of the assigned exercises" if optional else "All checks"
+    return f"{which} pass{on_given}.{f' {still}.' if still else ''}"
+
+
+def _is_open(question: Question) -> bool:
+    return not (question.answered or question.exercise.optional)
 
 
 def listed(words: list[str], last: str = "and") -> str:

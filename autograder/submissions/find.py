@@ -9,29 +9,52 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from autograder.clean import visible
+from autograder.submissions.exports import Exported, read_export
 
 LONGEST_NAME = 100  # bytes without a suffix; file systems allow 255 in all
-SILENT = ("__pycache__", "__MACOSX", "README.md", "marks.csv")
+SILENT = (
+    *("__pycache__", "__MACOSX", "README.md", "course.toml"),
+    *("marks.csv", "roster.csv", "roster-key.csv"),
+    *("times.csv", "submission_metadata.yml", "grades.csv"),  # the times of submissions
+)
 DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)
 HASHED = re.compile(r".*-[0-9a-f]{8}")
 
 
 @dataclass(frozen=True)
 class Submission:
-    """A student's submission: a folder or a zip file."""
+    """A student's submission: a folder or a zip file.
+
+    ``export`` is what its name says if a platform has given it. ``aliases`` are the other names of
+    the student: that of the folder or file, and those in the roster.
+    """
 
     student: str
     path: Path
+    export: Exported | None = None
+    aliases: tuple[str, ...] = ()
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Every name of the student."""
+        return (self.student, *self.aliases)
+
+    @property
+    def late(self) -> bool:
+        """Whether the platform has marked the submission as late. Only Canvas does so."""
+        return self.export is not None and self.export.late
 
 
 def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
     """Return the submissions in a class's folder, sorted by student, and notes on other entries.
 
-    A submission is a folder or a .zip file that is named after the student. Links are never
-    followed. Hidden files, caches, README.md and marks.csv are skipped without a note.
+    A submission is a folder or a .zip file that is named after the student, or as Canvas and Moodle
+    name it. If one student has uploaded several files there, the last one counts. Links are never
+    followed. Hidden files, caches, and the instructor's own files are skipped without a note.
 
     Raises:
-        ValueError: It is not a folder, has no submission, or has two of one student.
+        ValueError: The path is not a folder, contains no submission, or contains two of one
+            student.
         OSError: The folder cannot be read.
     """
     if not folder.is_dir():
@@ -47,15 +70,29 @@ def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
             what = "a symbolic link" if stat.S_ISLNK(mode) else "neither a folder nor a .zip file"
             notes.append(f"{printable(path.name)} was left out: it is {what}")
             continue
-        new = Submission(printable(path.stem if is_zip else path.name), path)
+        name = printable(path.stem if is_zip else path.name)
+        export = read_export(name)
+        if export and not export.is_file:
+            notes.append(f"{name} was left out: it is text that was typed into the platform")
+            continue
+        new = Submission(export.student if export else name, path, export)
         # Keyed by the name of the report, so that no report overwrites another one
         # (if the file system distinguishes A from a).
         old = found.setdefault(file_name(new.student), new)
-        if old is not new:
+        if old is new:
+            continue
+        if not (old.export and new.export):
             raise ValueError(
                 f"a student must hand in only once, got {old.path.name!r} and {path.name!r} "
                 f"in {str(folder)!r}"
             )
+        first, last = sorted((old, new), key=_order)
+        found[file_name(new.student)] = last
+        notes.append(
+            f"{printable(first.path.name)} was left out: {printable(last.path.name)} of the same "
+            f"student was taken. If they belong together, put both into a folder with the name "
+            f"{printable(last.path.stem)}"
+        )
     if not found:
         raise ValueError(
             f"{str(folder)!r} has no submissions: a folder or a .zip file named after each student"
@@ -84,6 +121,11 @@ def printable(text: str) -> str:
     Backslashes are doubled, so that two different texts stay different.
     """
     return "".join(map(visible, text.replace("\\", "\\\\")))
+
+
+def _order(submission: Submission) -> tuple[int, int]:
+    """Return a number that is larger for a later upload to a platform."""
+    return submission.export.order if submission.export else (0, 0)
 
 
 def _clean(name: str) -> str:

@@ -62,7 +62,7 @@ def search_folder(
             except OSError as error:
                 if not place:
                     raise NotTakenError(f"the submission cannot be read: {cause(error)}") from error
-                notes.append(f"{'/'.join(place)} was not searched: {cause(error)}")
+                notes.append(f"'{'/'.join(place)}' was not searched: {cause(error)}")
                 continue
             left -= seen
             deeper += [(*place, name) for name in names]

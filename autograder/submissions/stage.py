@@ -12,7 +12,7 @@ from autograder.manifest import ROOT, Chapter
 from autograder.stubs import KEPT
 from autograder.submissions.find import printable
 from autograder.submissions.folders import Found, NotTakenError, cause, refuse_all, search_folder
-from autograder.submissions.zips import search_zip
+from autograder.submissions.zips import search_zip, search_zips_in
 
 LARGEST_FILE = 1_000_000  # bytes; a chapter's longest module has about ten thousand
 
@@ -22,8 +22,9 @@ class Staged:
     """The outcome of copying a submission.
 
     ``missing`` maps a module such as ch02_vectors.vector to the reason why its file was not taken
-    although it was handed in. ``notes`` are for the instructor. ``digest`` depends on everything
-    that was taken or refused: submissions with equal digests are graded alike.
+    although it was handed in. ``notes`` are for the instructor. They quote names that the student
+    has chosen, and nothing else. ``digest`` depends on everything that was taken or refused:
+    submissions with equal digests are graded alike.
     """
 
     missing: dict[str, str]
@@ -72,7 +73,11 @@ def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], lis
         mode = submission.lstat().st_mode
         if stat.S_ISLNK(mode):
             raise NotTakenError("the submission is a symbolic link")
-        return (search_folder if stat.S_ISDIR(mode) else search_zip)(submission, wanted)
+        if not stat.S_ISDIR(mode):
+            return search_zip(submission, wanted)
+        found, notes = search_folder(submission, wanted)
+        inside, more = search_zips_in(submission, wanted)
+        return found + inside, notes + more
     except OSError as error:
         refused = NotTakenError(f"the submission cannot be read: {cause(error)}")
     except NotTakenError as error:
@@ -97,7 +102,7 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
     notes = []
     if (several := sum(not doubtful and not kept for doubtful, kept, _, _ in places)) > 1:
         path = "/".join(place)
-        notes.append(f"there are {several} folders called {chapter.name}: {path} was taken")
+        notes.append(f"there are {several} folders called {chapter.name}: '{path}' was taken")
     chosen = [file for file in mine if (file.doubtful, file.place) == (doubtful, place)]
     return {file.file: file for file in chosen}, notes
 

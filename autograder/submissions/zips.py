@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import io
+import itertools
+import os
 import stat
 import struct
 import zipfile
 import zlib
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -26,6 +29,7 @@ from autograder.submissions.folders import (
 # Bytes. A submission has well under 100,000. At this size, a zip that is crafted to keep zipfile
 # busy takes about 2 s, and a larger one takes proportionally longer.
 LARGEST_ZIP = 5_000_000
+MOST_ZIPS = 5  # opened in one folder
 ENCRYPTED = 1 << 0  # the flag of an encrypted entry
 DAMAGED = "the zip is damaged, or not an ordinary zip: zip the folder again"
 # The exceptions of zipfile for a zip that is damaged, or of an unknown kind.
@@ -58,14 +62,13 @@ def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Fo
     found: dict[tuple[tuple[str, ...], str], Found] = {}
     doubtful: list[Found] = []
     for entry in file.infolist():
-        # Some Windows tools write backslashes, and other tools begin paths with a dot.
-        name = entry.orig_filename.replace("\\", "/").removeprefix("./").removesuffix("/")
+        name = path_in_zip(entry)
         *above, last = name.rsplit("/", 2)
         if last in wanted and stat.S_ISLNK(entry.external_attr >> 16):
             doubtful += refuse_all((last,), wanted[last], "its folder is a symbolic link")
         if not above or last not in wanted.get(above[-1], ()):
             continue
-        if _is_unsafe(name):
+        if is_unsafe(name):
             doubtful += refuse_all(
                 (above[-1],), [last], "its path in the zip is absolute or has dots in it"
             )
@@ -75,17 +78,49 @@ def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Fo
                 continue
             key = (tuple(place), last)
             twice = key in found
-            read = refuse("it is in the zip twice") if twice else partial(_read, file, entry)
+            read = refuse("it is in the zip twice") if twice else partial(read_entry, file, entry)
             found[key] = Found(*key, read)
     return [*found.values(), *doubtful], []
 
 
-def _is_unsafe(name: str) -> bool:
+def search_zips_in(
+    folder: Path, wanted: Mapping[str, Sequence[str]]
+) -> tuple[list[Found], list[str]]:
+    """Find the wanted files in the zips of a folder, as if each of them were unpacked there."""
+    with os.scandir(folder) as entries:
+        names = [
+            entry.name
+            for entry in itertools.islice(entries, MOST_ENTRIES)
+            if entry.name.lower().endswith(".zip")
+            and not is_skipped(entry.name)
+            and entry.is_file(follow_symlinks=False)
+        ]
+    notes = [f"only {MOST_ZIPS} of {len(names)} zips were opened"] if names[MOST_ZIPS:] else []
+    found: list[Found] = []
+    for name in sorted(names)[:MOST_ZIPS]:
+        try:
+            inside, _ = search_zip(folder / name, wanted)
+        except NotTakenError as error:
+            notes.append(f"'{name}' was not opened: {error}")
+            for chapter, files in wanted.items():
+                found += refuse_all((name, chapter), files, str(error))
+            continue
+        found += [replace(one, place=(name, *one.place)) for one in inside]
+    return found, notes
+
+
+def path_in_zip(entry: zipfile.ZipInfo) -> str:
+    """Return the path of an entry, in which slashes separate folders."""
+    # Some Windows tools write backslashes, and other tools begin paths with a dot.
+    return entry.orig_filename.replace("\\", "/").removeprefix("./").removesuffix("/")
+
+
+def is_unsafe(name: str) -> bool:
     """Return whether a path is absolute, or has parts that are empty or dots."""
     return name[1:2] == ":" or any(part in f"/{name}" for part in ("//", "/./", "/../"))
 
 
-def _read(file: zipfile.ZipFile, entry: zipfile.ZipInfo, largest: int) -> bytes:
+def read_entry(file: zipfile.ZipFile, entry: zipfile.ZipInfo, largest: int) -> bytes:
     """Return the content of a regular file.
 
     Raises:

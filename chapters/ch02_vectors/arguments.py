@@ -1,11 +1,12 @@
-"""Check arguments, and reject values that make no sense with an error that names them.
+"""Check arguments, and reject invalid values with an error that names the argument.
 
-Each function returns its value, as a float or a copy, if it is valid. Otherwise it raises
-ValueError, or TypeError for a wrong type, with the argument's name and the value that it got. Every
-comparison with NaN is False, so each function tests for valid values and rejects everything else.
+If the value is valid, each function returns it as a float or a copy. Otherwise it raises
+ValueError, or TypeError for a wrong type. The message contains the argument's name and its value.
+Every comparison with NaN is False, so each function tests for valid values and rejects everything
+else.
 
-This file is complete, and you do not hand it in. Write functions of your own in the files that you
-edit.
+This file is complete, and you do not hand it in. If you need more functions, write them in the
+files that you edit.
 """
 
 from __future__ import annotations
@@ -44,7 +45,7 @@ def positive(name: str, value: float) -> float:
 
 
 def positive_or_infinite(name: str, value: float) -> float:
-    """Return a number above zero. math.inf is allowed."""
+    """Return a number above zero. ``math.inf`` is allowed, for an infinite mass."""
     if not (isinstance(value, (int, float)) and (0.0 < value <= LARGEST or value == math.inf)):
         raise _refusal(name, value, "positive")
     return float(value)
@@ -69,7 +70,7 @@ def finite_vector(name: str, v: Vector3) -> Vector3:
 
 
 def instance_of(name: str, value: Value, kind: type) -> Value:
-    """Return a value that is an object of a class such as Particle."""
+    """Return ``value`` if it is an object of the class ``kind``, such as Particle."""
     if not isinstance(value, kind):
         raise TypeError(f"{name} must be a {kind.__name__}, got {value!r}")
     return value

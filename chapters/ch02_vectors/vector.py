@@ -1,9 +1,9 @@
 """A vector in three dimensions, the type that the whole engine uses (book chapter 2).
 
-The axes are right-handed, and +Y points up. Vectors are mutable. Operators such as ``v + w`` return
-a new vector and leave both operands alone. Methods marked "in place" change ``v`` and return None.
-``+=``, ``-=``, ``*=`` and ``/=`` change ``v`` too, but their methods end with ``return self``,
-because Python assigns what they return to ``v``.
+The axes are right-handed, and +Y points up. Vectors are mutable. An operator such as ``v + w``
+returns a new vector and leaves both operands unchanged. A method marked "in place" changes ``v``
+and returns None. The operators ``+=``, ``-=``, ``*=`` and ``/=`` also change ``v``, but their
+methods must end with ``return self``, because Python assigns the returned value to ``v``.
 """
 
 from __future__ import annotations
@@ -12,10 +12,11 @@ from collections.abc import Iterator
 
 
 class Vector3:
-    """Three components along X, Y and Z, in the unit of whatever the vector describes.
+    """A vector with three components along X, Y and Z.
 
-    A component can be any float, including infinities and NaN. Classes that give the numbers a
-    meaning, such as a particle, reject values that make no sense.
+    The unit depends on the quantity: m for a position, m/s for a velocity, N for a force. A
+    component can be any float, including infinities and NaN. Classes that use vectors for a
+    particular quantity, such as a particle, reject values that make no sense there.
 
     Raises:
         TypeError: if a component is not something that float() accepts.
@@ -42,13 +43,16 @@ class Vector3:
         yield self.z
 
     def __eq__(self, other: object) -> bool:
-        """Compare component by component, exactly. As with floats, NaN is not equal to itself."""
+        """Return whether all components are exactly equal. NaN is unequal to itself."""
         if not isinstance(other, Vector3):
             return NotImplemented
         return self.x == other.x and self.y == other.y and self.z == other.z
 
     def copy(self) -> Vector3:
-        """Return a new vector with the same components."""
+        """Return a new vector with the same components.
+
+        Use a copy to remember a vector that will be changed in place.
+        """
         raise NotImplementedError("Exercise B2.1: Copy, clear and invert")
 
     def clear(self) -> None:
@@ -56,112 +60,125 @@ class Vector3:
         raise NotImplementedError("Exercise B2.1: Copy, clear and invert")
 
     def invert(self) -> None:
-        """Reverse the vector, in place: change the sign of every component (2.1)."""
+        """Reverse the direction, in place, by changing the sign of every component (2.1)."""
         raise NotImplementedError("Exercise B2.1: Copy, clear and invert")
 
     def __neg__(self) -> Vector3:
-        """Return a new vector pointing the opposite way."""
+        """Return a new vector of the same length that points in the opposite direction."""
         raise NotImplementedError("Exercise B2.1: Copy, clear and invert")
 
     def magnitude(self) -> float:
         """Return the length |v|, which is never negative (2.1).
 
-        The result is also correct for components as large as 1e200 and as small as 1e-200, although
-        their squares do not fit in a float. If a component is NaN, the length is NaN.
+        The length is also correct for components as large as 1e200 or as small as 1e-200, although
+        the squares of such numbers overflow or underflow. If a component is NaN, the length is NaN.
         """
         raise NotImplementedError("Exercise B2.2: Length")
 
     def squared_magnitude(self) -> float:
-        """Return |v|^2, which is enough to compare lengths and needs no square root (2.1)."""
+        """Return the squared length |v|^2 (2.1).
+
+        To compare two lengths, compare their squares. This saves the square root.
+        """
         raise NotImplementedError("Exercise B2.2: Length")
 
     def __mul__(self, scale: float) -> Vector3:
-        """Return a new vector, v * scale or scale * v (2.1.3).
+        """Return a new vector, ``v * scale`` or ``scale * v`` (2.1.3).
 
-        Raises TypeError for vector * vector, which could mean three different products.
+        Raises TypeError if ``scale`` is a vector, because two vectors have three different
+        products.
         """
         raise NotImplementedError("Exercise B2.3: Multiply and divide by a number")
 
     __rmul__ = __mul__  # for 2 * v: a float does not know vectors, so Python calls this method
 
     def __imul__(self, scale: float) -> Vector3:
-        """Multiply every component by a number, in place, and return self.
+        """Multiply every component by a number, in place, and return ``self``.
 
-        Raises TypeError for a vector.
+        Raises TypeError if ``scale`` is a vector.
         """
         raise NotImplementedError("Exercise B2.3: Multiply and divide by a number")
 
     def __truediv__(self, divisor: float) -> Vector3:
-        """Return a new vector, v / divisor.
+        """Return a new vector, ``v / divisor``.
 
-        Raises TypeError for a vector and ZeroDivisionError for zero.
+        Raises TypeError if the divisor is a vector, and ZeroDivisionError if it is zero.
         """
         raise NotImplementedError("Exercise B2.3: Multiply and divide by a number")
 
     def __itruediv__(self, divisor: float) -> Vector3:
-        """Divide every component by a number, in place, and return self.
+        """Divide every component by a number, in place, and return ``self``.
 
-        Raises the same errors as v / divisor.
+        Raises the same errors as ``v / divisor``.
         """
         raise NotImplementedError("Exercise B2.3: Multiply and divide by a number")
 
     def normalize(self) -> None:
-        """Make the length 1 and keep the direction, in place (2.1.3).
+        """Scale the vector to length 1 without changing its direction, in place (2.1.3).
 
-        The zero vector stays zero. The result is also correct for components as large as 1e200 and
-        as small as 1e-200.
+        The zero vector has no direction and stays zero. The result is also correct for components
+        as large as 1e200 or as small as 1e-200.
         """
         raise NotImplementedError("Exercise B2.4: Normalize")
 
     def normalized(self) -> Vector3:
         """Return a new vector of length 1 in the same direction.
 
-        The zero vector gives a new zero vector.
+        For the zero vector, return a new zero vector.
         """
         raise NotImplementedError("Exercise B2.4: Normalize")
 
     def __add__(self, v: Vector3) -> Vector3:
-        """Return the sum as a new vector (2.1.4). Raises TypeError if v is not a vector."""
+        """Return the sum as a new vector (2.1.4). Raises TypeError if ``v`` is not a vector."""
         raise NotImplementedError("Exercise B2.5: Add and subtract")
 
     def __iadd__(self, v: Vector3) -> Vector3:
-        """Add v, in place, and return self. Raises TypeError if v is not a vector."""
+        """Add ``v``, in place, and return ``self``. Raises TypeError if ``v`` is not a vector."""
         raise NotImplementedError("Exercise B2.5: Add and subtract")
 
     def __sub__(self, v: Vector3) -> Vector3:
-        """Return the difference as a new vector (2.1.4). Raises TypeError if v is not a vector."""
+        """Return the difference as a new vector (2.1.4).
+
+        Raises TypeError if ``v`` is not a vector.
+        """
         raise NotImplementedError("Exercise B2.5: Add and subtract")
 
     def __isub__(self, v: Vector3) -> Vector3:
-        """Subtract v, in place, and return self. Raises TypeError if v is not a vector."""
+        """Subtract ``v``, in place, and return ``self``.
+
+        Raises TypeError if ``v`` is not a vector.
+        """
         raise NotImplementedError("Exercise B2.5: Add and subtract")
 
     def add_scaled(self, v: Vector3, scale: float) -> None:
-        """Add v * scale, in place (2.1.4).
+        """Add ``v * scale``, in place (2.1.4).
 
-        The engine uses this method for every update of the form p' = p + v h. It also works if v is
-        the vector itself. Raises TypeError if v is not a vector.
+        The engine uses this method for every update of the form p' = p + v h, because it creates no
+        temporary vector. It also works if ``v`` is the vector itself. Raises TypeError if ``v`` is
+        not a vector.
         """
         raise NotImplementedError("Exercise B2.6: Add a scaled vector")
 
     def component_product(self, v: Vector3) -> Vector3:
-        """Return a new vector with the products of matching components (2.1.6).
+        """Return the component product as a new vector (2.1.6).
 
-        Raises TypeError if v is not a vector.
+        Each component of the result is the product of the two matching components. Raises TypeError
+        if ``v`` is not a vector.
         """
         raise NotImplementedError("Exercise B2.7: The component product")
 
     def component_product_update(self, v: Vector3) -> None:
-        """Multiply each component by the matching one of v, in place (2.1.6).
+        """Multiply each component by the matching component of ``v``, in place (2.1.6).
 
-        Raises TypeError if v is not a vector.
+        Raises TypeError if ``v`` is not a vector.
         """
         raise NotImplementedError("Exercise B2.7: The component product")
 
     def dot(self, v: Vector3) -> float:
-        """Return the scalar product a . b = |a| |b| cos t, also written a @ b (Eq. 2.4).
+        """Return the scalar product a . b = |a| |b| cos t, also written ``a @ b`` (Eq. 2.4).
 
-        Raises TypeError if v is not a vector.
+        t is the angle between the two vectors. If one of them is a unit vector, the result is the
+        component of the other along it. Raises TypeError if ``v`` is not a vector.
         """
         raise NotImplementedError("Exercise B2.8: The scalar product")
 
@@ -172,28 +189,31 @@ class Vector3:
     def cross(self, v: Vector3) -> Vector3:
         """Return the vector product a x b as a new vector (Eq. 2.6).
 
-        The product is perpendicular to both vectors and has the length |a| |b| sin t. Swapping the
-        factors reverses its direction: b x a = -(a x b). Raises TypeError if v is not a vector.
+        The product is perpendicular to both vectors and has the length |a| |b| sin t, where t is
+        the angle between them. Swapping the factors reverses its direction: b x a = -(a x b).
+        Raises TypeError if ``v`` is not a vector.
         """
         raise NotImplementedError("Exercise B2.9: The vector product")
 
     def cross_update(self, v: Vector3) -> None:
-        """Replace this vector by its vector product with v, in place (2.1.8).
+        """Replace this vector by its vector product with ``v``, in place (2.1.8).
 
-        Raises TypeError if v is not a vector.
+        Raises TypeError if ``v`` is not a vector.
         """
         raise NotImplementedError("Exercise B2.9: The vector product")
 
 
 def make_orthonormal_basis(a: Vector3, b: Vector3) -> tuple[Vector3, Vector3, Vector3]:
-    """Return three new unit vectors that are perpendicular and right-handed: a x b = c (2.1.9).
+    """Return three new perpendicular unit vectors, right-handed: a x b = c (2.1.9).
 
-    The first vector has the direction of ``a``. The third one is perpendicular to the plane of
-    ``a`` and ``b``. The second one lies in that plane, as close to ``b`` as possible. The lengths
-    of ``a`` and ``b`` do not matter, and neither vector changes.
+    Use it to build the axes of a camera or a contact from one exact direction and one approximate
+    direction. The first vector has the direction of ``a``. The third one is perpendicular to the
+    plane of ``a`` and ``b``. The second one lies in that plane, as close to ``b`` as possible. The
+    lengths of ``a`` and ``b`` do not matter, and neither vector is changed.
 
     Raises:
-        ValueError: if ``a`` or ``b`` is zero or not finite, or if they are parallel, which means
-            that the sine of their angle is below 1e-12. Such vectors do not determine a basis.
+        ValueError: if ``a`` or ``b`` is zero or not finite, or if they are parallel. They count as
+            parallel if the sine of the angle between them is below 1e-12. Such vectors do not
+            determine a basis.
     """
     raise NotImplementedError("Exercise B2.10: An orthonormal basis")

@@ -1,10 +1,10 @@
 """The two equations for damping that the book compares. The engine's own form is in particle.py.
 
-Both return the velocity after a step as a new vector and change nothing. The velocity is in m/s,
-the acceleration in m/s^2 and the duration in s. The damping d is the fraction of the velocity that
-is kept. Eq. 3.5 keeps this fraction in each step, however long the step is. Eq. 3.6 keeps it in
-each second of simulated time. Both raise TypeError for a damping or a duration that is not a
-number.
+Both functions return the velocity after a step as a new vector and change nothing. The velocity is
+in m/s, the acceleration in m/s^2 and the duration in s. The damping d is the fraction of the
+velocity that is kept. In Eq. 3.5, each step keeps this fraction, however long the step is. In Eq.
+3.6, each second of simulated time keeps it, so the motion does not depend on the frame rate. Both
+functions raise TypeError for a damping or a duration that is not a number.
 """
 
 from __future__ import annotations
@@ -17,6 +17,8 @@ def damp_per_frame(
 ) -> Vector3:
     """Return v' = v d + a h, where d is the fraction kept per step (Eq. 3.5).
 
+    The fraction does not depend on the duration, so shorter steps damp the motion more.
+
     Raises ValueError if the damping is negative or not finite, or if the duration is not positive
     and finite.
     """
@@ -28,7 +30,7 @@ def damp_per_second(
 ) -> Vector3:
     """Return v' = v d^h + a h, where d is the fraction kept per second (Eq. 3.6).
 
-    Particle.kick uses the form of the book's listing, (v + a h) d^h, instead (E-16).
+    ``Particle.kick`` uses the form of the book's listing instead, which is (v + a h) d^h (E-16).
 
     Raises ValueError if the damping is negative or not finite, or if the duration is not positive
     and finite.

@@ -14,19 +14,19 @@ from ch02_vectors.vector import Vector3
 class Particle:
     """A point mass with a position, a velocity and a constant acceleration, such as gravity.
 
-    ``position``, ``velocity`` and ``acceleration`` are vectors, which are zero by default.
-    Assigning a vector to one of them stores a copy, so two particles never share a vector.
-    Assigning a vector that is not finite raises ValueError, and anything else raises TypeError. You
-    may also change components one by one, as in ``particle.velocity.y = 3.0``. Then it is up to you
-    to keep them finite.
+    ``position``, ``velocity`` and ``acceleration`` are vectors, which are zero by default. If you
+    assign a vector to one of them, the particle stores a copy, so two particles never share a
+    vector. Assigning a vector that is not finite raises ValueError, and assigning anything else
+    raises TypeError. You may also change single components, as in ``particle.velocity.y = 3.0``.
+    Such changes are not checked, so make sure that the components stay finite.
 
-    ``damping`` is the fraction of the velocity that is kept per second. 1 keeps all of it, 0 stops
-    the particle, and a number above 1 speeds it up. A particle whose mass is math.inf, or whose
-    inverse mass is 0, cannot be moved by anything.
+    ``damping`` is the fraction of the velocity that is kept per second. A damping of 1 keeps all of
+    it, 0 stops the particle, and a number above 1 speeds it up. A particle is immovable if its mass
+    is ``math.inf``, which is the same as an inverse mass of 0.
 
-    A particle has only the attributes that ``__slots__`` lists. The engine stores 1 / mass in
-    ``_inverse_mass`` and the damping in ``_damping``. If your code must store something else, add
-    its name there.
+    A particle has only the attributes that are listed in ``__slots__``. The engine stores 1 / mass
+    in ``_inverse_mass`` and the damping in ``_damping``. If your code must store something else,
+    add the name of the new attribute there.
     """
 
     __slots__ = ("_damping", "_inverse_mass", "acceleration", "position", "velocity")
@@ -51,21 +51,22 @@ class Particle:
         self.damping = damping
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Set an attribute. Check and copy the three vectors first."""
+        """Set an attribute. The three vectors are checked and copied first."""
         if name in ("position", "velocity", "acceleration"):
             value = finite_vector(name, value)
         object.__setattr__(self, name, value)
 
     @property
     def mass(self) -> float:
-        """The mass in kg, which is above 0, or math.inf for an immovable particle (3.2)."""
+        """The mass in kg. It is positive, or ``math.inf`` for an immovable particle (3.2)."""
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     @mass.setter
     def mass(self, mass: float) -> None:
-        """Set the mass. math.inf is allowed. Raises ValueError if the mass is not positive.
+        """Set the mass. ``math.inf`` is allowed.
 
-        Like every setter here, it raises TypeError for anything that is not a number.
+        Raises ValueError if the mass is not positive. Like every setter of this class, it raises
+        TypeError for anything that is not a number.
         """
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
@@ -81,7 +82,7 @@ class Particle:
 
     @property
     def has_finite_mass(self) -> bool:
-        """True unless the mass is infinite, which makes the particle immovable."""
+        """Whether the mass is finite. A particle of infinite mass is immovable."""
         raise NotImplementedError("Exercise B3.1: Mass, inverse mass and damping")
 
     @property
@@ -97,15 +98,15 @@ class Particle:
     def kinetic_energy(self) -> float:
         """Exercise 3.3: return the kinetic energy m |v|^2 / 2 in J.
 
-        The result is 0 for an immovable particle, because it does not move.
+        An immovable particle does not move, so its kinetic energy is 0.
         """
         raise NotImplementedError("Exercise 3.3: Kinetic energy")
 
     def momentum(self) -> Vector3:
         """Return the momentum m v in kg m/s as a new vector (3.2).
 
-        Momentum stays constant as long as no force acts. The result is zero for an immovable
-        particle, because it does not move.
+        Momentum stays constant as long as no force acts. An immovable particle does not move, so
+        its momentum is zero.
         """
         raise NotImplementedError("Exercise B3.2: Momentum")
 
@@ -120,11 +121,11 @@ class Particle:
     def drift(self, duration: float) -> None:
         """Move the particle with its velocity for a duration in s: p' = p + v h (Eq. 2.7).
 
-        The velocity does not change, and an immovable particle does not move. The duration may be
-        0 or negative, because integrators drift for parts of a step and a few drift back.
+        The velocity does not change, and an immovable particle does not move. The duration may be 0
+        or negative, because integrators drift for parts of a step and a few of them drift back.
 
-        The duration is not checked here, because a step may consist of several moves. The caller,
-        which is ``integrate``, an integrator or a world, checks it once per step.
+        This method does not check the duration, because a step may consist of several moves. The
+        caller checks it once per step. The caller is ``integrate``, an integrator or a world.
         """
         raise NotImplementedError("Exercise B3.4: The step")
 
@@ -141,11 +142,10 @@ class Particle:
     def integrate(self, duration: float) -> None:
         """Make the book's step for a duration in s: drift, then kick. This is explicit Euler.
 
-        The position moves with the velocity from before the step, and the term a h^2 / 2 is left
-        out on purpose (3.3.2). The book gives this method another name (E-17). The particle of
-        chapter 5 overrides kick to add forces, so this method must call self.kick(duration).
-
-        An immovable particle does not change.
+        The position moves with the velocity from before the step. The term a h^2 / 2 is left out on
+        purpose (3.3.2). The book gives this method another name (E-17). The particle of chapter 5
+        overrides ``kick`` to add forces, so this method must call ``self.kick(duration)``. An
+        immovable particle does not change.
 
         Raises:
             ValueError: if the duration is not positive and finite. The particle does not change.

@@ -1,8 +1,8 @@
 """The state of a particle at any time, without time steps.
 
-Treat the damping d as a drag, dv/dt = a - k v, with a constant acceleration a and k = -ln d. Then
-there are formulas for the position and the velocity. A body that moves like this, such as a spark,
-needs no time steps, because a single evaluation gives its exact state at any time.
+Treat the damping d as a drag, dv/dt = a - k v, with a constant acceleration a and k = -ln d. This
+equation has an exact solution, which gives the position and the velocity at any time. A body that
+moves in this way, such as a spark, therefore needs no time steps: a single evaluation is enough.
 """
 
 from __future__ import annotations
@@ -14,17 +14,17 @@ from ch03_laws_of_motion.particle import Particle
 
 
 def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
-    """Return the three factors of the closed form: kept, gone and fallen.
+    """Return the three factors of the exact solution: kept, gone and fallen.
 
-    With these factors, v(t) = v kept + a gone and p(t) = p + v gone + a fallen. The factors are
+    With these factors, v(t) = v kept + a gone and p(t) = p + v gone + a fallen:
 
-    - kept = d^t, which has no unit,
-    - gone = (1 - d^t) / k in s, the distance that a speed of 1 m/s covers,
-    - fallen = (t - gone) / k in s^2, the distance that an acceleration of 1 m/s^2 covers.
+    - kept = d^t, which has no unit, is the fraction of the velocity that remains.
+    - gone = (1 - d^t) / k, in s, is the distance that a speed of 1 m/s covers.
+    - fallen = (t - gone) / k, in s^2, is the distance that an acceleration of 1 m/s^2 covers.
 
     As the damping approaches 1, the factors approach 1, t and t^2 / 2. The result must have at
     least 9 correct digits even for a damping as close to 1 as a float can be, where the formulas
-    divide almost 0 by almost 0. A damping of 0 stops everything at once: if any time passes, the
+    divide almost 0 by almost 0. A damping of 0 stops everything at once: for any time above 0, the
     factors are 0, 0 and 0.
 
     Raises ValueError if the damping or the time is negative or not finite, and OverflowError if a
@@ -36,9 +36,11 @@ def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
 def state_after(particle: Particle, time: float) -> tuple[Vector3, Vector3]:
     """Return the position and velocity of a particle after a time in s, as new vectors.
 
-    The particle does not change. An immovable particle keeps its position and velocity.
+    The particle does not change. An immovable particle keeps its position and velocity. Use this
+    function for a prediction, such as where a shell will land.
 
-    Raises ValueError if the time is negative or not finite, and OverflowError as drag_factors does.
+    Raises ValueError if the time is negative or not finite, and OverflowError as ``drag_factors``
+    does.
 
     >>> shell = Particle(Vector3(0, 1.5, 0), Vector3(0, 30, 40), Vector3(0, -20, 0), damping=0.99)
     >>> position, _ = state_after(shell, 3.0347583)
@@ -51,7 +53,7 @@ def state_after(particle: Particle, time: float) -> tuple[Vector3, Vector3]:
 def burst_positions(
     start: float, speeds: Sequence[float], acceleration: float, damping: float, time: float
 ) -> list[float]:
-    """Return the positions of the sparks of one burst along one axis, in m, after a time in s.
+    """Return the positions of all sparks of a burst along one axis, in m, after a time in s.
 
     All sparks start at the same position and time, with the same acceleration and damping. Only
     their speeds along the axis, in m/s, differ. So compute the factors, and the position of a spark
@@ -59,7 +61,8 @@ def burst_positions(
     of the three.
 
     The speeds are not checked. Raises ValueError if the start or the acceleration is not finite, or
-    if the damping or the time is negative or not finite, and OverflowError as drag_factors does.
+    if the damping or the time is negative or not finite, and OverflowError as ``drag_factors``
+    does.
 
     >>> burst_positions(9.0, [-2.0, 0.0, 3.0], -10.0, damping=1.0, time=1.0)
     [2.0, 4.0, 7.0]

@@ -1,8 +1,8 @@
-"""Keep the display alive (project 4.1): a game whose rules need no screen.
+"""Keep the display alive (project 4.1): the rules of a game with rockets, without a screen.
 
 The fuse of each rocket burns down. If the player clicks on a rocket before it burns out, the rocket
-bursts, and another one of its type starts from the ground. The display lives as long as there is a
-rocket. A late click scores more, but the player risks losing the rocket.
+bursts, and another rocket of its type starts from the ground. The game lasts as long as there is a
+rocket. A late click scores more points, but the player risks losing the rocket.
 """
 
 from __future__ import annotations
@@ -27,11 +27,12 @@ class Display:
 
 
 def find_rocket(display: Display, x: float, y: float) -> Firework | None:
-    """Project 4.1: return the rocket nearest to a point, or None if none is within REACH.
+    """Project 4.1: return the rocket nearest to a point, or None if none is within ``REACH``.
 
     The point and the distances are in the X-Y plane. A rocket is any firework whose rule has
-    payloads, even if it was itself a payload. A rocket with an age of 0 or less has no fuse left
-    and cannot be saved, so it is not found. A rocket at exactly the distance REACH is found.
+    payloads, even if the rocket was itself a payload. A rocket with an age of 0 or less has no fuse
+    left and is not found, because a click can no longer save it. A rocket at exactly the distance
+    ``REACH`` is found.
     """
     raise NotImplementedError("Exercise P4.1: Keep the display alive")
 
@@ -39,10 +40,10 @@ def find_rocket(display: Display, x: float, y: float) -> Firework | None:
 def click(display: Display, x: float, y: float) -> bool:
     """Project 4.1: click on a point of the X-Y plane, and return whether a rocket was hit.
 
-    The rocket that find_rocket finds gets an age of 0, so it bursts in the next update. Then
-    another rocket of its type is launched, if the show has room. A hit scores 1 point, or 3 if the
-    fuse was shorter than LATE. A click that hits no rocket is a miss. When the game is over, a
-    click does nothing and returns False.
+    The rocket that ``find_rocket`` returns gets an age of 0, so it bursts in the next update. Then
+    another rocket of its type is launched, if the show has room. A hit scores 1 point, or 3 points
+    if the fuse was shorter than ``LATE``. A click that hits no rocket is a miss. When the game is
+    over, a click does nothing and returns False.
     """
     raise NotImplementedError("Exercise P4.1: Keep the display alive")
 
@@ -50,8 +51,8 @@ def click(display: Display, x: float, y: float) -> bool:
 def is_over(display: Display) -> bool:
     """Project 4.1: return whether no rocket is left or too many clicks have missed.
 
-    MISSES_ALLOWED clicks may miss, and the next miss ends the game. A rocket that was clicked on
-    counts as left until it has burst. A new game begins when a rocket has been launched.
+    The first ``MISSES_ALLOWED`` misses are free, and the next miss ends the game. A rocket that was
+    clicked on counts as left until it has burst. A new game begins when a rocket has been launched.
     """
     raise NotImplementedError("Exercise P4.1: Keep the display alive")
 
@@ -59,7 +60,7 @@ def is_over(display: Display) -> bool:
 def tick(display: Display, duration: float) -> None:
     """Let a time in s pass: update the show, and count the time until the game is over.
 
-    Raises ValueError if the duration is not positive and finite. Nothing has changed then.
+    Raises ValueError if the duration is not positive and finite. In that case nothing changes.
     """
     over = is_over(display)
     display.show.update(duration)

@@ -1,9 +1,9 @@
 """Going further, complete: a time step that is exact.
 
 An animation of a flight needs the position in every frame. If all frames are equally long, the
-three factors of the closed form are the same in each of them and are computed only once. After
-that, each frame is a step in plain numbers. No other step costs less, and this one has no error
-except rounding.
+three factors of the exact solution are the same in each of them, so they are computed only once.
+Each frame is then a step in plain numbers. No other step costs less, and the only error of this one
+is rounding.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from ch04_particle_engine.closed_form import drag_factors
 def places_in_frames(particle: Particle, frame: float, frames: int) -> list[tuple[float, float]]:
     """Return a particle's (x, y) in m at the end of each of ``frames`` frames of ``frame`` s.
 
-    The motion has the particle's constant acceleration, and its damping as a drag that is linear in
-    the velocity. The particle itself does not change. An immovable particle is at its present
-    position in every frame.
+    The particle has its constant acceleration, and its damping acts as a drag that is linear in the
+    velocity. The particle itself does not change. An immovable particle has the same position in
+    every frame.
 
     Raises ValueError if ``frame`` is not positive and finite, or ``frames`` is less than 1. Raises
     TypeError if ``frames`` is not a whole number.

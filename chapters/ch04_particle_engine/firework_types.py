@@ -1,7 +1,7 @@
 """The nine types of firework of the show, and two of your own.
 
-The first three have the numbers of the book's table. The other numbers are not from the book. Types
-1, 2, 4, 6 and 8 are rockets: when they burn out, they light other fireworks.
+The numbers of the first three types are from the book's table. The other numbers are not from the
+book. Types 1, 2, 4, 6 and 8 are rockets: when they burn out, they light other fireworks.
 """
 
 from __future__ import annotations
@@ -40,6 +40,6 @@ def own_types() -> list[FireworkRule]:
     The two rules must differ from each other and from the nine in more than their type. At least
     one of them has payloads, of types 1 to 11. None of the eleven types may lead back to itself, so
     that every show with them ends. Each of the two types burns for at least 0.1 s. At most 40 s
-    after it was lit, everything that came from it must have burnt out.
+    after a firework of these types was lit, everything that came from it must have burnt out.
     """
     raise NotImplementedError("Exercise 4.2: Two types of your own")

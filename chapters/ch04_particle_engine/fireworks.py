@@ -1,6 +1,7 @@
-"""Fireworks (book 4.2): particles that burn for a while and then light others.
+"""Fireworks (book 4.2): particles that burn for a while and then light other fireworks.
 
-Each type of firework is described by a rule, which is plain data. The show only reads the rules.
+Each type of firework is described by a rule, which is plain data. You can therefore add a type
+without writing new code.
 """
 
 from __future__ import annotations
@@ -37,8 +38,9 @@ class Payload:
 class FireworkRule:
     """The rule of a type: how long its fireworks burn, how they fly and which payloads they light.
 
-    Ages in s and velocities in m/s are drawn between a minimum and a maximum, separately for each
-    component of a velocity. ``damping`` is the fraction of the velocity that is kept per second.
+    Ages in s and velocities in m/s are drawn between a minimum and a maximum. Each component of a
+    velocity is drawn separately. ``damping`` is the fraction of the velocity that is kept per
+    second.
 
     Raises ValueError if an age or the damping is negative, a number is not finite, a velocity does
     not have three components, or a minimum is above its maximum. Raises TypeError if the payloads
@@ -92,8 +94,9 @@ def make_firework(rule: FireworkRule, random: Random, parent: Particle | None = 
 
     The firework's age and each component of its velocity are drawn uniformly between the rule's
     limits. If there is a parent, the firework starts at the parent's position, and the parent's
-    velocity is added to the drawn one. Otherwise it starts on the ground, at one of LAUNCH_PLACES.
-    It has a mass of 1 kg, the acceleration GRAVITY and the damping of the rule.
+    velocity is added to the drawn velocity. Otherwise the firework starts on the ground, at one of
+    ``LAUNCH_PLACES``. It has a mass of 1 kg, the acceleration ``GRAVITY`` and the damping of the
+    rule.
     """
     raise NotImplementedError("Exercise B4.4: A firework from its rule")
 
@@ -101,20 +104,22 @@ def make_firework(rule: FireworkRule, random: Random, parent: Particle | None = 
 def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
     """Return the types that lead back to themselves, in ascending order.
 
-    A show with such a type never ends. If type 1 has a payload of type 2, and type 2 has a payload
-    of type 1, both lead back to themselves. A type 3 with a payload of type 1 never ends either,
-    but nothing leads back to it, so it is not in the result.
+    Use this function to check a set of rules, because a show with such a type never ends. If type 1
+    has a payload of type 2, and type 2 has a payload of type 1, both lead back to themselves. A
+    type 3 with a payload of type 1 never ends either. Nothing leads back to type 3, though, so the
+    result does not include it.
     """
     raise NotImplementedError("Exercise B4.7: Rules without an end")
 
 
 class FireworksShow:
-    """Fireworks that burn, in the order in which they were lit, the oldest first.
+    """A show of burning fireworks, listed in the order in which they were lit, the oldest first.
 
-    At most ``capacity`` burn at a time. If the show is full, "keep_old" lights no new fireworks, as
-    the book's text says, and "drop_oldest" puts out the oldest to make room, as the book's listing
-    does (E-20). ``dropped`` counts the fireworks that were not lit or were put out. The capacity
-    also limits rules that light each other forever. The same seed gives the same show.
+    At most ``capacity`` fireworks burn at a time, even if the rules light each other forever. What
+    happens in a full show depends on ``when_full``. "keep_old" lights no new fireworks, as the
+    book's text says. "drop_oldest" puts out the oldest to make room, as the book's listing does
+    (E-20). ``dropped`` counts the fireworks that were not lit or were put out. The same seed gives
+    the same show.
 
     Raises ValueError if two rules have the same type, a payload has a type without a rule, the
     capacity is below 1, or ``when_full`` is neither of the two policies. Raises TypeError if the
@@ -158,26 +163,27 @@ class FireworksShow:
     def light(self, births: Sequence[tuple[int, int, Particle | None]]) -> None:
         """Light as many fireworks as the policy allows. A birth is a tuple (type, count, parent).
 
-        New fireworks come after those that already burn, in the order of the births. If there is no
-        room for all of them, "keep_old" lights only the first ones. "drop_oldest" puts out the
-        oldest fireworks to make room. If there are more births than the capacity, it lights only
-        the last ones. A call never makes more fireworks than the capacity, whatever the counts are.
+        New fireworks are added after those that already burn, in the order of the births. If there
+        is no room for all of them, "keep_old" lights only the first ones. "drop_oldest" puts out
+        the oldest fireworks to make room. If there are more births than the capacity, "drop_oldest"
+        lights only the last ones. A call never creates more fireworks than the capacity, however
+        large the counts are.
 
-        Raises ValueError if there is no rule for a type, or if a count is negative. Nothing is lit
-        then.
+        Raises ValueError if there is no rule for a type, or if a count is negative. In that case
+        nothing is lit.
         """
         raise NotImplementedError("Exercise B4.5: Slots, and what happens when they are full")
 
     def update(self, duration: float) -> None:
         """Move every firework by one step of a duration in s, and light due payloads (4.2.3).
 
-        Each firework moves, and its age shrinks by the duration. A firework has burnt out if its
+        Each firework moves, and its age decreases by the duration. A firework has burnt out if its
         age is below 0 or if it is below the ground (y < 0). At an age of exactly 0 it still burns.
         After all fireworks have moved, remove those that have burnt out. Then light their payloads,
-        starting with the oldest firework. The parent of a payload is the particle of the firework
-        that burnt out.
+        starting with those of the oldest firework. The parent of a payload is the particle of the
+        firework that burnt out.
 
-        Raises ValueError if the duration is not positive and finite. Nothing has moved then.
+        Raises ValueError if the duration is not positive and finite. In that case nothing moves.
         """
         raise NotImplementedError("Exercise B4.6: The show goes on")
 

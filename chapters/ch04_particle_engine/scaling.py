@@ -1,11 +1,11 @@
 """A bullet that is slow enough to be seen (book 4.1.1): how its mass and gravity must change.
 
-``factor`` says how many times slower the shot is in the game. It is the real speed divided by the
-speed in the game: 20 for a bullet of 500 m/s that is shown at 25 m/s. The book's text and its
-footnote divide in opposite ways (E-19).
+A real bullet is too fast to be seen, so a game slows it down. ``factor`` is the real speed divided
+by the speed in the game: 20 for a bullet of 500 m/s that is shown at 25 m/s. The book's text and
+its footnote divide in opposite directions (E-19).
 
-Every function of this chapter raises TypeError for an argument that is not a number where a number
-is expected.
+Every function of this chapter raises TypeError if an argument that must be a number is something
+else.
 """
 
 from __future__ import annotations
@@ -26,7 +26,10 @@ def muzzle_energy(mass: float, speed: float) -> float:
 
 
 def slowed_mass(mass: float, factor: float) -> float:
-    """Return the mass in kg that keeps the energy of a shot that is slower by a factor.
+    """Return the mass in kg with which a slowed shot keeps its kinetic energy.
+
+    The shot is slower by ``factor``. With the same energy, it pushes a target as hard as the real
+    shot would.
 
     Raises ValueError if the mass or the factor is not positive and finite.
 
@@ -37,10 +40,10 @@ def slowed_mass(mass: float, factor: float) -> float:
 
 
 def slowed_gravity(gravity: float, factor: float) -> float:
-    """Return the gravity in m/s^2 that keeps the arc of a shot that is slower by a factor.
+    """Return the gravity in m/s^2 with which a slowed shot keeps its trajectory.
 
     The slower shot needs more time for the same distance, and so it falls for longer. With this
-    gravity it drops no farther than the fast shot. The book divides by the factor once (E-2).
+    gravity it drops no farther than the fast shot. The book divides by the factor only once (E-2).
 
     Raises ValueError if the gravity is not finite, or if the factor is not positive and finite.
 

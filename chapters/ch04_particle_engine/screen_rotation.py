@@ -1,7 +1,6 @@
 """Sparks that rotate on the screen at a constant rate: a picture without physics (4.2.3, E-35).
 
-A rotation whose rate never changes needs no time steps, because a formula gives its angle at any
-time.
+A rotation at a constant rate needs no time steps, because a formula gives the angle at any time.
 """
 
 from __future__ import annotations
@@ -12,7 +11,7 @@ Point = tuple[float, float]
 def screen_angle(start: float, rate: float, time: float) -> float:
     """Going further: return the angle after a time in s, in radians, from -pi to pi.
 
-    It is ``start`` at time 0 and grows by ``rate`` per second. Whole turns are removed.
+    The angle is ``start`` at time 0 and grows by ``rate`` per second. Whole turns are removed.
 
     Raises ValueError if an argument is not finite.
 
@@ -23,11 +22,11 @@ def screen_angle(start: float, rate: float, time: float) -> float:
 
 
 def screen_corners(center: Point, size: float, angle: float) -> list[Point]:
-    """Going further: return the four corners of a square on the screen, one after the other.
+    """Going further: return the four corners of a square on the screen, in order.
 
-    At angle 0 its sides, of length ``size``, are horizontal and vertical. A positive angle rotates
-    it from X toward Y. The first corner is the one that is at the upper right at angle 0, and the
-    others follow in the direction of rotation.
+    At angle 0 the sides, of length ``size``, are horizontal and vertical. A positive angle rotates
+    the square from X toward Y. The first corner is the one that is at the upper right at angle 0,
+    and the others follow in the direction of rotation.
 
     Raises ValueError if a coordinate or the angle is not finite, or if the size is not positive.
 

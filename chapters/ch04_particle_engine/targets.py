@@ -1,7 +1,7 @@
-"""Target blocks for the ballistic range (mini-project 4.3), and how a shot hits them.
+"""Target blocks for the ballistic range (mini-project 4.3), and a test of whether a shot hits them.
 
-A shot moves more than half a meter in a step. If you only test at the end of each step whether it
-is inside a block, it passes through thin blocks. So test its path during the step instead.
+A shot moves more than half a meter in a step. If you test only its position at the end of each
+step, it passes through thin blocks. So test its path during the step instead.
 """
 
 from __future__ import annotations
@@ -14,11 +14,12 @@ from ch03_laws_of_motion.particle import Particle
 
 
 class TargetBlock:
-    """A box with its sides along the axes that stands on the ground or on a post, and can slide.
+    """A box with sides parallel to the axes that stands on the ground or on a post, and can slide.
 
-    ``particle`` is at the center of the box. A mass of math.inf makes a block that cannot be moved.
-    ``size`` holds the lengths of the sides along X, Y and Z in m. ``damping`` stands for friction.
-    ``hits`` counts the shots that have hit the block.
+    ``particle`` is at the center of the box. A mass of ``math.inf`` makes a block that cannot be
+    moved. ``size`` contains the lengths of the sides along X, Y and Z in m. ``damping`` imitates
+    friction, so that a block that was hit comes to rest. ``hits`` counts the shots that have hit
+    the block.
 
     Raises ValueError if a side or the mass is not positive, or if the damping is negative or not
     finite.
@@ -38,11 +39,11 @@ class TargetBlock:
 
 
 def hit_fraction(start: Vector3, end: Vector3, block: TargetBlock) -> float | None:
-    """Exercise 4.3b: return where the straight path from start to end first touches a block.
+    """Exercise 4.3b: return where the straight path from ``start`` to ``end`` first hits a block.
 
-    0 is the start and 1 is the end, so 0.25 is a quarter of the path. A path that starts inside the
-    block gives 0, touching counts as a hit, and a path that misses gives None. Positions are in m
-    and have finite components.
+    The result is a fraction of the path: 0 at the start, 0.25 after a quarter of the path, and 1 at
+    the end. It is 0 if the path starts inside the block, and None if the path misses the block. A
+    path that only touches the block is a hit. Positions are in m and have finite components.
 
     >>> wall = TargetBlock(Vector3(0, 1, 30), (4, 2, 0.5), mass=100)
     >>> hit_fraction(Vector3(0, 1, 29.5), Vector3(0, 1, 30.5), wall)
@@ -60,8 +61,9 @@ def strike_first(
 
     Return None if the shot misses every target.
 
-    The shot moved from ``start`` to the position of ``particle``. The target takes up the
-    particle's present momentum along X and Z, and its ``hits`` grows by 1. The ground takes up the
-    momentum along Y. If two targets are touched at once, the earlier one in the list is hit.
+    The shot moved from ``start`` to the position of ``particle``. The target takes over the
+    particle's present momentum along X and Z, and its ``hits`` grows by 1. The ground takes over
+    the momentum along Y. If two targets are touched at once, the one that comes first in the list
+    is hit.
     """
     raise NotImplementedError("Exercise 4.3c: Blocks of several masses")

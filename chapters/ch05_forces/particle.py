@@ -1,7 +1,7 @@
 """A particle that forces act on: chapter 3's particle with a force accumulator (book 5.1).
 
 Units are SI, so forces are in N. Everything here raises TypeError for an argument that is not a
-number, or not a Vector3 where one is expected.
+number, or not a Vector3 where a vector is expected.
 """
 
 from __future__ import annotations
@@ -15,12 +15,13 @@ NO_FORCE: Numbers = (0.0, 0.0, 0.0)
 
 
 class Particle(particle.Particle):
-    """A particle of chapter 3 that adds up the forces on it until its next step uses them.
+    """A particle that adds up the forces on it until its next step uses them.
 
-    You choose how to store the forces. Here ``_forces`` is a list with two entries: the sum since
-    the last step, and the sum that the last step used. Each is a tuple of three numbers, or None if
-    no force was added. If you store them in another way, change ``__slots__``, the constructor,
-    ``__copy__``, ``take_forces`` and ``add_force_pair`` to match.
+    It inherits position, velocity, mass and damping from chapter 3. You choose how to store the
+    forces. Here ``_forces`` is a list with two entries: the sum since the last step, and the sum
+    that the last step used. Each entry is a tuple of three numbers, or None if no force was added.
+    If you store the forces in another way, change ``__slots__``, the constructor, ``__copy__``,
+    ``take_forces`` and ``add_force_pair`` to match.
     """
 
     __slots__ = ("_forces",)
@@ -49,8 +50,8 @@ class Particle(particle.Particle):
     def take_forces(self) -> Numbers:
         """Return the sum of the forces in N as three numbers, and clear it.
 
-        Integrators that evaluate the forces several times in a step use it. It does the same as
-        force_accumulator followed by clear_forces, in a third of the time.
+        Use it in an integrator that evaluates the forces several times per step. It has the same
+        effect as ``force_accumulator`` followed by ``clear_forces``, but takes a third of the time.
         """
         forces = self._forces
         force = forces[0]
@@ -58,14 +59,14 @@ class Particle(particle.Particle):
         return force or NO_FORCE
 
     def add_force_pair(self, other: Particle, x: float, y: float, z: float) -> None:
-        """Add a force in N to this particle, and the opposite force to another one.
+        """Add a force in N to this particle, and the opposite force to ``other``.
 
         This is Newton's third law for a force with the components x, y and z. The method takes half
-        the time of two calls of add_force, which matters for a cloth with hundreds of springs.
+        the time of two calls of ``add_force``, which matters for a cloth with hundreds of springs.
 
         Raises:
-            ValueError: if a component, or one of the two sums, is not finite. Both sums stay as
-                they were.
+            ValueError: if a component, or one of the two sums, is not finite. In that case neither
+                sum changes.
         """
         mine, others = self._forces, other._forces
         ax, ay, az = mine[0] or NO_FORCE
@@ -95,15 +96,15 @@ class Particle(particle.Particle):
         """Add a force in N to the sum for the next step (5.1). The vector itself does not change.
 
         Raises:
-            ValueError: if a component of the force, or of the sum, is not finite. The sum stays as
-                it was.
+            ValueError: if a component of the force, or of the sum, is not finite. In that case the
+                sum does not change.
         """
         raise NotImplementedError("Exercise B5.1: The force accumulator")
 
     def clear_forces(self) -> None:
-        """Forget the forces that were added since the last step (5.1).
+        """Discard the forces that were added since the last step (5.1).
 
-        last_acceleration does not change.
+        ``last_acceleration`` does not change.
         """
         raise NotImplementedError("Exercise B5.1: The force accumulator")
 
@@ -111,9 +112,9 @@ class Particle(particle.Particle):
     def last_acceleration(self) -> Vector3:
         """The total acceleration in the last step, as a new vector (Eq. 3.2).
 
-        It is the constant acceleration plus f / m, computed from the forces that the last step
-        used, and from the current mass and constant acceleration. Before the first step, and for an
-        immovable particle, it is the constant acceleration.
+        This is the constant acceleration plus f / m. It is computed from the forces that the last
+        step used, and from the current mass and constant acceleration. Before the first step, and
+        for an immovable particle, it is the constant acceleration.
         """
         raise NotImplementedError("Exercise B5.2: The step with forces")
 
@@ -121,9 +122,9 @@ class Particle(particle.Particle):
         """Change the velocity as in chapter 3, now with the forces too: v' = (v + a h) d^h.
 
         Here a is the constant acceleration plus f / m, where f is the sum of the forces since the
-        last kick. The kick clears the sum, also for an immovable particle, and remembers it for
-        last_acceleration. You need not write ``integrate`` again: chapter 3's version drifts and
-        then calls this kick.
+        last kick. The kick clears the sum, also for an immovable particle, and stores it for
+        ``last_acceleration``. You need not write ``integrate`` again, because chapter 3's version
+        drifts and then calls this kick.
 
         As in chapter 3, the duration is not checked.
         """

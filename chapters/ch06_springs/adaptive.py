@@ -1,9 +1,9 @@
-"""Going further: an integrator that you ask for an accuracy, not for a step size.
+"""Going further: an integrator that takes a tolerance instead of a step size.
 
-A fixed step must be short enough for the worst moment of a motion, and it is then too short for all
-the others. A comet needs short steps while it passes the sun, but for the rest of its orbit long
-steps are enough. `adaptive` chooses the steps by itself. It estimates the error of every step and
-repeats a step that was too long. If a step was more accurate than necessary, it makes the next one
+A fixed step must be short enough for the fastest moment of a motion, and it is then too short for
+the rest. A comet needs short steps while it passes the sun, but long steps are enough for the rest
+of its orbit. `adaptive` chooses the steps by itself. It estimates the error of every step and
+repeats a step that was too long. If a step was more accurate than necessary, the next step is
 longer.
 """
 
@@ -44,10 +44,10 @@ def adaptive(tolerance: float) -> AdaptiveStep:
     """Return an integrator that chooses its own steps, so that each meets the tolerance.
 
     ``tolerance`` is the estimated error that one step may make: in m for every coordinate of a
-    position, and in m/s for every component of a velocity. It is an absolute error, so choose it by
-    the size of your scene. The errors of the steps add up, and an orbit or an oscillation amplifies
-    them. The final error is therefore often ten to a few hundred times the tolerance, but it
-    shrinks in proportion to the tolerance.
+    position, and in m/s for every component of a velocity. The tolerance is an absolute error, so
+    choose it by the size of your scene. The errors of the steps add up, and an orbit or an
+    oscillation amplifies them. The final error is therefore often ten to a few hundred times the
+    tolerance, but it shrinks in proportion to the tolerance.
 
     Raises ValueError if the tolerance is not positive and finite, and TypeError if it is not a
     number.
@@ -58,7 +58,7 @@ def adaptive(tolerance: float) -> AdaptiveStep:
 class AdaptiveStep:
     """An integrator ``(particles, apply_forces, duration)`` made by `adaptive`.
 
-    A call moves the particles by exactly ``duration``, in as many steps as it needs. Each step
+    A call moves the particles by exactly ``duration``, in as many steps as necessary. Each step
     evaluates the forces six times, and each call evaluates them once more. ``evaluations`` counts
     all evaluations. You may set it to 0.
 
@@ -91,15 +91,16 @@ class AdaptiveStep:
     ) -> None:
         """Move the particles by a duration in s.
 
-        If the forces raise ArithmeticError or ValueError in a step, the step counts as too long,
-        and is repeated with a tenth of its length. In the first evaluation of the call, these
-        errors are passed on. All other errors are passed on at any time, and leave the particles in
-        the middle of the call.
+        If the forces raise ArithmeticError or ValueError in a step, the step counts as too long and
+        is repeated with a tenth of its length. In the first evaluation of the call, these errors
+        are passed on. All other errors are always passed on, and leave the particles in the middle
+        of the call.
 
         Raises ArithmeticError if a step becomes too short to continue, as at a singularity, or if a
-        call needs more than MOST_STEPS steps. The particles are then where the last good step left
-        them, without damping, and their accumulators are empty. Raises ValueError if the duration
-        is not positive and finite, and TypeError if it is not a number. Nothing has changed then.
+        call needs more than ``MOST_STEPS`` steps. The particles are then where the last good step
+        left them, without damping, and their accumulators are empty. Raises ValueError if the
+        duration is not positive and finite, and TypeError if it is not a number. In that case
+        nothing changes.
         """
         positive("duration", duration)
         moving = _Moving(particles)

@@ -11,15 +11,15 @@ SOFTEST = 1e-7  # times m / h^2: softer springs count as no spring
 
 
 def swings_wider(integrator: Integrator, stiffness: float, damping: float, duration: float) -> bool:
-    """Exercise 6.5: return whether a particle on a spring swings wider and wider.
+    """Exercise 6.5: return whether the oscillations of a particle on a spring grow.
 
-    The particle has a mass of 1 kg and this damping. It is released at rest, START m away from the
-    anchor of a spring with a rest length of 0 and this stiffness in N/m. There is no gravity. The
-    integrator makes FRAMES steps, each of a duration in s. Oscillations that keep their size do not
-    count as wider.
+    The particle has a mass of 1 kg and the given damping. It is released at rest, ``START`` m away
+    from the anchor of a spring with a rest length of 0 and the given stiffness in N/m. There is no
+    gravity. The integrator makes ``FRAMES`` steps, each of a duration in s. Oscillations of
+    constant amplitude do not count as growing.
 
-    The answer must be right for a stiffness that differs from the limit by at least 1 % and whose
-    oscillations take at most FRAMES / 6 steps. If the damping is 1, the answer need not be right
+    The answer must be correct for a stiffness that differs from the limit by at least 1 % and whose
+    oscillations take at most FRAMES / 6 steps. If the damping is 1, the answer need not be correct
     for oscillations of nearly 3 or nearly 4 steps. In those cases the steps miss the extremes of
     the oscillation for a long time.
 
@@ -36,12 +36,13 @@ def swings_wider(integrator: Integrator, stiffness: float, damping: float, durat
 
 
 def largest_stable_stiffness(integrator: Integrator, damping: float, duration: float) -> float:
-    """Exercise 6.5: measure the stiffness in N/m above which the particle swings wider and wider.
+    """Exercise 6.5: measure the stiffness in N/m above which the oscillations grow.
 
     The error must be at most 1 % for a damping from 0.3 to 0.95 and a duration from 1/120 to 1/20
-    s. For a damping closer to 1 the book's step grows so slowly that FRAMES steps are not enough.
-    The search covers stiffnesses from SOFTEST / h^2 to STIFFEST / h^2. If none of them is stable,
-    the result is 0 or almost 0. If all are stable, the result is STIFFEST / h^2.
+    s. For a damping closer to 1, the oscillations of the book's step grow so slowly that ``FRAMES``
+    steps are not enough. The search covers stiffnesses from SOFTEST / h^2 to STIFFEST / h^2. If
+    none of them is stable, the result is 0 or almost 0. If all are stable, the result is STIFFEST /
+    h^2.
 
     Raises ValueError if the damping is negative, the duration is not positive, or one of them is
     not finite.

@@ -1,6 +1,6 @@
-"""Forces that depend on the position of a particle: water, a balloon, a crowd and a homing bullet.
+"""Forces that depend on positions: buoyancy, the lift of a balloon, crowding and homing.
 
-Units and checks of arguments are the same as in springs.py. You can import these classes from
+Units and the checks of arguments are the same as in springs.py. You can import these classes from
 either module.
 """
 
@@ -13,10 +13,11 @@ from ch05_forces.particle import Particle
 class Buoyancy:
     """The lift of water with a level surface on a body that floats or sinks in it (6.2.4).
 
-    ``max_depth`` in m is the depth of the body's center at which it is just submerged, and the
-    height at which it is just out of the water. ``volume`` is in m^3, ``liquid_density`` in kg/m^3
-    (1000 for fresh water, 1020 to 1030 for the sea) and ``gravity`` in m/s^2. The lift is in N.
-    Some numbers in the book's text are too large by a factor of 1000 (E-21).
+    ``max_depth`` in m is half the height of the body: at this depth of its center the body is just
+    submerged, and at this height above the surface it is just out of the water. ``volume`` is in
+    m^3, ``liquid_density`` in kg/m^3 (1000 for fresh water, 1020 to 1030 for the sea) and
+    ``gravity`` in m/s^2. The lift is in N. Some numbers in the book's text are too large by a
+    factor of 1000 (E-21).
 
     Raises ValueError if ``max_depth``, ``volume`` or ``liquid_density`` is not positive,
     ``gravity`` is negative, or one of them is not finite.
@@ -39,10 +40,10 @@ class Buoyancy:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add an upward force equal to the weight of the displaced water.
 
-        It is rho V g times the submerged fraction of the body, (y_w + s - y) / (2 s), limited to
-        the range from 0 to 1. Here s is ``max_depth``, y_w is the height of the water and y is that
-        of the particle. The book's formula has the wrong sign, and its listing lacks parentheses
-        and the factor g (E-5).
+        The force is rho V g times the submerged fraction of the body. This fraction is (y_w + s -
+        y) / (2 s), limited to the range from 0 to 1. Here s is ``max_depth``, y_w is the height of
+        the water and y is that of the particle. The book's formula has the wrong sign, and its
+        listing lacks parentheses and the factor g (E-5).
         """
         raise NotImplementedError("Exercise B6.4: Buoyancy")
 
@@ -70,9 +71,9 @@ class LighterThanAir:
 class Overcrowding:
     """Exercise 6.3: particles that are too close push each other apart, like a compressed spring.
 
-    ``particles`` is the crowd. The generator keeps this list itself, not a copy, so you may change
-    it later. It may contain the particle that is pushed. ``distance`` in m is how close two
-    particles may be without a push.
+    ``particles`` is the crowd. It may contain the particle that is pushed. The generator keeps this
+    list itself and not a copy, so you may change the crowd later. Two particles push each other if
+    they are closer than ``distance`` in m.
     """
 
     def __init__(self, particles: list[Particle], distance: float, stiffness: float) -> None:
@@ -87,9 +88,8 @@ class Overcrowding:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Exercise 6.3: push the particle away from each other particle that is too close.
 
-        A particle at a distance l below ``distance`` adds a force of k (``distance`` - l).
-
-        If another particle is at exactly the same position, there is no direction, and it does not
+        A particle at a distance l below ``distance`` adds a force of k (``distance`` - l). A
+        particle at exactly the same position adds none, because there is no direction in which to
         push.
         """
         raise NotImplementedError("Exercise 6.3: Overcrowding")
@@ -98,7 +98,7 @@ class Overcrowding:
 class HomingBullet:
     """Exercise 6.4: a force that steers a bullet toward the future position of its target.
 
-    The future positions are those after ``look_ahead`` s, if bullet and target keep their
+    The future positions are the positions after ``look_ahead`` s if bullet and target keep their
     velocities. The force is that of a spring of rest length 0 from the bullet's future position to
     the target's.
     """

@@ -1,7 +1,7 @@
 """An integrator of your own: accurate, with few evaluations of the forces.
 
-The cost of a step is the number of times that it evaluates the forces, and the benefit is its
-accuracy. Which compromise is best depends on the scene. Here it is an orbit.
+The cost of a step is the number of times that it evaluates the forces, and its benefit is the
+accuracy. The best compromise depends on the scene. The scene here is an orbit.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from ch06_springs.integrators import ApplyForces
 
 
 def my_step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
-    """Move particles by a duration in s, by your own method, in as many parts as you like.
+    """Move particles by a duration in s, with your own method, in as many parts as you like.
 
     ``apply_forces(duration)`` adds the current forces to the accumulators. Clear them before you
     call it again, and at the end. A particle's own acceleration counts in addition to the forces.
@@ -21,9 +21,9 @@ def my_step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: 
     hand, and all particles can move. The duration that you pass to ``apply_forces`` makes no
     difference.
 
-    It is graded on one revolution of an orbit of eccentricity 0.5 in 60 frames, by the number of
-    evaluations and by the largest distance from the true orbit after a frame, in units of the
-    semi-major axis. An error of 1e-3 with at most 500 evaluations is good, and 1e-4 is better. The
-    run is stopped after 5000 evaluations.
+    The method is graded on one revolution of an orbit of eccentricity 0.5 in 60 frames. Two numbers
+    count: how often it evaluates the forces, and the largest distance from the true orbit after a
+    frame, in units of the semi-major axis. An error of 1e-3 with at most 500 evaluations is good,
+    and 1e-4 is better. The run is stopped after 5000 evaluations.
     """
     raise NotImplementedError("Exercise G6.3: Going further: a step of your own")

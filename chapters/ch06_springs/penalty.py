@@ -10,10 +10,10 @@ class PenaltyGround:
     """Level ground that pushes particles out like a spring, and never pulls.
 
     ``height`` is in m, ``stiffness`` in N/m and ``damping`` in N s/m. Soft ground is like a sponge:
-    a body at rest on it sinks in by m g / k. Hard ground needs short steps. It begins to push only
-    after a step has ended below it, and then pushes for the whole next step. Without damping it may
-    therefore throw a body higher than the height it fell from, unless k h^2 / m is far below 1. If
-    k h^2 / m is above 4, it even throws bodies that rest on it.
+    a body at rest on it sinks in by m g / k. Hard ground needs short steps, because it begins to
+    push only after a step has ended below it, and then pushes for the whole next step. Without
+    damping it may therefore throw a body higher than the height from which it fell, unless k h^2 /
+    m is far below 1. If k h^2 / m is above 4, it even throws bodies that rest on it.
 
     Raises ValueError if the height is not finite, or another argument is negative or not finite.
     """
@@ -26,7 +26,7 @@ class PenaltyGround:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the upward force k depth - c v_y to a particle below the ground, if it is positive.
 
-        v_y is the upward velocity of the particle. Damped ground pushes less on a particle that is
-        leaving the ground, but never holds it back.
+        v_y is the upward velocity of the particle. Damped ground pushes a particle that is leaving
+        it less hard, but never holds it back.
         """
         raise NotImplementedError("Exercise G6.1: Going further: collisions by a spring")

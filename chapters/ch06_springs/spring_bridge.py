@@ -21,7 +21,7 @@ def hang_bridge(
     is its current length. All springs have the same stiffness in N/m and damping in N s/m.
 
     Raises ValueError if the height is not positive, the stiffness or damping is negative, or one of
-    them is not finite. Nothing is registered then.
+    them is not finite. In that case nothing is registered.
     """
     raise NotImplementedError("Exercise G6.2: Going further: a bridge held up by springs")
 
@@ -32,7 +32,7 @@ def load_bridge(planks: Sequence[Particle], x: float, weight: float) -> None:
     The planks are in order along x. The two planks share the weight, and the nearer one carries
     more of it. A walker before the first plank or beyond the last one loads only that plank.
 
-    Raises ValueError if there are no planks, x is not finite, or the weight is negative or not
+    Raises ValueError if there are no planks, ``x`` is not finite, or the weight is negative or not
     finite.
     """
     raise NotImplementedError("Exercise G6.2: Going further: a bridge held up by springs")

@@ -2,7 +2,7 @@
 
 The outer end of each rod can move in only one way, along a circle around the inner end. So one
 angle per rod describes the whole chain, as one angle describes a pendulum. No step can make a rod
-too long, and Runge-Kutta 4 steps the angles with order 4.
+too long, and with Runge-Kutta 4 the angles have an error of order 4.
 
 The equations of motion need the tensions of the rods. Each tension accelerates the two ends of its
 rod, so it appears in the equations of three rods: its own and the two beside it. These equations

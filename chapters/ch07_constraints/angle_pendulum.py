@@ -2,9 +2,8 @@
 
 In a plane, a mass on a rod can move in only one way, along a circle. So one angle describes a
 pendulum. A model with a particle and a rod would move two coordinates, and then correct them. In a
-model with the angle alone, the rod is never too long, and Runge-Kutta 4 steps it with order 4 and
-without any contacts. Two angles describe a double pendulum. A chain of any number of rods is in
-angle_chain.py.
+model with the angle alone, the rod is never too long, and Runge-Kutta 4 has its order 4 without any
+contacts. Two angles describe a double pendulum. A chain of any number of rods is in angle_chain.py.
 """
 
 from __future__ import annotations

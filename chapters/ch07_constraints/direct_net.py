@@ -1,8 +1,13 @@
 """Going further, complete: a net of rods and cables that solves for all pulls at once.
 
-It does for any net what DirectChain does for a chain. Two things are new. The equations of a chain
-can be solved from one end to the other, while those of a net need an order of elimination. And a
-cable can only pull: which cables are taut has to be found together with the pulls.
+DirectNet does for any net what DirectChain does for a chain. Two things are new. First, the
+equations of a chain can be solved from one end to the other, but the equations of a net need an
+order of elimination. Second, a cable can only pull, so the step must also find out which cables are
+taut.
+
+A chain is also a net, and both solvers have the same error. But for 30 rods a net takes 3.6 times as
+long (`make bench`), because it looks up which links meet at each particle. DirectChain therefore has a
+solver of its own.
 """
 
 from __future__ import annotations
@@ -28,7 +33,7 @@ class DirectNet(Net):
     """A net of rods and cables that makes the steps of its particles, at order 2.
 
     ``links`` are links of chapter 7: rods, cables and Limits, whose restitution is taken as 0. The
-    order is 2 as long as no cable becomes taut; a cable that does costs an error of order 1.
+    order is 2 as long as no cable becomes taut. A cable that does so causes an error of order 1.
     """
 
     def __init__(self, links: Iterable[Any], others: Iterable[Particle] = ()) -> None:
@@ -38,9 +43,10 @@ class DirectNet(Net):
 
     @property
     def tensions(self) -> list[float]:
-        """The pull of each link in the last step, in N; negative for a link that pushed.
+        """The pull of each link in the last step, in N. It is negative for a link that pushed.
 
-        Limits with a ``min_length`` have two: first that of the cable, then that of the strut.
+        Limits with a ``min_length`` have two pulls: first that of the cable, then that of the
+        strut.
         """
         return [pull * length for pull, length in zip(self._pulls, self.lengths, strict=True)]
 
@@ -49,14 +55,14 @@ class DirectNet(Net):
 
         Velocities change before positions, as in DirectChain. The first step accelerates for half
         of its time, and from then on velocities are those in the middle of the previous step. The
-        impulse of each link acts along its direction at the start of the step. Links have their
-        lengths at the end, to 1e-10 of each.
+        impulse of each link acts along its direction at the start of the step. At the end of the
+        step, the links have their lengths, to 1e-10 of each.
 
-        The pulls of the last step are tried first. A net at rest needs no others, so it costs no
-        solve at all.
+        The pulls of the last step are tried first. For a net at rest they are already correct, so
+        such a net needs no solve at all.
 
         Raises:
-            ValueError: if the duration is not positive and finite. Nothing is changed then.
+            ValueError: if the duration is not positive and finite. In that case nothing changes.
             ArithmeticError: if a link would turn too far in the step, or the lengths contradict
                 each other. The net is then in the middle of the step, and cannot be used any more.
         """
@@ -97,12 +103,12 @@ class DirectNet(Net):
     ) -> None:
         """Change the pulls, and with them the velocities, until all lengths are right at the end.
 
-        Each correction solves for the links that are active: all rods, and the cables that are
-        taut. A cable that would have to push is released, and one that has become too long is
-        pulled taut. After some such changes one link changes at a time, so that they come to an end
-        (Murty, Linear Algebra and its Applications 7, 1974, 65).
+        Each correction solves for the active links: all rods, and the cables that are taut. A cable
+        that would have to push is released, and a cable that has become too long is pulled taut.
+        After several such changes, only one link changes at a time, which guarantees that the
+        search ends (Murty, Linear Algebra and its Applications 7, 1974, 65).
 
-        Everything is a plain float: with vectors a step takes three times as long.
+        All numbers are plain floats, because a step with vectors takes three times as long.
         """
         xs, ys, zs = places
         us, vs, ws = velocities

@@ -1,10 +1,11 @@
 """Going further, complete: sparse symmetric equations, solved by elimination (LDL^T).
 
-Most numbers in the equations of a net are 0: each pull only appears in the equations of the links
-that share a particle with its own link. Elimination adds some numbers that are not 0, called
-fill-in. How many depends on the order in which the unknowns are eliminated. A good rule is to take
-the unknown that has the fewest others in its equation next (minimum degree; Tinney and Walker,
-Proceedings of the IEEE 55, 1967, 1801). Where the numbers are is found only once for a net.
+Most coefficients in the equations of a net are 0, because each pull appears only in the equations
+of the links that share a particle with its own link. Elimination turns some of the zeros into other
+numbers, which are called fill-in. The amount of fill-in depends on the order of elimination. A good
+rule is to choose the unknown with the fewest other unknowns in its equation next (minimum degree;
+Tinney and Walker, Proceedings of the IEEE 55, 1967, 1801). The positions of the nonzero
+coefficients are found only once for a net.
 """
 
 from __future__ import annotations
@@ -23,9 +24,9 @@ class Elimination:
     (Vanderbei, SIAM Journal on Optimization 5, 1995, 100).
 
     ``count`` is the number of unknowns, and ``pairs`` are the pairs (i, j) for which A[i][j] may
-    differ from 0. Numbers above and below the diagonal are stored once. ``slot_of`` says at which
-    index of the list of values: the first ``count`` are the diagonal, and ``size`` is its length.
-    The unknowns with numbers below ``first`` are eliminated before the others.
+    differ from 0. Numbers above and below the diagonal are stored once. ``slot_of`` returns their
+    index in the list of values, which has the length ``size`` and begins with the ``count`` numbers
+    of the diagonal. The unknowns with numbers below ``first`` are eliminated before the others.
     """
 
     def __init__(self, count: int, pairs: Iterable[tuple[int, int]], first: int = 0) -> None:

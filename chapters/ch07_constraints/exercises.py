@@ -12,8 +12,8 @@ Drop = tuple[str, float, float]
 def restitution_of_drop(initial_height: float, bounce_height: float) -> float:
     """Exercise 7.1: return the restitution of a ball from the heights of its drop and bounce.
 
-    The restitution is the ratio of the speeds after and before the bounce. Speeds grow with the
-    square root of the height, so the restitution is the square root of
+    The restitution is the ratio of the speeds after and before the bounce. Each speed is
+    proportional to the square root of its height, so the restitution is the square root of
     bounce_height / initial_height. Both heights are in m, measured from the ball's position when it
     touches the ground.
 
@@ -22,7 +22,7 @@ def restitution_of_drop(initial_height: float, bounce_height: float) -> float:
 
     Raises:
         ValueError: if the initial height is not positive, the bounce height is negative or greater
-            than it, or one of them is not finite.
+            than the initial height, or one of them is not finite.
         TypeError: if a height is not a number.
     """
     raise NotImplementedError("Exercise 7.1: Measure some bounces")
@@ -33,11 +33,11 @@ def table_of_drops(drops: Sequence[Drop]) -> list[tuple[str, int, float, float |
 
     A drop is a tuple of material, initial height and bounce height, in m. The mean is that of the
     drops' restitutions. Its standard error is s / sqrt(n), where s is the standard deviation of the
-    n restitutions, computed with n - 1. For a single drop it is None. The rows are in the order in
-    which the materials first appear.
+    n restitutions, computed with n - 1. For a single drop, the standard error is None. The rows are
+    in the order in which the materials first appear.
 
     Raises:
-        ValueError, TypeError: for the same reasons as restitution_of_drop.
+        ValueError, TypeError: for the same reasons as ``restitution_of_drop``.
     """
     raise NotImplementedError("Exercise 7.1: Measure some bounces")
 
@@ -68,8 +68,9 @@ def top_ball_speed(
 def force_for_frame(force: Vector3, contact_time: float, frame: float) -> Vector3:
     """Exercise 7.4: return the force in N that has the same effect if it acts for a whole frame.
 
-    ``force`` acts for only ``contact_time`` s of a frame of ``frame`` s. The engine applies a force
-    for the whole frame, so return a smaller force with the same impulse, as a new vector.
+    ``force`` acts for only ``contact_time`` s of a frame of ``frame`` s, but the engine applies
+    every force for the whole frame. So return a smaller force with the same impulse, as a new
+    vector.
 
     Raises:
         ValueError: if the contact time is negative or longer than the frame, the frame is not

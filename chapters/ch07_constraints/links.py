@@ -5,7 +5,7 @@ reached, and resolving the contact restores the length. Within its limits a link
 
 Lengths are in m. Constructors raise ValueError for a length that is not positive, a restitution
 outside 0 to 1 and anything that is not finite, and TypeError for an argument of the wrong type. You
-may change the attributes later, as a winch does. They are not checked then.
+may change the attributes later, as a winch does, but these changes are not checked.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from ch07_constraints.contacts import Contact, a_restitution
 class Cable:
     """Keeps two particles at most ``max_length`` apart (7.4.1).
 
-    ``restitution`` is the ratio of the speeds after and before the cable snaps taut.
+    ``restitution`` is the ratio of the speed after the cable snaps taut to the speed before.
     """
 
     def __init__(
@@ -39,7 +39,7 @@ class Cable:
 
 
 class AnchoredCable:
-    """Keeps a particle at most ``max_length`` from an anchor, a fixed position (7.4.1)."""
+    """Keeps a particle at most ``max_length`` from an anchor, which is a fixed position (7.4.1)."""
 
     def __init__(
         self, particle: Particle, anchor: Vector3, max_length: float, restitution: float = 0.0
@@ -69,9 +69,9 @@ class Rod:
 
         The contact's ``particle`` is a and its ``other`` is b. Its normal points from a to b if the
         rod is too long, and away from b if the rod is too short. Its penetration is the difference
-        from ``length``, always positive, and its restitution is 0. If both ends coincide, use +Y as
-        the direction from a to b. The book's text uses two contacts per rod, but one is enough, as
-        in its listing (E-9).
+        from ``length``, always positive, and its restitution is 0. If both ends are at the same
+        position, use +Y as the direction from a to b. The book's text uses two contacts per rod,
+        but one is enough, as in its listing (E-9).
         """
         raise NotImplementedError("Exercise B7.8: Rods")
 
@@ -85,7 +85,10 @@ class AnchoredRod:
         self.length = positive("length", length)
 
     def contacts(self) -> list[Contact]:
-        """Return the contact that a Rod would have, with the anchor as b and None as ``other``."""
+        """Return a contact if the rod is too long or too short, and no contact otherwise.
+
+        The contact is that of a Rod, with the anchor in place of b and with None as ``other``.
+        """
         raise NotImplementedError("Exercise B7.8: Rods")
 
 
@@ -118,18 +121,19 @@ class Limits:
 
         At ``max_length`` or above, the contact is that of a Cable. At ``min_length`` or below, its
         normal points away from b, and its penetration is ``min_length`` minus the distance. If both
-        limits are reached, return both contacts in this order. If both ends coincide, use +Y as the
-        direction from a to b. Each contact has the link's restitution.
+        limits are reached, return both contacts in this order. If both ends are at the same
+        position, use +Y as the direction from a to b. Each contact has the link's restitution.
         """
         raise NotImplementedError("Exercise 7.6: A link with two limits")
 
 
 class TwoSidedRod(Rod):
-    """Going further, G7.1: a rod that both pulls and pushes, whatever its length is.
+    """Going further, G7.1: a rod that always has both a contact that pulls and one that pushes.
 
     A Rod that has the right length, or is a little too short, has no contact that pulls. If its
     ends fly apart, nothing stops them for one step. In a chain, correcting one rod makes the next
     one wrong. So a pull travels only about one link per step, however many iterations there are.
+    Two contacts per rod avoid that delay.
     """
 
     def contacts(self) -> list[Contact]:
@@ -138,7 +142,7 @@ class TwoSidedRod(Rod):
         The first is like the contact of a Cable: its normal points from a to b. Its penetration is
         the distance minus ``length`` and may be negative. The second has the opposite normal and
         the opposite penetration. The velocity phase then stops the ends in both directions. If both
-        ends coincide, use +Y as the direction from a to b.
+        ends are at the same position, use +Y as the direction from a to b.
         """
         raise NotImplementedError("Exercise G7.1: Going further: two-sided rods")
 

@@ -1,7 +1,7 @@
-"""Going further, complete: what the rods and cables of a net say about the pulls in them.
+"""Going further, complete: the links of a net in plain numbers, and the equations for their pulls.
 
-DirectNet and SmoothNet solve for the pulls of all links at once. Both need the same parts: the list
-of the links in plain numbers, and the equations that connect their pulls.
+DirectNet and SmoothNet solve for the pulls of all links at once. Both use this module: the list of
+the links in plain numbers, and the equations that connect their pulls.
 """
 
 from __future__ import annotations
@@ -32,7 +32,8 @@ Row = tuple[int, int, float, int]  # the two ends, the length squared in m^2, an
 
 @dataclass(frozen=True)
 class Strut:
-    """Keeps two particles at least ``min_length`` m apart, as a ball keeps what it touches."""
+    """Keeps two particles at least ``min_length`` m apart, as a ball does with a body it touches.
+    """
 
     a: Particle
     b: Particle
@@ -40,9 +41,9 @@ class Strut:
 
 
 def limits_of(link: Any) -> list[Limit]:
-    """Return which ends a link joins, with its length in m and its kind.
+    """Return the ends that a link joins, with its length in m and its kind.
 
-    Limits are a cable and, unless min_length is 0, a strut: two links.
+    Limits are two links: a cable and, unless ``min_length`` is 0, a strut.
 
     Raises:
         TypeError: for a link of any other kind.
@@ -70,8 +71,8 @@ LINKS = (Rod, AnchoredRod, Cable, AnchoredCable, Limits, Strut)
 class Net:
     """Rods and cables between particles and anchors, and the equations for their pulls.
 
-    ``links`` are rods, cables and Limits of chapter 7, and Struts. ``others`` are particles that no link
-    holds, but that move with the net. ``particles`` are all particles, each once: first those of
+    ``links`` are rods, cables and Limits of chapter 7, and Struts. ``others`` are particles that no
+    link holds, but that move with the net. ``particles`` lists every particle once: first those of
     the links, in the order in which the links name them. Lengths are read once, at the start.
 
     Raises:
@@ -149,7 +150,8 @@ class Net:
         gains: Sequence[float],
         pulls: Sequence[float],
     ) -> None:
-        """Change values in the order of ``state`` by what the pulls do to the ends of each link."""
+        """Change values in the order of state by the effect of the pulls on the ends of each link.
+        """
         count = self.count
         for (a, b, _, _), (x, y, z), pull in zip(self.rows, directions, pulls, strict=True):
             if pull:
@@ -174,12 +176,12 @@ class Net:
         right: Sequence[float],
         near: Iterable[int],
     ) -> tuple[list[float], list[float]]:
-        """Return the pulls that take ``right`` to 0, and their factors; cables may only pull.
+        """Return the pulls that take ``right`` to 0, and their factors. Cables may only pull.
 
-        The links that are active now, and those that are ``near`` their limit, are tried. What
-        would have to push is released, and what would then get too long is tried again. After some
-        such changes only one link changes at a time, so that they come to an end (Murty, Linear
-        Algebra and its Applications 7, 1974, 65).
+        The links that are active now, and those that are ``near`` their limit, are tried first. A
+        link that would have to push is released, and a link that would then get too long is tried
+        again. After several such changes, only one link changes at a time, which guarantees that
+        the search ends (Murty, Linear Algebra and its Applications 7, 1974, 65).
         """
         tried = {*near, *(i for i, on in enumerate(self.is_active) if on)}
         for i in tried:
@@ -215,10 +217,10 @@ class Net:
     ) -> list[float]:
         """Return the factors of the equations for the pulls of the active links.
 
-        Row i says how fast link i is shortened by the pulls: r_i . (sum of the changes that the
-        pulls make of the velocities at its ends). ``directions`` are the vectors along the links,
-        and ``gains`` say how much a pull changes the velocity of each end; 0 for what cannot move.
-        Links that are not active have a 1 on the diagonal, and nothing beside it.
+        Row i is the rate at which the pulls shorten link i: r_i . (the sum of the changes in the
+        velocities of its ends). ``directions`` are the vectors along the links, and ``gains`` are
+        the changes in the velocity of each end per unit of pull, which are 0 for an immovable end.
+        An inactive link has a 1 on the diagonal and zeros beside it.
         """
         if self._equations is None:
             self._analyze()
@@ -243,7 +245,7 @@ class Net:
         return self._equations.solve(factors, right)
 
     def _analyze(self) -> None:
-        """Find which pulls share an equation: those of links with a common particle."""
+        """Find the pulls that share an equation: those of links with a common particle."""
         at: list[list[tuple[int, float]]] = [[] for _ in self.particles]
         for i, (a, b, _, _) in enumerate(self.rows):
             at[a].append((i, 1.0))

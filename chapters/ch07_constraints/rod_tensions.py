@@ -23,10 +23,10 @@ from ch05_forces.particle import Particle
 class RodTensions:
     """The tensions in a chain of rods that runs from an anchor through particles, in their order.
 
-    Each rod keeps the length in m that it has when the chain is made. If there are several
+    Each rod keeps the length in m that it has when the chain is created. If there are several
     particles, the last one may be immovable, to hold the other end.
 
-    ``correction`` is in 1/s. It says how fast a rod that has become too long or too short returns
+    ``correction``, in 1/s, is the rate at which a rod that has become too long or too short returns
     to its length. Every integrator makes such errors in each step. If ``correction`` is 0, they add
     up. If it is 5, they stay small. Values near the number of steps per second make the chain stiff
     and lower the order of the integrator. Source: J. Baumgarte, Computer Methods in Applied
@@ -54,9 +54,9 @@ class RodTensions:
     def update_forces(self, duration: float = 0.0) -> None:
         """Add the tensions to the accumulators of the particles.
 
-        Call it after all other forces have been added, since the tensions depend on them. Without
-        other forces, pass this method to an integrator as ``apply_forces``. The duration is not
-        used.
+        Call this method after all other forces have been added, because the tensions depend on
+        them. Without other forces, pass the method to an integrator as ``apply_forces``. The
+        duration is not used.
 
         Raises:
             ArithmeticError: if the tensions have no unique solution, as in a straight chain between

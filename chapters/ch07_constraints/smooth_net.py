@@ -1,13 +1,13 @@
 """Going further, complete: a net of rods and cables that Runge-Kutta 4 steps, at order 4.
 
-DirectNet asks for lengths at the end of a step. SmoothNet asks for accelerations that keep the
-lengths of rods and taut cables, at each of the four stages, as RodTensions does for a chain. What
-the step still makes wrong is taken back at its end: positions and velocities are projected back to
-what the links allow. Projection keeps the order (Hairer, Lubich and Wanner, Geometric Numerical
-Integration, IV.4).
+DirectNet finds the pulls that give the links their lengths at the end of a step. SmoothNet finds
+the pulls whose accelerations keep the lengths of rods and taut cables. It does so at each of the
+four stages, as RodTensions does for a chain. The remaining error is corrected at the end of the
+step: positions and velocities are projected back to values that the links allow. This projection
+keeps the order (Hairer, Lubich and Wanner, Geometric Numerical Integration, IV.4).
 
 A cable that becomes taut stops its ends at once. No step of order 4 can pass such an impact, so the
-step stops there, as time division does.
+step stops there, as in time division.
 """
 
 from __future__ import annotations
@@ -35,11 +35,11 @@ class SmoothNet(Net):
     """A net of rods and cables that makes the steps of its particles by Runge-Kutta 4.
 
     ``links`` are links of chapter 7, whose restitution is taken as 0. A particle's damping d acts
-    as the drag that it stands for: it adds the acceleration ln(d) v.
+    as a continuous drag: it adds the acceleration ln(d) v.
 
     Raises:
         ValueError: if there are no links, or a damping is 0.
-        TypeError: if one of the links is none of chapter 7.
+        TypeError: if one of the links is not a link of chapter 7.
     """
 
     def __init__(self, links: Iterable[Any], others: Iterable[Particle] = ()) -> None:
@@ -52,11 +52,11 @@ class SmoothNet(Net):
         """Move the particles by one step of a duration in s.
 
         Forces in the accumulators act during the whole step. ``apply_forces`` adds the others at
-        each stage, as ForceRegistry.update_forces does.
+        each stage, as ``ForceRegistry.update_forces`` does.
 
         Raises:
-            ValueError: if the duration is not positive and finite. Nothing is changed then.
-            ArithmeticError: if the links contradict each other, or there is no end of impacts.
+            ValueError: if the duration is not positive and finite. In that case nothing changes.
+            ArithmeticError: if the links contradict each other, or the impacts do not end.
         """
         left = positive("duration", duration)
         constant = [particle.take_forces() for particle in self.particles]
@@ -69,7 +69,8 @@ class SmoothNet(Net):
         raise ArithmeticError("cables become taut again and again in one step")
 
     def _advance(self, duration: float, constant: Sequence[Force], forces: Forces | None) -> float:
-        """Step until the first impact, at most for a duration, and return for how long."""
+        """Step until the first impact, at most for a duration, and return the time that has passed.
+        """
         start, speed = self.state()
         first, _ = self._rates(start, speed, constant, forces, duration, chooses=True)
         taken, hit = duration, None
@@ -105,7 +106,7 @@ class SmoothNet(Net):
         """Return the accelerations, and the directions of the links with their factors.
 
         The pulls give each active link the acceleration along it that keeps its length. The first
-        stage ``chooses`` which links are active: of those that are at their limit, those that pull.
+        stage ``chooses`` the active links: of the links at their limit, those that pull.
         """
         count, rows = self.count, self.rows
         rates = self._free_rates(places, speeds, constant, forces, duration)
@@ -144,7 +145,7 @@ class SmoothNet(Net):
         forces: Forces | None,
         duration: float,
     ) -> list[float]:
-        """Return the accelerations that all forces but the pulls cause; 0 for what cannot move."""
+        """Return the accelerations by all forces except the pulls, 0 for immovable particles."""
         if forces:
             self.write(places, speeds)
             forces(duration)
@@ -174,9 +175,10 @@ class SmoothNet(Net):
         speeds: Sequence[float],
         duration: float,
     ) -> tuple[float, list[int]]:
-        """Return at which fraction of the step links reach their limit, and which do so first.
+        """Return the fraction of the step at which links first reach their limit, and these links.
 
-        In between positions are those of the cubic with these positions and velocities at the ends.
+        Between the ends of the step, positions follow the cubic with these positions and velocities
+        at the ends.
         """
         share, hit = 1.0, []
         for i, (a, b, square, kind) in enumerate(self.rows):
@@ -206,9 +208,10 @@ class SmoothNet(Net):
     def _project(
         self, places: list[float], speeds: list[float], solved: Solved, hit: Sequence[int] | None
     ) -> None:
-        """Give active links their lengths, and stop what still lengthens or shortens them.
+        """Give active links their lengths, and stop motion that lengthens or shortens them.
 
-        What was ``hit`` stops by an impact without bounce, which may release other cables.
+        The links in ``hit`` are stopped by an impact without a bounce, which may release other
+        cables.
         """
         _, factors = solved
         for _ in range(CORRECTIONS):
@@ -240,10 +243,10 @@ def hermite(
     duration: float,
     share: float,
 ) -> list[float]:
-    """Return positions within a step, at a fraction of it, from those at its ends.
+    """Return positions at a fraction of a step, from the positions and velocities at its ends.
 
-    ``old`` and ``new`` are the positions at the ends, ``fast`` and ``later`` the velocities. The
-    cubic through them has an error of order 4, as the step has.
+    ``old`` and ``new`` are the positions at the ends, ``fast`` and ``later`` are the velocities.
+    The cubic through them has an error of order 4, as the step has.
     """
     s, left = share, 1.0 - share
     p, q = left * left * (1.0 + 2.0 * s), s * s * (3.0 - 2.0 * s)

@@ -23,9 +23,10 @@ ITERATIONS = 200
 def links_of(rows: Sequence[Row]) -> list[ContactGenerator]:
     """Return the links that hold the rows of planks, given at their start positions.
 
-    - A Rod of length WIDTH joins the two ends of each row.
-    - A Cable of CABLE_LENGTH joins each end to the end of the next row on the same side.
-    - An AnchoredCable of support_length(row number) joins each end to its anchor, anchor_of(end).
+    - A Rod of length ``WIDTH`` joins the two ends of each row.
+    - A Cable of ``CABLE_LENGTH`` joins each end to the end of the next row on the same side.
+    - An AnchoredCable of ``support_length(row number)`` joins each end to its anchor,
+      ``anchor_of(end)``.
 
     The restitution of all cables is 0.
     """
@@ -55,8 +56,8 @@ class Deck:
 
         The position of a row is the midpoint of its two ends. The deck runs in straight lines from
         row to row, and its height is that of the point below the ball. Before the first row and
-        after the last one, the deck is level. If two rows are equally near, the first one counts.
-        Return None if the ball is more than half a SPACING beyond the first or last row.
+        after the last one, the deck is level. If two rows are equally near, return the first one.
+        Return None if the ball is more than half a ``SPACING`` beyond the first or last row.
         """
         raise NotImplementedError("Exercise B8.5: A ball on planks")
 
@@ -65,8 +66,9 @@ class Deck:
 
         A contact's ``particle`` is the ball, its ``other`` is the end of the row, and its normal is
         +Y. The penetration is the depth of the ball's lowest point below the deck. Return an empty
-        list if the ball is above the deck or beyond the bridge, or if its penetration is more than
-        its diameter. A ball that deep has fallen through the deck.
+        list if the ball is above the deck or beyond the bridge. Also return an empty list if the
+        penetration is more than the ball's diameter, because the ball has then fallen through the
+        deck.
         """
         raise NotImplementedError("Exercise B8.5: A ball on planks")
 
@@ -99,8 +101,8 @@ class Bridge:
         """Make one time step of this duration in s, with the ball moving at its pace.
 
         Raises:
-            ValueError: if the duration is not positive and finite, or the pace is not finite.
-                Nothing has changed then.
+            ValueError: if the duration is not positive and finite, or the pace is not finite. In
+                that case nothing changes.
         """
         positive("duration", duration)
         pace = finite("pace", self.pace)

@@ -1,13 +1,13 @@
-"""Going further, complete: where a world comes to rest, found without stepping it there.
+"""Going further, complete: find the positions at which a world comes to rest, without stepping it.
 
 At rest the forces on each particle add up to zero: its weight, the forces of the registry, and the
 pulls of the rods and cables that hold it. Newton's method solves these equations together with the
-lengths of the links. Which cables are taut is found on the way: a cable that would have to push is
+lengths of the links. The search also finds the taut cables: a cable that would have to push is
 slack, and one that would get too long is taut (an active set).
 
 Far from rest, Newton's method may jump anywhere. So the particles get some inertia, as in a step of
 backward Euler: each move costs a force of m / t^2 N per m. The time t doubles from step to step,
-until the inertia does not matter any more.
+until the inertia has no effect any more.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ class Hold:
         self.excess = 0.0
 
     def look(self) -> None:
-        """Find the direction and the excess at the present positions."""
+        """Find the direction and the excess length at the present positions."""
         if self.contact is None:
             end = self.b.position if self.b else self.anchor
             start = self.a.position
@@ -60,7 +60,7 @@ class Hold:
             self.excess = 0.5 * (x * x + y * y + z * z - self.length * self.length)
 
     def change(self, moves: Mapping[Any, Triple]) -> float:
-        """Return how moves of the ends change the excess, as far as that is linear."""
+        """Return the change of the excess length when the ends move, to first order."""
         x, y, z = self.direction
         ax, ay, az = moves.get(self.a, STILL)
         bx, by, bz = moves.get(self.b, STILL)
@@ -83,7 +83,8 @@ class Balance:
         self.shape: tuple[list[tuple[Any, Any]], list[tuple[int, int]]] | None = None
 
     def look(self) -> None:
-        """Find the forces, and what holds the particles, at their present positions."""
+        """Find the forces on the particles, and the links and contacts that hold them, at present.
+        """
         self.forces = self.find_forces()
         for hold in self.links:
             hold.look()
@@ -127,7 +128,7 @@ class Balance:
     def move(self, time: float) -> bool:
         """Make one step of Newton's method, with the inertia for this time in s.
 
-        Return whether it was made in full. Otherwise it was shortened to FARTHEST.
+        Return whether the step was made in full. Otherwise it was shortened to FARTHEST.
         """
         slopes = self.find_slopes()
         for hold in self.holds:
@@ -158,7 +159,7 @@ class Balance:
         return (hold.excess + hold.change(moves)) * hold.kind > EXACT * hold.length**2
 
     def find_slopes(self) -> dict[tuple[int, int], float]:
-        """Return by how much the registry's forces change per m, for each pair of coordinates."""
+        """Return the change of the registry's forces per m, for each pair of coordinates."""
         slopes: dict[tuple[int, int], float] = {}
         if not self.has_forces:
             return slopes
@@ -217,7 +218,7 @@ class Balance:
         return {p: (found[i], found[i + 1], found[i + 2]) for p, i in self.number.items()}
 
     def equations(self, slopes: Mapping[tuple[int, int], float]) -> Elimination:
-        """Return where the equations have numbers. It is found again only if the holds change."""
+        """Return the positions of the nonzero coefficients. They change only if the holds do."""
         shape = [(h.a, h.b) for h in self.holds], [*slopes]
         if self.shape != shape:
             count = len(self.forces)
@@ -233,16 +234,16 @@ class Balance:
 
 
 def equilibrium(world: ParticleWorld) -> list[float]:
-    """Move the particles of a world to where they stay at rest, and return the tensions in N.
+    """Move the particles of a world to a position of rest, and return the tensions in N.
 
     There is one tension for each rod and cable among the world's contact generators, in their
     order. It is 0 for a slack cable, and negative for a rod that pushes. Velocities become 0.
     Forces in the accumulators count, and stay there. Other contacts, such as those with the ground,
-    count if they are found on the way. They hold without friction.
+    count if the search finds them. They hold without friction.
 
     In a SleepingWorld all particles fall asleep at once, and sleep until something touches them.
 
-    There may be several equilibria. The one that is found is usually near the start.
+    If there are several equilibria, the result is usually one near the start.
 
     Raises:
         ArithmeticError: if none is found, for example because nothing holds a particle.

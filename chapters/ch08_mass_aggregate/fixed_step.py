@@ -1,8 +1,8 @@
-"""Time steps of a fixed length, however long the pictures take to draw: a loop with an accumulator.
+"""Time steps of a fixed length, whatever the frame rate: a loop with an accumulator.
 
-One picture may take 5 ms and the next half a second, for example while the disk is busy. With time
-steps of those lengths, bodies would pass through each other or the simulation would explode. A
-fixed time step prevents this, and makes a run come out the same on every machine. Arguments of the
+One picture may take 5 ms and the next half a second, for example while the disk is busy. If the
+time steps had these lengths, bodies would pass through each other or the simulation would explode.
+A fixed time step prevents this, and it gives the same results on every machine. Arguments of the
 wrong type raise TypeError.
 """
 
@@ -18,17 +18,17 @@ SHARE = 1e-9  # of a step: if less than this is missing, only rounding has made 
 class FixedStep:
     """Calls a step function with a fixed duration, as often as the elapsed time requires.
 
-    ``step`` is any function of a duration in s, such as ParticleWorld.step. ``left`` is the time in
-    s that has passed but has not been simulated yet. It is less than one step, and never negative
-    except for rounding.
+    ``step`` is any function of a duration in s, such as ``ParticleWorld.step``. ``left`` is the
+    time in s that has passed but has not been simulated yet. It is less than one step, and never
+    negative except for rounding.
 
     A machine that is too slow for the steps would fall further and further behind. ``max_steps``
     therefore limits the steps in one call of ``advance``. None means no limit. ``dropped`` is the
     total time in s that was skipped because of the limit.
 
     Raises:
-        ValueError: if the duration is not positive and finite, or max_steps is less than 1.
-        TypeError: if step is not callable, or max_steps is not a whole number or None.
+        ValueError: if the duration is not positive and finite, or ``max_steps`` is less than 1.
+        TypeError: if ``step`` is not callable, or ``max_steps`` is not a whole number or None.
     """
 
     def __init__(
@@ -51,14 +51,14 @@ class FixedStep:
         """Let ``elapsed`` seconds pass: make the steps that are due, and return how many were made.
 
         Time that is too short for a step stays in ``left`` until the next call. A step is also due
-        if at most the fraction SHARE of it is missing. Because of that, sixty frames of 1/60 s make
-        exactly sixty steps. If more than ``max_steps`` steps are due, skip the steps beyond the
-        limit: subtract their time from ``left`` and add it to ``dropped``.
+        if at most the fraction ``SHARE`` of it is missing. This allowance for rounding makes sixty
+        frames of 1/60 s give exactly sixty steps. If more than ``max_steps`` steps are due, skip
+        the steps beyond the limit: subtract their time from ``left`` and add it to ``dropped``.
 
         If a step raises an exception, the exception is passed on. The time of that step stays in
         ``left``, so the next call makes the step again.
 
         Raises:
-            ValueError: if elapsed is negative or not finite. Nothing has changed then.
+            ValueError: if ``elapsed`` is negative or not finite. In that case nothing changes.
         """
         raise NotImplementedError("Exercise B8.3: A fixed time step")

@@ -1,8 +1,8 @@
 """Find out which particles of a world are connected to each other. This file is complete.
 
-A contact names its particles. A force generator names the particles that its force depends on by
-public attributes. The generators of chapters 6 and 8 already do: they store such particles under
-the names of their arguments.
+A contact names its particles. A force generator names the particles on which its force depends by
+public attributes. The generators of chapters 6 and 8 already do so, because they store these
+particles under the names of their arguments.
 """
 
 from __future__ import annotations

@@ -1,8 +1,7 @@
 """Going further: particles at rest fall asleep and cost almost nothing until something wakes them.
 
-A sleeping particle is immovable, and the rest of the engine already ignores immovable particles.
-The world stores the inverse mass of each sleeping particle and gives it back when the particle
-wakes.
+A sleeping particle is immovable, and the rest of the engine already skips immovable particles. The
+world stores the inverse mass of each sleeping particle and restores it when the particle wakes.
 """
 
 from __future__ import annotations
@@ -27,7 +26,7 @@ SAME = 0.01  # a change of the acceleration by this fraction or less wakes nothi
 
 @dataclass(frozen=True)
 class Sleep:
-    """What a sleeping particle gets back when it wakes, and the state that must not change."""
+    """The values that a particle gets back when it wakes, and the state that must not change."""
 
     inverse_mass: float  # 1/kg
     place: tuple[float, float, float]  # m
@@ -36,19 +35,20 @@ class Sleep:
 
 
 class SleepingWorld(ParticleWorld):
-    """A ParticleWorld in which particles at rest fall asleep, together with what they touch.
+    """A ParticleWorld in which particles at rest fall asleep, together with the ones they touch.
 
     A particle is slow if its kinetic energy per kg of mass is at most ``sleep_energy`` in J/kg at
     the end of a step. It is tired after ``sleep_frames`` slow steps in a row. A sleeping particle
-    has no velocity and a mass of math.inf. ``asleep`` is a dict from each sleeping particle to its
-    Sleep.
+    has no velocity and a mass of ``math.inf``. ``asleep`` is a dict from each sleeping particle to
+    its Sleep.
 
     Wake a sleeping particle yourself before you move the ground or an anchor under it, join
     something new to it, or make it immovable.
 
     Raises:
-        ValueError: if sleep_energy is negative or not finite, or sleep_frames is less than 1.
-        TypeError: if sleep_frames is not a whole number.
+        ValueError: if ``sleep_energy`` is negative or not finite, or ``sleep_frames`` is less than
+            1.
+        TypeError: if ``sleep_frames`` is not a whole number.
     """
 
     def __init__(
@@ -74,9 +74,9 @@ class SleepingWorld(ParticleWorld):
     def wake(self, particle: Particle) -> None:
         """Wake a particle, its neighbors, their neighbors, and so on.
 
-        Particles that fell asleep together therefore wake together. Each one gets its mass back,
-        unless it was given another finite mass by hand. The count of its slow steps starts again at
-        0, even if the particle was awake.
+        Particles that fell asleep together therefore wake together. Each of them gets its mass
+        back, unless it was given another finite mass by hand. The count of its slow steps starts
+        again at 0, even if the particle was awake.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
@@ -89,15 +89,15 @@ class SleepingWorld(ParticleWorld):
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def wake_pushed(self, duration: float) -> None:
-        """Wake the sleeping particles whose force generators push in a new way.
+        """Wake the sleeping particles on which the force generators now act differently.
 
         The acceleration now is a + f / m, where f is the sum of the generators' forces. Compare it
         with the acceleration when the particle fell asleep. The particle wakes if the change is
-        more than SAME times the larger of two sizes: |a| + |f / m| now, and the magnitude of the
-        old acceleration.
+        more than ``SAME`` times the larger of two sizes: |a| + |f / m| now, and the magnitude of
+        the old acceleration.
 
-        Only generators that are registered for sleeping particles are called, and each particle has
-        its own mass during the call. The accumulators of sleeping particles are empty before and
+        Call only generators that are registered for sleeping particles. During the call, each
+        particle has its own mass. The accumulators of sleeping particles are empty before and
         after.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
@@ -112,25 +112,26 @@ class SleepingWorld(ParticleWorld):
     def fall_asleep(self, contacts: Iterable[Contact]) -> None:
         """Count one step, and put to sleep every group in which all particles are tired.
 
-        Two particles are in the same group if they were in contact in one of the last sleep_frames
-        steps, or if a generator of the registry joins them, directly or through other particles. A
-        group falls asleep as a whole or not at all. Immovable particles join nothing and never
-        sleep. A particle that falls asleep is added to ``asleep``, and its ``velocity`` and
-        ``inverse_mass`` become 0.
+        Two particles are in the same group if they were in contact in one of the last
+        ``sleep_frames`` steps, or if a generator of the registry joins them, directly or through
+        other particles. A group falls asleep as a whole or not at all, because a moving particle
+        would soon push the sleeping ones. Immovable particles join nothing and never sleep. A
+        particle that falls asleep is added to ``asleep``, and its ``velocity`` and ``inverse_mass``
+        become 0.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def run_physics(self, duration: float) -> None:
         """Move all particles that are awake forward by one time step of this duration in s.
 
-        - Wake the particles that were moved by hand, and in every LOOK_EVERY-th step also those
-          that are pushed in a new way.
+        - Wake the particles that were moved by hand. In every LOOK_EVERY-th step, also wake those
+          on which the generators act differently.
         - If all particles sleep, nothing else is done.
         - Call the integrator with the particles that are awake, and no others.
         - Find the contacts. If they wake a sleeping particle, find them again, until none wakes.
         - Resolve the contacts, and then let tired groups fall asleep.
 
         Raises:
-            ValueError: if the duration is not positive and finite. Nothing has changed then.
+            ValueError: if the duration is not positive and finite. In that case nothing changes.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")

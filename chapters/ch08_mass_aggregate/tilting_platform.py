@@ -34,8 +34,8 @@ ITERATIONS = 100  # per phase
 def rods_of(particles: Sequence[Particle]) -> list[Rod]:
     """Return rods between the particles that let the platform tilt, but not move in any other way.
 
-    The particles are in the order of PLACES. The first two, the pivot, are immovable. Each rod is
-    as long as the current distance between its ends. You choose the rods, and may use more than
+    The particles are in the order of ``PLACES``. The first two, the pivot, are immovable. Each rod
+    is as long as the current distance between its ends. You choose the rods, and may use more than
     necessary.
     """
     raise NotImplementedError("Exercise B8.6: A platform that can only tilt")
@@ -45,12 +45,12 @@ def balancing_mass(masses: Sequence[float], places: Sequence[float], x: float) -
     """Return the mass in kg that, placed at x, balances the others on a pivot at 0.
 
     ``masses`` are in kg, and ``places`` are their positions in m along the platform, negative on
-    the left of the pivot. Each mass turns the platform with a torque proportional to mass times
-    position, and the torques must add up to zero.
+    the left of the pivot. Each mass exerts a torque proportional to mass times position, and the
+    torques must add up to zero.
 
     Raises:
-        ValueError: if a number is not finite, a mass is negative, places and masses differ in
-            length, or no mass of 0 or more at x balances the platform.
+        ValueError: if a number is not finite, a mass is negative, ``places`` and ``masses`` differ
+            in length, or no mass of 0 or more at x balances the platform.
     """
     raise NotImplementedError("Exercise B8.7: What tips a platform")
 
@@ -58,7 +58,7 @@ def balancing_mass(masses: Sequence[float], places: Sequence[float], x: float) -
 class TiltingPlatform:
     """A platform on an immovable pivot: its ``particles``, its ``rods`` and its ``world``.
 
-    The particles are in the order of PLACES, where they start.
+    The particles are in the order of ``PLACES``, which are their start positions.
     """
 
     def __init__(self) -> None:
@@ -74,24 +74,24 @@ class TiltingPlatform:
         )
 
     def free_pivot(self) -> None:
-        """Free the pivot: give its two particles MASS, so that they only stand on the ground (8.1).
+        """Free the pivot: give its two particles a mass, so that they only stand on the ground.
 
-        The platform must stay rigid. If no rod joins the two particles of the pivot yet, add one to
-        self.rods and to the generators of the world. There is no friction. The method is called
-        only once.
+        Each of the two gets ``MASS`` (8.1). The platform must stay rigid. If no rod joins the two
+        particles of the pivot yet, add one to ``self.rods`` and to the generators of the world.
+        There is no friction. The method is called only once.
         """
         raise NotImplementedError("Exercise 8.1: Free the pivot")
 
     def put_weight(self, mass: float, x: float) -> None:
-        """Replace the weight by one of this mass in kg at x, which is from LEFT to RIGHT.
+        """Replace the weight by one of this mass in kg at x, which is from ``LEFT`` to ``RIGHT``.
 
         The two ends carry the weight, divided between them so that their torque about the pivot is
         that of the weight at x. Each of the two particles of an end carries half of the end's part,
-        in addition to its own MASS.
+        in addition to its own ``MASS``.
 
         Raises:
-            ValueError: if the mass is negative or not finite, or x is not between the ends. The old
-                weight stays then.
+            ValueError: if the mass is negative or not finite, or x is not between the ends. In that
+                case the old weight stays.
         """
         raise NotImplementedError("Exercise B8.7: What tips a platform")
 

@@ -25,9 +25,9 @@ class ParticleWorld:
     and silently drops the contacts beyond it.
 
     Raises:
-        ValueError: if a particle is listed twice, or the resolver rejects iterations.
-        TypeError: if one of the particles is not a Particle, a generator has no contacts(), or the
-            integrator is not callable.
+        ValueError: if a particle is listed twice, or the resolver rejects ``iterations``.
+        TypeError: if one of the particles is not a Particle, a generator has no ``contacts()``, or
+            the integrator is not callable.
     """
 
     def __init__(
@@ -72,22 +72,23 @@ class ParticleWorld:
         """Move the world forward by one time step of this duration in s.
 
         First the integrator moves the particles. The forces on them come from the registry and from
-        calls of add_force since start_frame. Then every generator is asked once for the contacts at
-        the new positions, and the resolver gets all contacts in one call. If there are no contacts,
-        the resolver is not called. Book 8.1.
+        calls of ``add_force`` since ``start_frame``. Then ``contacts()`` of every generator is
+        called once, at the new positions, and the resolver gets all contacts in one call. If there
+        are no contacts, the resolver is not called. Book 8.1.
 
         Raises:
-            ValueError: if the duration is not positive and finite. Nothing has changed then.
+            ValueError: if the duration is not positive and finite. In that case nothing changes.
         """
         raise NotImplementedError("Exercise B8.2: One time step of the world")
 
     def step(self, duration: float) -> None:
         """Start a frame and run its physics.
 
-        Forces that were added before the call are cleared, so they have no effect.
+        Forces that were added before the call are cleared, so they have no effect. To add forces by
+        hand, call ``start_frame`` and ``run_physics`` separately.
 
         Raises:
-            ValueError: if the duration is not positive and finite. Nothing has changed then.
+            ValueError: if the duration is not positive and finite. In that case nothing changes.
         """
         raise NotImplementedError("Exercise B8.2: One time step of the world")
 
@@ -95,7 +96,8 @@ class ParticleWorld:
 def mechanical_energy(particles: Iterable[Particle]) -> float:
     """Return the mechanical energy of the particles in J: the sum of m v^2 / 2 - m a . p.
 
-    Here a is the particle's own acceleration and p its position. For a = (0, -g, 0) the energy is m
-    v^2 / 2 + m g y. Forces and immovable particles do not contribute.
+    Use it to check a simulation, because without damping and forces the energy should stay
+    constant. Here a is the particle's own acceleration and p is its position. For a = (0, -g, 0)
+    the energy is m v^2 / 2 + m g y. Forces and immovable particles do not contribute.
     """
     raise NotImplementedError("Exercise B8.1: Mechanical energy")

@@ -2,9 +2,9 @@
 
 The three angles are rotations in radians about world axes: first by x about X, then by y about Y,
 then by z about Z. They can describe every orientation (E-33). But if y is a quarter turn, it
-rotates X onto Z or -Z. The first and the last rotation are then about the same axis, and one way to
-rotate is lost. This is called gimbal lock. It is the reason why engines store orientations as
-quaternions.
+rotates X onto Z or -Z. The first and the last rotation are then about the same axis, and one degree
+of freedom is lost. This state is called gimbal lock, and it is the reason why engines store
+orientations as quaternions.
 
 The functions raise ValueError for a number that is not finite, and TypeError for an argument of the
 wrong type.
@@ -35,12 +35,12 @@ def rate_map(x: float, y: float, z: float) -> Matrix3:
 def euler_rates(x: float, y: float, z: float, angular_velocity: Vector3) -> Vector3:
     """Return the rates of the three angles in rad/s for an angular velocity in world axes.
 
-    Near gimbal lock the rates are very large.
+    Near gimbal lock the rates are very large, and in gimbal lock no rates give a rotation about the
+    lost axis.
 
     Raises:
         ValueError: in gimbal lock, that is, unless |cos y|, the determinant of the rate map, is
-            greater than SINGULAR of matrix3.py. In gimbal lock no rates give a rotation about the
-            lost axis. Matrix3.inverse does not reject all such maps: at z = 0 a row is as small as
-            the determinant.
+            greater than ``SINGULAR`` of matrix3.py. The error of ``Matrix3.inverse`` is not enough,
+            because at z = 0 a row is as small as the determinant.
     """
     raise NotImplementedError("Exercise B9.17: Euler angles, and where they fail")

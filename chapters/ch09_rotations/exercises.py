@@ -29,16 +29,16 @@ def two_other_turns() -> tuple[float, float]:
 def back_to_reference(orientation: Quaternion) -> tuple[Vector3, float]:
     """Exercise 9.2: return the rotation that takes an orientation to the reference (1, 0, 0, 0).
 
-    The rotation is an axis, a new unit vector in world axes, and an angle in radians, from -pi to
-    pi. The opposite axis with the opposite angle is right too. If the orientation is already the
-    reference, the angle is 0 and the axis may be any unit vector.
+    The rotation consists of an axis, which is a new unit vector in world axes, and an angle in
+    radians, from -pi to pi. The opposite axis with the opposite angle is right too. If the
+    orientation is already the reference, the angle is 0 and the axis may be any unit vector.
 
     >>> axis, angle = back_to_reference(Quaternion(0.5, 0.5, 0.5, 0.5))
     >>> round(angle, 6), [round(component, 6) for component in axis]  # 120 degrees
     (2.094395, [-0.57735, -0.57735, -0.57735])
 
     Raises:
-        ValueError: if the length is not 1 (Quaternion.is_unit).
+        ValueError: if the length is not 1 (``Quaternion.is_unit``).
     """
     raise NotImplementedError("Exercise 9.2: One rotation back to the reference")
 
@@ -62,7 +62,7 @@ def turned_by_sense(orientation: Quaternion, rate: float, duration: float) -> Qu
     s. The result is a new quaternion.
 
     Raises:
-        ValueError: if the rate is not finite, or the duration not positive and finite.
+        ValueError: if the rate is not finite, or the duration is not positive and finite.
     """
     raise NotImplementedError("Exercise 9.4: A steady rotation, at once and in steps")
 
@@ -73,16 +73,16 @@ def turned_by_steps(
     """Exercise 9.4: return the same orientation, computed by equal steps of Eq. 9.5, and its error.
 
     The orientation is a new quaternion, normalized after the last step. The error is the angle,
-    from 0 to pi, of the rotation from this orientation to the result of turned_by_sense.
+    from 0 to pi, of the rotation from this orientation to the result of ``turned_by_sense``.
 
     >>> q, error = turned_by_steps(Quaternion(0.5, 0.5, 0.5, 0.5), 0.5, 2.0)
     >>> [round(component, 6) for component in q], round(error, 6)  # 4.2 degrees
     ([0.223607, 0.67082, 0.223607, 0.67082], 0.072705)
 
     Raises:
-        ValueError: if the orientation's length is not 1 (Quaternion.is_unit), the rate is not
-            finite, the duration is not positive and finite, or steps is less than 1.
-        TypeError: if steps is not a whole number.
+        ValueError: if the orientation's length is not 1 (``Quaternion.is_unit``), the rate is not
+            finite, the duration is not positive and finite, or ``steps`` is less than 1.
+        TypeError: if ``steps`` is not a whole number.
     """
     raise NotImplementedError("Exercise 9.4: A steady rotation, at once and in steps")
 
@@ -94,7 +94,7 @@ def read_off(matrix: Matrix4) -> tuple[Matrix3, Vector3]:
     (Matrix3(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0), Vector3(4.0, 5.0, 6.0))
 
     Raises:
-        ValueError: if the first three columns are not a rotation (Matrix3.is_rotation).
+        ValueError: if the first three columns are not a rotation (``Matrix3.is_rotation``).
     """
     raise NotImplementedError("Exercise 9.5: Reading off rotation and position")
 
@@ -103,7 +103,7 @@ def easy_inverse(matrix: Matrix4) -> Matrix4:
     """Exercise 9.6: return the inverse of a rotation and a translation, without any division.
 
     The rotation becomes its transpose, and the translation is rotated back and negated. For other
-    matrices the result is not the inverse. The matrix is not checked, because a check would cost
+    matrices, the result is not the inverse. The matrix is not checked, because a check would cost
     most of the time that this method saves.
     """
     raise NotImplementedError("Exercise 9.6: The inverse, the easy way")
@@ -116,7 +116,7 @@ def center_of_stones(stones: Sequence[Stone]) -> Point:
     empty box as one of the stones, unless its mass is negligible.
 
     Raises:
-        ValueError, TypeError: for the same reasons as center_of_mass.
+        ValueError, TypeError: for the same reasons as ``center_of_mass``.
     """
     raise NotImplementedError("Exercise 9.7: A box with stones")
 
@@ -124,11 +124,11 @@ def center_of_stones(stones: Sequence[Stone]) -> Point:
 def balance_offset(stones: Sequence[Stone], angle: float) -> float:
     """Exercise 9.7: return the offset in m of a straight edge on which the box balances.
 
-    The edge has the direction (cos, sin) of an angle. Its offset is its distance from the corner
-    x = y = 0 of the box, measured to the left, in the direction (-sin, cos).
+    The edge has the direction (cos, sin) of an angle. Its offset is its distance from the corner x
+    = y = 0 of the box, measured to the left, in the direction (-sin, cos).
 
     Raises:
-        ValueError, TypeError: for the same reasons as center_of_stones, or if the angle is not
+        ValueError, TypeError: for the same reasons as ``center_of_stones``, or if the angle is not
             finite.
     """
     raise NotImplementedError("Exercise 9.7: A box with stones")
@@ -137,12 +137,12 @@ def balance_offset(stones: Sequence[Stone], angle: float) -> float:
 def masses_beside(stones: Sequence[Stone], angle: float) -> tuple[float, float]:
     """Exercise 9.7: return the masses in kg to the left and to the right of the balance edge.
 
-    The edge is the one of balance_offset. The two masses may differ although the box balances,
+    The edge is the one of ``balance_offset``. The two masses may differ although the box balances,
     because a small mass far from the edge balances a large one near it. The book says that they are
     equal (E-32). A stone counts on the side of its center. If its center is within 1e-9 m of the
     edge, it counts on neither side.
 
     Raises:
-        ValueError, TypeError: for the same reasons as balance_offset.
+        ValueError, TypeError: for the same reasons as ``balance_offset``.
     """
     raise NotImplementedError("Exercise 9.7: A box with stones")

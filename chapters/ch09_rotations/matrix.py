@@ -1,7 +1,7 @@
 """Matrices that rotate, scale and move points, and a change of basis (book 9.4.2 to 9.4.6).
 
-The conventions for columns, products and errors are the same as in matrix3.py. You can import
-Matrix3 from here, too.
+The conventions for columns, products and errors are the same as in matrix3.py. You can also import
+Matrix3 from here.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class Matrix4:
         return iter(self.entries)
 
     def __eq__(self, other: object) -> bool:
-        """Compare exactly, number by number."""
+        """Return whether all numbers are exactly equal."""
         return self.entries == other.entries if isinstance(other, Matrix4) else NotImplemented
 
     def __getitem__(self, place: tuple[int, int]) -> float:
@@ -56,7 +56,7 @@ class Matrix4:
     @overload
     def __matmul__(self, other: Matrix4) -> Matrix4: ...
     def __matmul__(self, other: Vector3 | Matrix4) -> Vector3 | Matrix4:
-        """Return m.transform(other) for a vector, and m.product(other) for a matrix."""
+        """Return ``m.transform(other)`` for a vector, and ``m.product(other)`` for a matrix."""
         if isinstance(other, Vector3):
             return self.transform(other)
         return self.product(other) if isinstance(other, Matrix4) else NotImplemented
@@ -64,12 +64,12 @@ class Matrix4:
     def transform(self, v: Vector3) -> Vector3:
         """Return the transformed point, with the translation added, as a new vector (9.4.2).
 
-        It can also be written m @ v.
+        You can also write ``m @ v``.
         """
         raise NotImplementedError("Exercise B9.14: A matrix that rotates and moves")
 
     def product(self, m: Matrix4) -> Matrix4:
-        """Return the matrix product self @ m, which applies m first and then self (9.4.2)."""
+        """Return the matrix product ``self @ m``, which applies ``m`` first (9.4.2)."""
         raise NotImplementedError("Exercise B9.14: A matrix that rotates and moves")
 
     def determinant(self) -> float:
@@ -82,7 +82,7 @@ class Matrix4:
         The book's listings contain errors (E-13, E-29, E-30).
 
         Raises:
-            ValueError: if Matrix3.inverse rejects the nine numbers without the translation.
+            ValueError: if ``Matrix3.inverse`` rejects the nine numbers without the translation.
         """
         raise NotImplementedError("Exercise B9.14: A matrix that rotates and moves")
 
@@ -91,34 +91,40 @@ class Matrix4:
         """Return the matrix from object to world coordinates, which rotates by q and then adds p.
 
         Raises:
-            ValueError: if the quaternion's length is not 1 (is_unit).
+            ValueError: if the quaternion's length is not 1 (``is_unit``).
         """
         raise NotImplementedError("Exercise B9.15: Between an object and the world")
 
     def transform_inverse(self, v: Vector3) -> Vector3:
-        """Return the point that transform() maps to v, as a new vector (9.4.5).
+        """Return the point that ``transform`` maps to ``v``, as a new vector (9.4.5).
 
-        Subtract the translation, then multiply by the transpose. The transpose rotates back, so
-        this is right only if the 3x3 part is a rotation.
+        Subtract the translation, then multiply by the transpose. The transpose is the inverse of a
+        rotation, so the result is right only if the 3x3 part is a rotation.
         """
         raise NotImplementedError("Exercise B9.15: Between an object and the world")
 
     def transform_direction(self, v: Vector3) -> Vector3:
-        """Return a rotated direction as a new vector, without the translation (9.4.5)."""
+        """Return a rotated direction as a new vector, without the translation (9.4.5).
+
+        The translation moves points, but a direction is the same everywhere.
+        """
         raise NotImplementedError("Exercise B9.15: Between an object and the world")
 
     def transform_inverse_direction(self, v: Vector3) -> Vector3:
-        """Return a direction rotated back by the transpose, as a new vector (9.4.5)."""
+        """Return the direction that ``transform_direction`` maps to ``v``, as a new vector (9.4.5).
+
+        Multiply by the transpose, which is the inverse of a rotation.
+        """
         raise NotImplementedError("Exercise B9.15: Between an object and the world")
 
 
 def change_basis(m: M, basis: M) -> M:
-    """Return m expressed in other axes: the product basis * m * basis^-1 (9.4.6).
+    """Return ``m`` expressed in other axes: the product basis * m * basis^-1 (9.4.6).
 
     ``basis`` converts coordinates in the old axes, those of ``m``, to coordinates in the new axes.
 
     Raises:
-        ValueError: if the basis has no inverse.
+        ValueError: if ``basis`` has no inverse.
         TypeError: if the two are not matrices of the same size.
     """
     raise NotImplementedError("Exercise B9.16: A change of basis")

@@ -1,7 +1,7 @@
 """Matrices that rotate and scale vectors (book 9.2.3, 9.4.1 to 9.4.4).
 
 Vectors are columns, on the right of a matrix: ``m @ v``. The product ``a @ b`` applies b first and
-then a. A matrix never changes: every method returns a new object. The methods raise TypeError for
+then a. Matrices are immutable: every method returns a new object. The methods raise TypeError for
 an argument of the wrong type. The components of a vector are not checked.
 """
 
@@ -23,7 +23,7 @@ ROTATION_TOLERANCE = 1e-5
 
 
 class Matrix3:
-    """A 3x3 matrix of nine numbers, row by row. It keeps the origin where it is.
+    """A 3x3 matrix of nine numbers, row by row. It maps the origin to itself.
 
     ``m[row, column]`` reads one number, with both indices from 0 to 2. ``entries`` is the tuple of
     all nine.
@@ -45,7 +45,7 @@ class Matrix3:
         return iter(self.entries)
 
     def __eq__(self, other: object) -> bool:
-        """Compare exactly, number by number."""
+        """Return whether all numbers are exactly equal."""
         return self.entries == other.entries if isinstance(other, Matrix3) else NotImplemented
 
     def __getitem__(self, place: tuple[int, int]) -> float:
@@ -60,42 +60,46 @@ class Matrix3:
     @overload
     def __matmul__(self, other: Matrix3) -> Matrix3: ...
     def __matmul__(self, other: Vector3 | Matrix3) -> Vector3 | Matrix3:
-        """Return m.transform(other) for a vector, and m.product(other) for a matrix."""
+        """Return ``m.transform(other)`` for a vector, and ``m.product(other)`` for a matrix."""
         if isinstance(other, Vector3):
             return self.transform(other)
         return self.product(other) if isinstance(other, Matrix3) else NotImplemented
 
     def transform(self, v: Vector3) -> Vector3:
-        """Return the matrix times v as a new vector, also written m @ v (9.4.2)."""
+        """Return the matrix times ``v`` as a new vector, also written ``m @ v`` (9.4.2)."""
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 
     def product(self, m: Matrix3) -> Matrix3:
-        """Return the matrix product self @ m, which applies m first and then self (9.4.2)."""
+        """Return the matrix product ``self @ m``, which applies ``m`` first (9.4.2)."""
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 
     def transpose(self) -> Matrix3:
-        """Return the matrix with rows and columns swapped. It inverts a rotation (9.4.3)."""
+        """Return the matrix with rows and columns swapped (9.4.3).
+
+        The transpose of a rotation is its inverse.
+        """
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 
     def determinant(self) -> float:
-        """Return the factor by which volumes change. It is negative for a mirror image (9.4.3)."""
+        """Return the factor by which volumes change. It is negative for a reflection (9.4.3)."""
         raise NotImplementedError("Exercise B9.5: Determinant and inverse")
 
     def inverse(self) -> Matrix3:
         """Return the inverse as a new matrix (9.4.3).
 
         Raises:
-            ValueError: if an entry is not finite, or if |determinant| is not greater than SINGULAR
-                (1e-13) times the product of the rows' lengths. The message shows the determinant,
-                and its ratio to that product.
+            ValueError: if an entry is not finite, or if |determinant| is not greater than
+                ``SINGULAR`` (1e-13) times the product of the rows' lengths. The message shows the
+                determinant, and its ratio to that product.
         """
         raise NotImplementedError("Exercise B9.5: Determinant and inverse")
 
     def is_rotation(self) -> bool:
-        """Return whether the matrix is a pure rotation, without scaling, shear or mirroring.
+        """Return whether the matrix is a pure rotation, without scaling, shear or reflection.
 
-        The dot product of each row with itself must be 1, and with each other row 0, both within
-        ROTATION_TOLERANCE. The determinant must be positive. Otherwise, and for NaN, return False.
+        The scalar product of each row with itself must be 1, and with each other row 0, both within
+        ``ROTATION_TOLERANCE``. The determinant must be positive. Otherwise, and for NaN, return
+        False.
         """
         raise NotImplementedError("Exercise B9.6: Is it a rotation?")
 
@@ -106,7 +110,7 @@ class Matrix3:
         The book prints the transpose, which rotates in the opposite direction (E-11).
 
         Raises:
-            ValueError: if the quaternion's length is not 1 (is_unit).
+            ValueError: if the quaternion's length is not 1 (``is_unit``).
         """
         raise NotImplementedError("Exercise B9.12: From a quaternion to a matrix")
 
@@ -114,10 +118,10 @@ class Matrix3:
         """Return the unit quaternion of this rotation. Both q and -q are right.
 
         Four sums of the diagonal give 4 r^2, 4 i^2, 4 j^2 and 4 k^2. Choose the largest of them,
-        which is at least 1, and compute the other components from it. A smaller one may be only
-        rounding error, as 4 r^2 is in a half-turn.
+        which is at least 1, and compute the other components from it. A smaller sum may consist
+        only of rounding errors: in a half-turn, for example, 4 r^2 should be 0.
 
         Raises:
-            ValueError: if this is not a rotation (is_rotation).
+            ValueError: if this is not a rotation (``is_rotation``).
         """
         raise NotImplementedError("Exercise B9.13: From a matrix to a quaternion")

@@ -15,7 +15,8 @@ Point = tuple[float, float]
 def wrap_angle(angle: float) -> float:
     """Return the angle in the range -pi < angle <= pi that has the same direction (9.1.1).
 
-    Angles that differ by 2 pi have the same direction. For both pi and -pi the result is pi.
+    Angles that differ by 2 pi have the same direction. Wrap angles before you compare them. For
+    both pi and -pi the result is pi.
     """
     raise NotImplementedError("Exercise B9.1: Wrapping an angle")
 

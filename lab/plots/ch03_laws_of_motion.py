@@ -15,9 +15,16 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.damping import damp_per_frame, damp_per_second
 from ch03_laws_of_motion.exercises import random_frames
 from ch03_laws_of_motion.particle import Particle
-from studies.drag_flight import AT_REST, FREE_FALL, GRAVITY, PROJECTILE, DragFlight, with_particle
 from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, Picture, slope
 from studies.readings import numbers
+from studies.runs.drag_flight import (
+    AT_REST,
+    FREE_FALL,
+    GRAVITY,
+    PROJECTILE,
+    DragFlight,
+    with_particle,
+)
 
 KEPT = 0.5  # damping per second
 TUNED_AT = 60.0  # frames per second at which damping per frame loses as much as per second

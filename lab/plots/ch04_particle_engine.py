@@ -16,9 +16,9 @@ from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
 from ch04_particle_engine.fireworks import FireworksShow
 from lab.scenes.ch04_ballistics import can_throw
 from lab.scenes.ch04_fireworks import WHEEL_SPARK, can_turn, make_wheel
-from studies.drag_flight import flight_of, make_particle
 from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, YELLOW, Picture, slope
 from studies.readings import Numbers, is_written, numbers
+from studies.runs.drag_flight import flight_of, make_particle
 
 SHOT_COLORS = {  # pink for a shot type that the student has added
     **dict.fromkeys(SHOT_TYPES, PINK),

@@ -35,7 +35,7 @@ from lab.plots.ch06_stability import (
 )
 from studies.drawing import BLACK, BLUE, COLORS, GRAY, GREEN, ORANGE, RED, Picture, slope
 from studies.readings import is_written, numbers
-from studies.stability import INTEGRATORS, Pull, largest_error, methods, swing, true_place
+from studies.runs.stability import INTEGRATORS, Pull, largest_error, methods, swing, true_place
 
 FRAME = 1.0 / 60.0
 

@@ -16,7 +16,7 @@ from ch02_vectors.vector import Vector3
 from ch06_springs.springs import FakeStiffSpring
 from studies.drawing import BLACK, BLUE, COLORS, GRAY, RED, Picture, growth_bar, growth_map
 from studies.readings import is_written
-from studies.stability import (
+from studies.runs.stability import (
     INTEGRATORS,
     SOLVERS,
     bounces,

@@ -18,7 +18,9 @@ from matplotlib.figure import Figure
 
 from ch07_constraints.drops import find_drops, read_drops
 from ch07_constraints.exercises import restitution_of_drop, table_of_drops
-from studies.constraints import (
+from studies.drawing import BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, tell
+from studies.readings import number, written
+from studies.runs.constraints import (
     FRAME,
     GRAVITY,
     STEPS,
@@ -29,8 +31,6 @@ from studies.constraints import (
     no_bounce_below,
     without_rule,
 )
-from studies.drawing import BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, tell
-from studies.readings import number, written
 
 HEIGHT = 2.0
 COLORS = {"explicit Euler": RED, "semi-implicit Euler": BLUE, "time division": GREEN}

@@ -16,10 +16,10 @@ from lab.plots.ch07_bounces import (
     restitution_of_materials,
 )
 from lab.plots.ch07_rods import pendulum_energy, rods_hold, rope_by_method
-from studies.constraints import Track
 from studies.drawing import BLUE, GRAY, ORANGE, RED, Picture, tell
-from studies.piles import pile, residuals, stack
 from studies.readings import number, written
+from studies.runs.constraints import Track
+from studies.runs.piles import pile, residuals, stack
 
 
 def resolver_convergence() -> Picture:

@@ -9,7 +9,9 @@ from matplotlib import pyplot
 
 from ch07_constraints.heap_resolver import HeapResolver
 from ch07_constraints.links import Rod, TwoSidedRod
-from studies.constraints import (
+from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, tell
+from studies.readings import written
+from studies.runs.constraints import (
     FRAME,
     LINK,
     STEPS,
@@ -20,8 +22,6 @@ from studies.constraints import (
     chain_by_direct_solve,
     pendulum,
 )
-from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, tell
-from studies.readings import written
 
 LINKS = 30
 KINDS: dict[str, Link] = {"Rod": Rod, "TwoSidedRod": TwoSidedRod}

@@ -22,9 +22,10 @@ from lab.plots.ch08_scenes import (
     trebuchet_range,
     wheel_deformation,
 )
-from studies.constraints import Track
 from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, RED, SKY, Picture, tell
-from studies.mass_aggregate import (
+from studies.readings import Numbers, numbers, written
+from studies.runs.constraints import Track
+from studies.runs.mass_aggregate import (
     FRAME,
     SPIKE,
     MassAggregate,
@@ -36,7 +37,6 @@ from studies.mass_aggregate import (
     uneven_frames,
     variation,
 )
-from studies.readings import Numbers, numbers, written
 
 SETTLED = 10.0  # s, after which scenes should be at rest
 STEADY = 0.1  # %, by which the energy of a scene at rest may vary

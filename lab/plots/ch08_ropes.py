@@ -13,11 +13,11 @@ from functools import partial
 from matplotlib import pyplot
 from matplotlib.axes import Axes
 
-from studies.constraints import Track
 from studies.drawing import BLACK, BLUE, GRAY, ORANGE, PINK, RED, SKY, Picture, tell
-from studies.mass_aggregate import load_on_bridge
 from studies.readings import stopped, written
-from studies.ropes import (
+from studies.runs.constraints import Track
+from studies.runs.mass_aggregate import load_on_bridge
+from studies.runs.ropes import (
     LENGTH,
     SPAN,
     Hanging,

@@ -15,15 +15,15 @@ from ch08_mass_aggregate.trebuchet import Design, my_design
 from ch08_mass_aggregate.wheel import COUNT, MASS, RADIUS
 from ch08_mass_aggregate.world import ParticleWorld
 from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, tell
-from studies.mass_aggregate import (
+from studies.readings import written
+from studies.runs.mass_aggregate import (
     bonds_of_blob,
     deformation_of_wheel,
     sleepers,
     spin_of_wheel,
     spread_of_blob,
 )
-from studies.readings import written
-from studies.releases import Release, jumps, releases
+from studies.runs.releases import Release, jumps, releases
 
 PLAIN = Design(400.0, 1.0, 4.0, 3.0, 45.0)  # drawn until my_design is written
 FORCES = (1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0)

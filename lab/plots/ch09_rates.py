@@ -14,7 +14,7 @@ from ch09_rotations.angular import first_order_drift
 from ch09_rotations.euler import euler_rates, rate_map
 from studies.drawing import BLACK, BLUE, GRAY, GREEN, ORANGE, PINK, RED, SKY, Picture, slope, tell
 from studies.readings import is_written, number, numbers, stopped, written
-from studies.rotations import (
+from studies.runs.rotations import (
     END,
     TAU,
     Step,

@@ -35,7 +35,7 @@ from studies.drawing import (
     tell,
 )
 from studies.readings import Numbers, is_drawable, is_written, stopped
-from studies.rotations import (
+from studies.runs.rotations import (
     FLIGHT,
     NOWHERE,
     Arrows,

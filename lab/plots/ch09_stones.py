@@ -11,9 +11,9 @@ from matplotlib.patches import Circle
 
 from ch09_rotations.exercises import masses_beside
 from ch09_rotations.stones import own_stones, read_stones
-from studies.balance import balance_line, center
 from studies.drawing import BLACK, BLUE, GRAY, LABEL, ORANGE, RED, SKY, Picture, tell
-from studies.rotations import largest
+from studies.runs.balance import balance_line, center
+from studies.runs.rotations import largest
 
 SMALL = LABEL | {"fontsize": 9}
 

@@ -20,7 +20,7 @@ def rotated(x: float, y: float, angle: float) -> tuple[float, float]:
 
 
 class Projection(Scene):
-    """The component of one vector along another: a dot product with a unit vector."""
+    """The component of one vector along another: its scalar product with a unit vector."""
 
     chapter = 2
     title = "Projection: how much of a points along b?"

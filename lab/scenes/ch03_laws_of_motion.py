@@ -10,7 +10,7 @@ from ch03_laws_of_motion.particle import Particle
 from lab.parameters import Choice, Slider
 from lab.pen import Pen
 from lab.scene import Question, Scene
-from studies.drag_flight import GRAVITY, DragFlight, State
+from studies.runs.drag_flight import GRAVITY, DragFlight, State
 
 COLORS = ("red", "orange", "blue")
 

@@ -10,7 +10,7 @@ from ch03_laws_of_motion.particle import Particle
 from lab.parameters import Choice, Slider
 from lab.pen import Pen
 from lab.scene import Scene
-from studies.drag_flight import GRAVITY, DragFlight, State
+from studies.runs.drag_flight import GRAVITY, DragFlight, State
 
 Point = tuple[float, float]
 
@@ -142,7 +142,7 @@ class Throw(Scene):
         return beyond is not None and abs(beyond) < self.RIM
 
     def told(self, beyond: float | None) -> str:
-        """Describe in words how well a path hits the hoop."""
+        """Describe in words how close a path comes to the hoop."""
         if beyond is None:
             return "too low"
         if self.is_in(beyond):

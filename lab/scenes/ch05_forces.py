@@ -18,7 +18,7 @@ G = 9.81  # m/s^2
 def lands_first(scene: FallInAir) -> int:
     """Return the index of the ball that lands first, which has the higher terminal speed.
 
-    0 is the left ball, 1 the right ball, and 2 means that they land together.
+    The index is 0 for the left ball and 1 for the right ball. It is 2 if they land together.
     """
     heavy, light = (terminal_speed(mass * G, 0.0, k2) for mass, k2, _ in scene.balls())
     return 0 if heavy > 1.001 * light else 1 if light > 1.001 * heavy else 2
@@ -121,7 +121,7 @@ class FallInAir(Scene):
 
 
 class Orbit(Scene):
-    """A planet around a star, moved position first as in the book, or velocity first."""
+    """A planet around a star. A step moves the position first, as in the book, or the velocity."""
 
     chapter = 5
     title = "An orbit that should close"

@@ -12,8 +12,8 @@ from lab.parameters import Choice, Slider
 from lab.pen import Pen
 from lab.scene import Question
 from lab.world_scene import WorldScene
-from studies.links import ends_of
 from studies.readings import is_written
+from studies.runs.links import ends_of
 
 DIRECTIONS = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "down": (0.0, -1.0), "up": (0.0, 1.0)}
 

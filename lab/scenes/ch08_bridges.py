@@ -10,7 +10,7 @@ from lab.parameters import Choice, Slider
 from lab.pen import Pen
 from lab.scene import Question, Scene
 from lab.world_scene import WorldScene, draw_cables
-from studies.links import over_length
+from studies.runs.links import over_length
 
 VIEW = (-8.0, 8.0, -1.0, 7.6)
 LATE = 0.5  # s, duration of a late frame

@@ -56,7 +56,7 @@ class Charts(Scene):
         self.frame = min(self.frame + 1, len(self.places) - 1)
 
     def seen(self, place: Place) -> list[tuple[float, float]]:
-        """Return the drawn points of a place, scaled so that the whole path fills the view."""
+        """Return the points to draw for a position. The scale lets the whole path fill the view."""
         x0, y0 = self.middle
         return [(2.0 * (x - x0) / self.size, 2.0 * (y - y0) / self.size) for x, y in points(place)]
 

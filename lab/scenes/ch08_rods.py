@@ -11,8 +11,8 @@ from lab.parameters import Choice, Slider
 from lab.pen import Pen
 from lab.scene import Question
 from lab.world_scene import WorldScene
-from studies.links import ends_of
 from studies.readings import is_written
+from studies.runs.links import ends_of
 
 
 class Wheel(WorldScene):
@@ -177,7 +177,7 @@ class Cube(WorldScene):
 
 
 def tilted(place: Vector3) -> tuple[float, float]:
-    """Return where a position appears in a view from a corner and from above."""
+    """Return the point at which a position is drawn, in a view from a corner and from above."""
     across, away = 0.87 * place.x - 0.5 * place.z, 0.5 * place.x + 0.87 * place.z
     return across, 0.94 * place.y + 0.34 * away
 

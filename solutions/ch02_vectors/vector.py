@@ -1,9 +1,9 @@
 """A vector in three dimensions, the type that the whole engine uses (book chapter 2).
 
-The axes are right-handed, and +Y points up. Vectors are mutable. Operators such as ``v + w`` return
-a new vector and leave both operands alone. Methods marked "in place" change ``v`` and return None.
-``+=``, ``-=``, ``*=`` and ``/=`` change ``v`` too, but their methods end with ``return self``,
-because Python assigns what they return to ``v``.
+The axes are right-handed, and +Y points up. Vectors are mutable. An operator such as ``v + w``
+returns a new vector and leaves both operands unchanged. A method marked "in place" changes ``v``
+and returns None. The operators ``+=``, ``-=``, ``*=`` and ``/=`` also change ``v``, but their
+methods must end with ``return self``, because Python assigns the returned value to ``v``.
 """
 
 from __future__ import annotations
@@ -20,10 +20,11 @@ _NOT_A_VECTOR = "v must be a Vector3, got {!r}"
 
 
 class Vector3:
-    """Three components along X, Y and Z, in the unit of whatever the vector describes.
+    """A vector with three components along X, Y and Z.
 
-    A component can be any float, including infinities and NaN. Classes that give the numbers a
-    meaning, such as a particle, reject values that make no sense.
+    The unit depends on the quantity: m for a position, m/s for a velocity, N for a force. A
+    component can be any float, including infinities and NaN. Classes that use vectors for a
+    particular quantity, such as a particle, reject values that make no sense there.
 
     Raises:
         TypeError: if a component is not something that float() accepts.
@@ -50,13 +51,16 @@ class Vector3:
         yield self.z
 
     def __eq__(self, other: object) -> bool:
-        """Compare component by component, exactly. As with floats, NaN is not equal to itself."""
+        """Return whether all components are exactly equal. NaN is unequal to itself."""
         if not isinstance(other, Vector3):
             return NotImplemented
         return self.x == other.x and self.y == other.y and self.z == other.z
 
     def copy(self) -> Vector3:
-        """Return a new vector with the same components."""
+        """Return a new vector with the same components.
+
+        Use a copy to remember a vector that will be changed in place.
+        """
         return Vector3(self.x, self.y, self.z)
 
     def clear(self) -> None:
@@ -64,31 +68,35 @@ class Vector3:
         self.x = self.y = self.z = 0.0
 
     def invert(self) -> None:
-        """Reverse the vector, in place: change the sign of every component (2.1)."""
+        """Reverse the direction, in place, by changing the sign of every component (2.1)."""
         self.x = -self.x
         self.y = -self.y
         self.z = -self.z
 
     def __neg__(self) -> Vector3:
-        """Return a new vector pointing the opposite way."""
+        """Return a new vector of the same length that points in the opposite direction."""
         return Vector3(-self.x, -self.y, -self.z)
 
     def magnitude(self) -> float:
         """Return the length |v|, which is never negative (2.1).
 
-        The result is also correct for components as large as 1e200 and as small as 1e-200, although
-        their squares do not fit in a float. If a component is NaN, the length is NaN.
+        The length is also correct for components as large as 1e200 or as small as 1e-200, although
+        the squares of such numbers overflow or underflow. If a component is NaN, the length is NaN.
         """
         return math.hypot(self.x, self.y, self.z)
 
     def squared_magnitude(self) -> float:
-        """Return |v|^2, which is enough to compare lengths and needs no square root (2.1)."""
+        """Return the squared length |v|^2 (2.1).
+
+        To compare two lengths, compare their squares. This saves the square root.
+        """
         return self.x * self.x + self.y * self.y + self.z * self.z
 
     def __mul__(self, scale: float) -> Vector3:
-        """Return a new vector, v * scale or scale * v (2.1.3).
+        """Return a new vector, ``v * scale`` or ``scale * v`` (2.1.3).
 
-        Raises TypeError for vector * vector, which could mean three different products.
+        Raises TypeError if ``scale`` is a vector, because two vectors have three different
+        products.
         """
         if isinstance(scale, Vector3):
             raise TypeError(_WHICH_PRODUCT)
@@ -97,9 +105,9 @@ class Vector3:
     __rmul__ = __mul__  # for 2 * v: a float does not know vectors, so Python calls this method
 
     def __imul__(self, scale: float) -> Vector3:
-        """Multiply every component by a number, in place, and return self.
+        """Multiply every component by a number, in place, and return ``self``.
 
-        Raises TypeError for a vector.
+        Raises TypeError if ``scale`` is a vector.
         """
         if isinstance(scale, Vector3):
             raise TypeError(_WHICH_PRODUCT)
@@ -109,18 +117,18 @@ class Vector3:
         return self
 
     def __truediv__(self, divisor: float) -> Vector3:
-        """Return a new vector, v / divisor.
+        """Return a new vector, ``v / divisor``.
 
-        Raises TypeError for a vector and ZeroDivisionError for zero.
+        Raises TypeError if the divisor is a vector, and ZeroDivisionError if it is zero.
         """
         if isinstance(divisor, Vector3):
             raise TypeError("a vector cannot be divided by a vector")
         return Vector3(self.x / divisor, self.y / divisor, self.z / divisor)
 
     def __itruediv__(self, divisor: float) -> Vector3:
-        """Divide every component by a number, in place, and return self.
+        """Divide every component by a number, in place, and return ``self``.
 
-        Raises the same errors as v / divisor.
+        Raises the same errors as ``v / divisor``.
         """
         if isinstance(divisor, Vector3):
             raise TypeError("a vector cannot be divided by a vector")
@@ -128,10 +136,10 @@ class Vector3:
         return self
 
     def normalize(self) -> None:
-        """Make the length 1 and keep the direction, in place (2.1.3).
+        """Scale the vector to length 1 without changing its direction, in place (2.1.3).
 
-        The zero vector stays zero. The result is also correct for components as large as 1e200 and
-        as small as 1e-200.
+        The zero vector has no direction and stays zero. The result is also correct for components
+        as large as 1e200 or as small as 1e-200.
         """
         length = self.magnitude()
         if length == 0.0:
@@ -143,7 +151,7 @@ class Vector3:
     def normalized(self) -> Vector3:
         """Return a new vector of length 1 in the same direction.
 
-        The zero vector gives a new zero vector.
+        For the zero vector, return a new zero vector.
         """
         length = self.magnitude()
         if length == 0.0:
@@ -151,13 +159,13 @@ class Vector3:
         return Vector3(self.x / length, self.y / length, self.z / length)
 
     def __add__(self, v: Vector3) -> Vector3:
-        """Return the sum as a new vector (2.1.4). Raises TypeError if v is not a vector."""
+        """Return the sum as a new vector (2.1.4). Raises TypeError if ``v`` is not a vector."""
         if not isinstance(v, Vector3):
             return NotImplemented
         return Vector3(self.x + v.x, self.y + v.y, self.z + v.z)
 
     def __iadd__(self, v: Vector3) -> Vector3:
-        """Add v, in place, and return self. Raises TypeError if v is not a vector."""
+        """Add ``v``, in place, and return ``self``. Raises TypeError if ``v`` is not a vector."""
         if not isinstance(v, Vector3):
             return NotImplemented
         self.x += v.x
@@ -166,13 +174,19 @@ class Vector3:
         return self
 
     def __sub__(self, v: Vector3) -> Vector3:
-        """Return the difference as a new vector (2.1.4). Raises TypeError if v is not a vector."""
+        """Return the difference as a new vector (2.1.4).
+
+        Raises TypeError if ``v`` is not a vector.
+        """
         if not isinstance(v, Vector3):
             return NotImplemented
         return Vector3(self.x - v.x, self.y - v.y, self.z - v.z)
 
     def __isub__(self, v: Vector3) -> Vector3:
-        """Subtract v, in place, and return self. Raises TypeError if v is not a vector."""
+        """Subtract ``v``, in place, and return ``self``.
+
+        Raises TypeError if ``v`` is not a vector.
+        """
         if not isinstance(v, Vector3):
             return NotImplemented
         self.x -= v.x
@@ -181,10 +195,11 @@ class Vector3:
         return self
 
     def add_scaled(self, v: Vector3, scale: float) -> None:
-        """Add v * scale, in place (2.1.4).
+        """Add ``v * scale``, in place (2.1.4).
 
-        The engine uses this method for every update of the form p' = p + v h. It also works if v is
-        the vector itself. Raises TypeError if v is not a vector.
+        The engine uses this method for every update of the form p' = p + v h, because it creates no
+        temporary vector. It also works if ``v`` is the vector itself. Raises TypeError if ``v`` is
+        not a vector.
         """
         if not isinstance(v, Vector3):
             raise TypeError(_NOT_A_VECTOR.format(v))
@@ -193,18 +208,19 @@ class Vector3:
         self.z += v.z * scale
 
     def component_product(self, v: Vector3) -> Vector3:
-        """Return a new vector with the products of matching components (2.1.6).
+        """Return the component product as a new vector (2.1.6).
 
-        Raises TypeError if v is not a vector.
+        Each component of the result is the product of the two matching components. Raises TypeError
+        if ``v`` is not a vector.
         """
         if not isinstance(v, Vector3):
             raise TypeError(_NOT_A_VECTOR.format(v))
         return Vector3(self.x * v.x, self.y * v.y, self.z * v.z)
 
     def component_product_update(self, v: Vector3) -> None:
-        """Multiply each component by the matching one of v, in place (2.1.6).
+        """Multiply each component by the matching component of ``v``, in place (2.1.6).
 
-        Raises TypeError if v is not a vector.
+        Raises TypeError if ``v`` is not a vector.
         """
         if not isinstance(v, Vector3):
             raise TypeError(_NOT_A_VECTOR.format(v))
@@ -213,9 +229,10 @@ class Vector3:
         self.z *= v.z
 
     def dot(self, v: Vector3) -> float:
-        """Return the scalar product a . b = |a| |b| cos t, also written a @ b (Eq. 2.4).
+        """Return the scalar product a . b = |a| |b| cos t, also written ``a @ b`` (Eq. 2.4).
 
-        Raises TypeError if v is not a vector.
+        t is the angle between the two vectors. If one of them is a unit vector, the result is the
+        component of the other along it. Raises TypeError if ``v`` is not a vector.
         """
         if not isinstance(v, Vector3):
             raise TypeError(_NOT_A_VECTOR.format(v))
@@ -230,8 +247,9 @@ class Vector3:
     def cross(self, v: Vector3) -> Vector3:
         """Return the vector product a x b as a new vector (Eq. 2.6).
 
-        The product is perpendicular to both vectors and has the length |a| |b| sin t. Swapping the
-        factors reverses its direction: b x a = -(a x b). Raises TypeError if v is not a vector.
+        The product is perpendicular to both vectors and has the length |a| |b| sin t, where t is
+        the angle between them. Swapping the factors reverses its direction: b x a = -(a x b).
+        Raises TypeError if ``v`` is not a vector.
         """
         if not isinstance(v, Vector3):
             raise TypeError(_NOT_A_VECTOR.format(v))
@@ -242,23 +260,25 @@ class Vector3:
         )
 
     def cross_update(self, v: Vector3) -> None:
-        """Replace this vector by its vector product with v, in place (2.1.8).
+        """Replace this vector by its vector product with ``v``, in place (2.1.8).
 
-        Raises TypeError if v is not a vector.
+        Raises TypeError if ``v`` is not a vector.
         """
         self.x, self.y, self.z = self.cross(v)
 
 
 def make_orthonormal_basis(a: Vector3, b: Vector3) -> tuple[Vector3, Vector3, Vector3]:
-    """Return three new unit vectors that are perpendicular and right-handed: a x b = c (2.1.9).
+    """Return three new perpendicular unit vectors, right-handed: a x b = c (2.1.9).
 
-    The first vector has the direction of ``a``. The third one is perpendicular to the plane of
-    ``a`` and ``b``. The second one lies in that plane, as close to ``b`` as possible. The lengths
-    of ``a`` and ``b`` do not matter, and neither vector changes.
+    Use it to build the axes of a camera or a contact from one exact direction and one approximate
+    direction. The first vector has the direction of ``a``. The third one is perpendicular to the
+    plane of ``a`` and ``b``. The second one lies in that plane, as close to ``b`` as possible. The
+    lengths of ``a`` and ``b`` do not matter, and neither vector is changed.
 
     Raises:
-        ValueError: if ``a`` or ``b`` is zero or not finite, or if they are parallel, which means
-            that the sine of their angle is below 1e-12. Such vectors do not determine a basis.
+        ValueError: if ``a`` or ``b`` is zero or not finite, or if they are parallel. They count as
+            parallel if the sine of the angle between them is below 1e-12. Such vectors do not
+            determine a basis.
     """
     first = a.normalized()
     third = first.cross(b.normalized())

@@ -1,7 +1,7 @@
 """The exercises of the book's chapter 3, each as a function. Exercise 3.3 is in particle.py.
 
-No function here changes the vectors that it is given. All of them raise TypeError for anything that
-is not a number where a number is expected.
+None of these functions changes the vectors that it is given. All of them raise TypeError if an
+argument that must be a number is something else.
 """
 
 from __future__ import annotations
@@ -20,20 +20,21 @@ GRAVITATIONAL_CONSTANT = 6.67428e-11  # N m^2/kg^2
 def speed_ratio(first_mass: float, second_mass: float) -> float:
     """Exercise 3.1: return the speed of the first particle divided by that of the second.
 
-    Both start at rest, and the same force acts on both for the same time. The masses are in kg.
+    Both particles start at rest, and the same force acts on both for the same time. The masses are
+    in kg.
 
     Raises ValueError if a mass is not positive and finite.
 
-
+    >>> speed_ratio(3.0, 1.5)
     0.5
     """
     return positive("second_mass", second_mass) / positive("first_mass", first_mass)
 
 
 def gravity_between(first_mass: float, second_mass: float, distance: float) -> float:
-    """Exercise 3.2: return the force in N with which two masses attract each other (Eq. 3.3).
+    """Exercise 3.2: return the gravitational force in N between two masses (Eq. 3.3).
 
-    G is the book's 6.67428e-11 N m^2/kg^2. The masses are in kg and the distance is in m.
+    The masses are in kg and the distance is in m. G is the book's 6.67428e-11 N m^2/kg^2.
 
     Raises ValueError if a mass or the distance is not positive and finite.
 
@@ -48,10 +49,11 @@ def gravity_between(first_mass: float, second_mass: float, distance: float) -> f
 def position_by_equation(
     position: Vector3, velocity: Vector3, acceleration: Vector3, time: float
 ) -> Vector3:
-    """Exercise 3.4a: return the new position after a time with constant acceleration (Eq. 2.9).
+    """Exercise 3.4a: return the position after a time with constant acceleration (Eq. 2.9).
 
-    The result is p' = p + v t + a t^2 / 2, with lengths in m and times in s. In this example and
-    those below, the start position and two components of the acceleration are not the book's.
+    The result is the new vector p' = p + v t + a t^2 / 2, with lengths in m and times in s. In this
+    example and those below, the start position and two components of the acceleration differ from
+    the book's.
 
     Raises ValueError if the time is not positive and finite.
 
@@ -67,10 +69,10 @@ def state_by_steps(
 ) -> tuple[Vector3, Vector3]:
     """Exercise 3.4b and c: return the position and the velocity after several equal steps.
 
-    Each step applies Eq. 2.7 and then Eq. 2.8, as Particle.integrate does without damping.
-    ``duration`` is the duration of one step in s.
+    Each step applies Eq. 2.7 and then Eq. 2.8, as ``Particle.integrate`` does when the damping is
+    1. ``duration`` is the duration of one step in s.
 
-    Raises ValueError if the duration is not positive and finite, or if steps is below 1.
+    Raises ValueError if the duration is not positive and finite, or if ``steps`` is below 1.
 
     >>> p, v, a = Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5)
     >>> state_by_steps(p, v, a, 1, steps=1)
@@ -91,7 +93,7 @@ def stepping_error(
 ) -> Vector3:
     """Exercise 3.4d: return the error of the stepped position: stepped minus exact position.
 
-    The function takes the arguments of state_by_steps and raises the same errors.
+    The function takes the same arguments as ``state_by_steps`` and raises the same errors.
 
     >>> p, v, a = Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5)
     >>> stepping_error(p, v, a, 1, steps=5)
@@ -104,9 +106,9 @@ def stepping_error(
 def random_frames(mean: float, jitter: float, total: float, seed: int) -> list[float]:
     """Exercise 3.5a: return random frame durations in s that add up to a total time.
 
-    Each duration is drawn uniformly between mean * (1 - jitter) and mean * (1 + jitter). The last
-    one is shortened so that the sum equals the total, except for rounding. The same seed gives the
-    same durations.
+    Use them to imitate a game whose frame rate varies. Each duration is drawn uniformly between
+    mean * (1 - jitter) and mean * (1 + jitter). The last one is shortened so that the sum equals
+    the total, except for rounding. The same seed gives the same durations.
 
     Raises ValueError if the mean or the total is not positive and finite, or if the jitter is
     negative or not below 1.
@@ -132,10 +134,10 @@ def damping_difference(
 ) -> float:
     """Exercise 3.5b: return how much the results of the two damping equations differ on average.
 
-    A run is a list of step durations in s. In each run two particles start with the given velocity
-    in m/s. In every step one follows Eq. 3.5 and the other Eq. 3.6, with the same damping. The
-    result is the length of the difference between their final velocities, in m/s, averaged over the
-    runs.
+    A run is a list of step durations in s. In each run, two particles start with the given velocity
+    in m/s. In every step, one particle follows Eq. 3.5 and the other follows Eq. 3.6, with the same
+    damping. The result is the length of the difference between their final velocities, in m/s,
+    averaged over the runs.
 
     Raises ValueError if there are no runs, if the damping is negative or not finite, or if a
     duration is not positive and finite.

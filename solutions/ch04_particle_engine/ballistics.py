@@ -1,7 +1,7 @@
 """A range on which shots of several types are fired (book 4.1).
 
-Z points down the range, Y points up, and X points left for someone who looks along Z. Every shot
-starts at MUZZLE. Angles are in radians.
+The Z axis points down the range, Y points up, and X points to the left of an observer who looks
+along Z. Every shot starts at ``MUZZLE``. Angles are in radians.
 """
 
 from __future__ import annotations
@@ -60,8 +60,8 @@ class Shot:
 def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
     """Exercise 4.3a: return the velocity of a shot in m/s as a new vector.
 
-    At azimuth 0 the shot flies along Z, and at a quarter turn along X. At elevation 0 it is level,
-    and at a quarter turn it flies straight up.
+    At azimuth 0 the shot flies along Z, and at an azimuth of a quarter turn along X. At elevation 0
+    it flies horizontally, and at an elevation of a quarter turn straight up.
 
     Raises ValueError if the speed is negative or not finite, or if an angle is not finite.
     """
@@ -77,19 +77,19 @@ def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
 def is_spent(shot: Shot) -> bool:
     """Return whether a shot must be removed (4.1.2).
 
-    A shot is spent if it is below the ground (y < 0), older than LONGEST_FLIGHT, or past
-    END_OF_RANGE in z.
+    A shot is spent if it is below the ground (y < 0), older than ``LONGEST_FLIGHT``, or beyond
+    ``END_OF_RANGE`` in z.
     """
     position = shot.particle.position
     return position.y < 0.0 or shot.age > LONGEST_FLIGHT or position.z > END_OF_RANGE
 
 
 def grenade_after(shot: Shot) -> list[Shot]:
-    """Mini-project 4.1: return the shots that replace a grenade after it has moved by one step.
+    """Mini-project 4.1: return the shots that replace a grenade after one step.
 
-    First, a grenade that is below the ground bounces. If its age has reached FUSE, return its
-    fragments, as shots of the type "fragment" with an age of 0. Otherwise return a list with the
-    grenade itself, or an empty list if it is spent.
+    The grenade has already moved. If it is below the ground, it bounces first. If its age has
+    reached ``FUSE``, return its fragments, as shots of the type "fragment" with an age of 0.
+    Otherwise return a list that contains the grenade itself, or an empty list if it is spent.
     """
     bounce(shot.particle)
     if shot.age >= FUSE:
@@ -101,7 +101,8 @@ def what_is_left(shot: Shot, start: Vector3, targets: Sequence[TargetBlock]) -> 
     """Return the shots that replace a shot after it has moved from ``start`` by one step.
 
     The list is empty if the shot has hit a target on its path or is spent. For a grenade that has
-    hit nothing, the result is that of grenade_after. Any other shot remains.
+    hit nothing, the list is the result of ``grenade_after``. For any other shot, it contains the
+    shot itself.
     """
     if targets and strike_first(start, shot.particle, targets):
         return []
@@ -120,12 +121,12 @@ class BallisticRange:
     def fire(self, name: str, azimuth: float = 0.0, elevation: float | None = None) -> None:
         """Fire a shot of a type in the direction of two angles, as in mini-project 4.3 (4.1.2).
 
-        The shot starts at MUZZLE with an age of 0. SHOT_TYPES gives its mass, acceleration and
-        damping. Its speed is the length of the type's velocity. If ``elevation`` is None, use the
-        angle of that velocity above the horizontal.
+        The shot starts at ``MUZZLE`` with an age of 0. Its mass, acceleration and damping come from
+        ``SHOT_TYPES``. Its speed is the length of the type's velocity. If ``elevation`` is None,
+        the elevation is the angle of that velocity above the horizontal.
 
-        Raises ValueError if there is no such type, or if an angle is not finite. No shot is fired
-        then.
+        Raises ValueError if there is no such type, or if an angle is not finite. In that case no
+        shot is fired.
         """
         if name not in SHOT_TYPES:
             raise ValueError(f"name must be one of {', '.join(SHOT_TYPES)}, got {name!r}")
@@ -145,11 +146,12 @@ class BallisticRange:
     def update(self, duration: float) -> None:
         """Move everything by one step of a duration in s, and remove spent shots (4.1.2).
 
-        First the targets move. Then each shot moves and its age grows by the duration. After that
-        the shots that what_is_left returns for it take its place. That function needs the position
-        of the shot before the move. Pass a copy, because ``integrate`` changes the position itself.
+        First the targets move. Then each shot moves, and its age grows by the duration. Each shot
+        is then replaced by the shots that ``what_is_left`` returns for it. That function needs the
+        position of the shot before the move. Pass a copy, because ``integrate`` changes the
+        position itself.
 
-        Raises ValueError if the duration is not positive and finite. Nothing has moved then.
+        Raises ValueError if the duration is not positive and finite. In that case nothing moves.
         """
         positive("duration", duration)
         for target in self.targets:

@@ -1,4 +1,4 @@
-"""What a grenade does (mini-project 4.1): it bounces, and it bursts when its fuse has burnt down.
+"""The behavior of a grenade (mini-project 4.1): it bounces, and it bursts at the end of its fuse.
 
 The bounce here is a rule for this one type of shot. Chapter 7 adds contacts for any particle.
 """
@@ -24,10 +24,10 @@ _CORNERS = [
 
 
 def bounce(particle: Particle) -> None:
-    """Mini-project 4.1: put a particle that is below the ground (y < 0) back on it, in place.
+    """Mini-project 4.1: move a particle that is below the ground (y < 0) back to y = 0, in place.
 
-    Its y becomes 0. If it moves down, its velocity changes too: the downward speed becomes an
-    upward speed of BOUNCE times its size, and SLIDE of the velocity along X and Z is kept. A
+    If the particle is moving down, its velocity changes too. The vertical velocity is reversed and
+    multiplied by ``BOUNCE``, and the components along X and Z are multiplied by ``SLIDE``. A
     particle on or above the ground does not change.
     """
     if particle.position.y >= 0.0:
@@ -43,10 +43,10 @@ def bounce(particle: Particle) -> None:
 def fragments(particle: Particle) -> list[Particle]:
     """Mini-project 4.1: return the pieces into which a grenade bursts, at its position.
 
-    There are FRAGMENTS pieces. They have equal masses that add up to the grenade's mass, and the
-    same acceleration and damping as the grenade. Relative to the grenade, each piece flies at
-    FRAGMENT_SPEED in a different direction. The directions add up to zero, so together the pieces
-    have the grenade's momentum. The grenade does not change.
+    There are ``FRAGMENTS`` pieces. They have equal masses that add up to the grenade's mass, and
+    the same acceleration and damping as the grenade. Relative to the grenade, each piece flies at
+    ``FRAGMENT_SPEED`` in a different direction. The directions add up to zero, so the total
+    momentum of the pieces equals the grenade's. The grenade does not change.
     """
     pieces = []
     for direction in _CORNERS:

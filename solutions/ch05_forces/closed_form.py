@@ -1,8 +1,8 @@
-"""Drag without time steps: closed forms, and the longest steps that are safe with drag (book 5.3).
+"""Exact solutions for drag, and the longest time steps that are safe with drag (book 5.3).
 
-Everything here moves along one line, and all numbers are in SI units. k1 in N s/m and k2 in N
-s^2/m^2 are the coefficients of Eq. 5.1. Every function raises TypeError for an argument that is not
-a number.
+With an exact solution you can compute a speed or a distance at any time, without time steps. All
+motion here is along one line, and all numbers are in SI units. k1 in N s/m and k2 in N s^2/m^2 are
+the coefficients of Eq. 5.1. Every function raises TypeError for an argument that is not a number.
 """
 
 from __future__ import annotations
@@ -15,7 +15,8 @@ from ch02_vectors.arguments import not_negative, positive
 def terminal_speed(weight: float, k1: float, k2: float) -> float:
     """Return the speed in m/s at which the drag on a falling body balances its weight in N.
 
-    The terminal speed is the positive solution of k1 v + k2 v^2 = weight.
+    A falling body approaches this speed. The terminal speed is the positive solution of k1 v + k2
+    v^2 = weight.
 
     Raises:
         ValueError: if the weight is not positive, a coefficient is negative, an argument is not
@@ -32,11 +33,11 @@ def terminal_speed(weight: float, k1: float, k2: float) -> float:
 
 
 def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple[float, float]:
-    """Return the speed in m/s and the distance in m of a fall from rest with quadratic drag only.
+    """Return the speed in m/s and the distance in m of a fall from rest with quadratic drag.
 
-    The speed is u tanh x and the distance is (u^2 / g) ln cosh x, with x = g t / u. Here u is the
-    terminal speed, g is ``gravity`` and t is ``time`` in s. Both results must also be right for
-    very small and very large x.
+    The drag has no linear part. The speed is u tanh x and the distance is (u^2 / g) ln cosh x, with
+    x = g t / u. Here u is the terminal speed, g is ``gravity`` and t is ``time`` in s. Both results
+    must also be correct for very small and very large x.
 
     Raises:
         ValueError: if the mass, gravity or k2 is not positive, the time is negative, or an argument
@@ -53,8 +54,8 @@ def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple
 def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float) -> float:
     """Return the speed in m/s that remains after a time in s in which only drag acts.
 
-    With s = k1 t / m, the speed is v e^-s / (1 + k2 v (1 - e^-s) / k1). For k1 = 0, the fraction
-    (1 - e^-s) / k1 is t / m.
+    With s = k1 t / m, the speed is v e^-s / (1 + k2 v (1 - e^-s) / k1). For k1 = 0, replace the
+    fraction (1 - e^-s) / k1 by its limit, t / m.
 
     Raises:
         ValueError: if the mass is not positive, another argument is negative, or an argument is not
@@ -69,11 +70,12 @@ def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float)
 
 
 def drag_limits(k1: float, k2: float, mass: float, speed: float) -> tuple[float, float]:
-    """Return two limits in s for the length of a time step with drag alone.
+    """Return two limits in s for the length of a time step in which only drag acts.
 
     If the step is longer than the first limit, drag reverses the motion. If it is longer than the
     second, the particle is faster after the step than before. The step is v' = v + (f / m) h, where
-    f is the drag of Eq. 5.1 at the speed before the step. Without drag both limits are math.inf.
+    f is the drag of Eq. 5.1 at the speed before the step. Without drag, both limits are
+    ``math.inf``.
 
     Raises:
         ValueError: if the mass is not positive, another argument is negative, or an argument is not

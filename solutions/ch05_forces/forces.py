@@ -1,9 +1,9 @@
 """Force generators, and the registry that applies them in each time step (book 5.2 and 5.3).
 
-A generator adds a force to a particle and knows nothing about the other forces on it. Constructors
-copy vectors, and raise ValueError for a number or component that is not finite. You may change the
-attributes later, and then it is up to you to keep them finite. Everything here raises TypeError for
-an argument that is not a number, or not a Vector3 where one is expected.
+A generator adds a force to a particle and needs no information about the other forces on it.
+Constructors copy vectors, and raise ValueError for a number or component that is not finite. You
+may change the attributes later, but these changes are not checked. Everything here raises TypeError
+for an argument that is not a number, or not a Vector3 where a vector is expected.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from ch05_forces.particle import Particle
 
 
 class ForceGenerator(Protocol):
-    """The interface of a force generator: any object with this method is one.
+    """The interface of a force generator: any object with this method is a generator.
 
-    A generator's class need not inherit from this class.
+    Its class need not inherit from this class.
     """
 
     def update_force(self, particle: Particle, duration: float) -> None:
@@ -27,26 +27,28 @@ class ForceGenerator(Protocol):
 
 
 class ForceRegistry:
-    """Pairs of a particle and a generator that acts on it, in the order in which they were added.
+    """A list of pairs: a particle, and a generator that acts on it in every step.
 
-    The constructor makes ``_pairs``, an empty list for tuples (particle, generator). You may store
-    the pairs in another way. If you do, change ``pairs`` to match.
+    The constructor sets ``_pairs`` to an empty list for tuples (particle, generator). The pairs
+    stay in the order in which they were added. You may store them in another way. If you do, change
+    ``pairs`` to match.
     """
 
     def __init__(self) -> None:
         self._pairs: list[tuple[Particle, ForceGenerator]] = []
 
     def pairs(self) -> list[tuple[Particle, ForceGenerator]]:
-        """Return the pairs in order, in a new list. Later chapters use it."""
+        """Return the pairs in order, in a new list. Later chapters use this method."""
         return [*self._pairs]
 
     def add(self, particle: Particle, generator: ForceGenerator) -> None:
-        """Let a generator act on a particle from now on (5.2.2).
+        """Let a generator act on a particle in every later step (5.2.2).
 
-        A pair that is added twice acts twice.
+        If you add the same pair twice, the force acts twice.
 
         Raises:
-            TypeError: if the particle has no add_force, or the generator has no update_force.
+            TypeError: if the particle has no ``add_force``, or the generator has no
+                ``update_force``.
         """
         if not callable(getattr(particle, "add_force", None)):
             raise TypeError(f"particle must have add_force, got {particle!r}")
@@ -55,9 +57,10 @@ class ForceRegistry:
         self._pairs.append((particle, generator))
 
     def remove(self, particle: Particle, generator: ForceGenerator) -> None:
-        """Undo one call of add for this particle and this generator.
+        """Undo one call of ``add`` for this particle and this generator.
 
-        Only the very same objects count, not equal ones. If there is no such pair, do nothing.
+        Find the pair by identity, because two different objects can be equal. If there is no such
+        pair, do nothing.
         """
         for i, (other, others) in enumerate(self._pairs):
             if other is particle and others is generator:
@@ -65,18 +68,19 @@ class ForceRegistry:
                 return
 
     def clear(self) -> None:
-        """Undo all calls of add. The particles and generators do not change."""
+        """Undo all calls of ``add``. The particles and generators do not change."""
         self._pairs.clear()
 
     def update_forces(self, duration: float) -> None:
-        """Let every generator add its force to its particle, for a time step of this duration in s.
+        """Let every generator add its force to its particle, for a time step of a duration in s.
 
-        Immovable particles are skipped. A generator may add and remove pairs during the call. The
-        change takes effect in the next call. If a generator raises an exception, the exception is
-        passed on, and the pairs after that generator are not updated.
+        Immovable particles are skipped. A generator may add and remove pairs during the call, and
+        the change takes effect in the next call. If a generator raises an exception, the exception
+        is passed on, and the pairs after that generator are not updated.
 
         Raises:
-            ValueError: if the duration is not positive and finite. No generator is called then.
+            ValueError: if the duration is not positive and finite. In that case no generator is
+                called.
         """
         positive("duration", duration)
         for particle, generator in self._pairs.copy():
@@ -87,8 +91,8 @@ class ForceRegistry:
 class Gravity:
     """The weight of a particle, m g (Eq. 3.4). The acceleration g is a vector in m/s^2.
 
-    If g is the same everywhere and at all times, Particle.acceleration has the same effect at a
-    lower cost (5.3).
+    If g is the same everywhere and at all times, set ``Particle.acceleration`` instead. It has the
+    same effect at a lower cost (5.3).
     """
 
     def __init__(self, acceleration: Vector3) -> None:
@@ -103,7 +107,8 @@ class Gravity:
 class Drag:
     """Drag, a force against the motion that grows with the speed and with its square (Eq. 5.1).
 
-    k1 is in N s/m and k2 in N s^2/m^2.
+    k1, the coefficient of the speed, is in N s/m. k2, the coefficient of its square, is in N
+    s^2/m^2.
 
     Raises:
         ValueError: if a coefficient is negative or not finite.
@@ -114,7 +119,7 @@ class Drag:
         self.k2 = not_negative("k2", k2)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the result of drag_force for the particle's velocity."""
+        """Add the drag for the particle's velocity, computed by ``drag_force``."""
         particle.add_force(drag_force(particle.velocity, self.k1, self.k2))
 
 
@@ -128,9 +133,9 @@ def drag_force(velocity: Vector3, k1: float, k2: float) -> Vector3:
 
 
 class Uplift:
-    """Exercise 5.1: a vertical column of rising air that has no upper or lower end.
+    """Exercise 5.1: a vertical column of rising air, without an upper or lower end.
 
-    ``force`` is a vector in N. The axis of the column goes through ``origin``, and its ``radius``
+    ``force`` is a vector in N. The axis of the column passes through ``origin``, and its ``radius``
     is in m.
 
     Raises:
@@ -156,7 +161,7 @@ class Uplift:
 class Airbrake:
     """Exercise 5.2: a large drag, -k v with k in N s/m, that can be switched on and off.
 
-    ``on`` is the switch. A new brake is off.
+    The attribute ``on`` is the switch. A new brake is off.
 
     Raises:
         ValueError: if k is negative or not finite.
@@ -173,8 +178,9 @@ class Airbrake:
         """Exercise 5.2: if the brake is on, add -k v, but never so much that the motion reverses.
 
         In a time step, a force f changes the velocity by f h / m. Limit the force so that the brake
-        alone removes at most the fraction FULL of the velocity, however large k is and however long
-        the step. The brake has no effect on an immovable particle, and raises no error for it.
+        alone removes at most the fraction ``FULL`` of the velocity, however large k is and however
+        long the step is. The brake has no effect on an immovable particle and raises no error for
+        it.
 
         Raises:
             ValueError: if the duration is not positive and finite.
@@ -188,7 +194,7 @@ class Airbrake:
 class PointGravity:
     """Exercise 5.3: gravity toward a point, with the same strength in m/s^2 at every distance.
 
-    A negative strength pushes away from the point.
+    A negative strength pushes particles away from the point.
 
     Raises:
         ValueError: if the strength is not finite.
@@ -201,7 +207,7 @@ class PointGravity:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Exercise 5.3: add a force of m times the strength, toward the center.
 
-        At the center the force is zero. Skip an immovable particle.
+        At the center the force has no direction, so it is zero. Skip an immovable particle.
         """
         if particle.has_finite_mass:
             way = (self.center - particle.position).normalized()
@@ -211,10 +217,11 @@ class PointGravity:
 class InverseSquareGravity:
     """Exercise 5.4: gravity toward a point, proportional to 1 / r^2 (Eq. 3.3).
 
-    ``mu`` is G times the attracting mass, in m^3/s^2. If it is negative, the force pushes away.
+    Use it for orbits. ``mu`` is G times the attracting mass, in m^3/s^2. A negative ``mu`` pushes
+    particles away.
 
     Raises:
-        ValueError: if mu is not finite.
+        ValueError: if ``mu`` is not finite.
     """
 
     def __init__(self, center: Vector3, mu: float) -> None:
@@ -228,7 +235,7 @@ class InverseSquareGravity:
 
         Raises:
             ArithmeticError: if the particle is at the center, or so close to it that the force is
-                not finite. No force is added then.
+                not finite. In that case no force is added.
         """
         if not particle.has_finite_mass:
             return

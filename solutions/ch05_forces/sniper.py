@@ -1,9 +1,9 @@
 """A sniper range (project 4.2): targets of one size, and a wind that changes between shots.
 
-The rules do not need a screen. Z points down the range, Y points up, and X points left for someone
-who looks along Z. A shot is aimed with two angles in radians: the azimuth from Z toward X, and the
-elevation above the horizontal. Everything here raises TypeError for an argument that is not a
-number.
+The rules do not need a screen. The Z axis points down the range, Y points up, and X points to the
+left of an observer who looks along Z. A shot is aimed with two angles in radians: the azimuth from
+Z toward X, and the elevation above the horizontal. Everything here raises TypeError for an argument
+that is not a number.
 """
 
 from __future__ import annotations
@@ -72,16 +72,16 @@ class Wind:
         self.velocity = Vector3()
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Project 4.2: add the drag_force for the particle's velocity relative to the air.
+        """Project 4.2: add the drag for the particle's velocity relative to the air.
 
-        A particle that moves with the air feels no force. In still air the force is the same as
-        that of Drag.
+        Compute the drag with ``drag_force``. A particle that moves with the air feels no force. In
+        still air the force equals that of ``Drag``.
         """
         particle.add_force(drag_force(particle.velocity - self.velocity, self.k1, self.k2))
 
 
 class SniperRange:
-    """A round of SHOTS shots: the bullet in flight, the wind, the holes and the score."""
+    """A round of ``SHOTS`` shots: the bullet in flight, the wind, the holes and the score."""
 
     def __init__(self, seed: int) -> None:
         self.random = Random(seed)
@@ -98,9 +98,9 @@ class SniperRange:
         return self.shots_left == 0 and self.bullet is None
 
     def change_wind(self) -> None:
-        """Project 4.2: draw a new horizontal wind from self.random.
+        """Project 4.2: draw a new horizontal wind from ``self.random``.
 
-        Its components along X and Z are drawn in this order, each from -STRONGEST_WIND to
+        Draw the component along X first and then the one along Z, each from -STRONGEST_WIND to
         STRONGEST_WIND.
         """
         self.wind.velocity = Vector3(
@@ -110,15 +110,15 @@ class SniperRange:
         )
 
     def shoot(self, azimuth: float, elevation: float) -> bool:
-        """Project 4.2: fire a bullet, and return whether one was fired.
+        """Project 4.2: fire a bullet, and return whether a bullet was fired.
 
         No bullet is fired while another one is in flight, or if no shots are left. The bullet
-        starts at MUZZLE with MUZZLE_SPEED. Gravity is its own acceleration, and the wind acts on it
-        through self.forces. The shot is subtracted from shots_left.
+        starts at ``MUZZLE`` with ``MUZZLE_SPEED``. Gravity is the bullet's own acceleration, and
+        the wind acts on it through ``self.forces``. The shot is subtracted from ``shots_left``.
 
         Raises:
-            ValueError: if an angle is not finite, or more than SWING to either side. No bullet is
-                fired then.
+            ValueError: if an angle is not finite, or more than ``SWING`` to either side. In that
+                case no bullet is fired.
         """
         for name, angle in (("azimuth", azimuth), ("elevation", elevation)):
             if abs(finite(name, angle)) > SWING:
@@ -137,14 +137,14 @@ class SniperRange:
     def update(self, duration: float) -> None:
         """Project 4.2: let a time step of a duration in s pass for the bullet in flight.
 
-        If no bullet is in flight, do nothing. Otherwise update the forces, move the bullet, and use
-        hit_on_the_way to find out whether it has passed through a target. A hit adds the hole to
-        holes and its points to the score. The shot has landed after a hit, or when the bullet is
-        below the ground (y < 0) or beyond END_OF_RANGE in z. Then clear the registered forces, set
-        ``bullet`` to None, and change the wind.
+        If no bullet is in flight, do nothing. Otherwise update the forces, move the bullet, and
+        call ``hit_on_the_way`` to find out whether it has passed through a target. After a hit, add
+        the hole to ``holes`` and its points to the score. The shot has landed after a hit, or when
+        the bullet is below the ground (y < 0) or beyond ``END_OF_RANGE`` in z. Then clear the
+        registered forces, set ``bullet`` to None, and change the wind.
 
         Raises:
-            ValueError: if the duration is not positive and finite. Nothing has moved then.
+            ValueError: if the duration is not positive and finite. In that case nothing moves.
         """
         positive("duration", duration)
         bullet = self.bullet
@@ -164,7 +164,7 @@ class SniperRange:
 
 
 def hit_on_the_way(start: Vector3, end: Vector3) -> Hole | None:
-    """Project 4.2: return the first hole that the straight path from start to end makes, or None.
+    """Project 4.2: return the first hole on the straight path from ``start`` to ``end``, or None.
 
     The path crosses the plane of a target if start.z < distance <= end.z. If the crossing point
     lies inside a ring, the path makes a hole there. The hole earns the ring's points times the
@@ -182,9 +182,10 @@ def hit_on_the_way(start: Vector3, end: Vector3) -> Hole | None:
 
 
 def ring_points(x: float, y: float) -> int:
-    """Project 4.2: return the points of the smallest ring in RINGS that contains a point, or 0.
+    """Project 4.2: return the points of the smallest ring in ``RINGS`` that contains a point.
 
-    The point is in m from the center of a target. A point on the edge of a ring is inside it.
+    The point is in m from the center of a target. A point on the edge of a ring is inside it. If no
+    ring contains the point, return 0.
     """
     for radius, points in RINGS:
         if math.hypot(x, y) <= radius:

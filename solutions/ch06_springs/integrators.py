@@ -1,19 +1,19 @@
-"""Integrators: methods that move particles forward by a time step, and what each is good for.
+"""Integrators: methods that move particles forward by a time step, with their order and limits.
 
-The first five take ``(particles, apply_forces, duration)``. ``apply_forces(duration)`` adds the
-current forces to the accumulators, as ForceRegistry.update_forces does. It may act only on these
-particles. An integrator calls it once or several times. At each call the accumulators contain only
-the forces that were added by hand before the step. At the end of the step they are empty, and
-Particle.last_acceleration is the mean acceleration of the step. Each particle is in the list once.
+The first five take ``(particles, apply_forces, duration)``. Each particle is in the list once.
+``apply_forces(duration)`` adds the current forces to the accumulators of these particles only, as
+``ForceRegistry.update_forces`` does. An integrator calls it once or several times. At each call the
+accumulators contain only the forces that were added by hand before the step. At the end of the step
+they are empty, and ``Particle.last_acceleration`` is the mean acceleration of the step.
 
 A particle's own damping d multiplies the velocity by d^h, once, at the end of the step. The orders
 stated below hold for d = 1. For any other d the order is 1. Immovable particles do not move. The
 stability limits are for a spring without damping, with steps of h s, at d = 1. The number k h^2 / m
-measures how stiff the spring is for that step.
+measures how stiff the spring is for such a step.
 
 Each integrator raises ValueError if the duration is not positive and finite, and TypeError if it is
-not a number. Nothing has changed then. If apply_forces raises an exception, it is passed on, and
-the particles are left in the middle of the step.
+not a number. In that case nothing changes. If ``apply_forces`` raises an exception, the exception
+is passed on, and the particles are left in the middle of the step.
 """
 
 from __future__ import annotations
@@ -36,9 +36,9 @@ def explicit_euler(
 ) -> None:
     """Drift, then kick, as the book's step does: p' = p + v h, and then v' = (v + a h) d^h.
 
-    The method has order 1, is not symplectic, and evaluates the forces once. At d = 1 it is not
-    stable for any stiffness. For d < 1 it is stable below max_stable_stiffness. A damper c in the
-    spring makes it stable for k h < c, if c h / m < 2. The book uses another name (3.3.2, E-17).
+    The method has order 1, is not symplectic, and evaluates the forces once. At d = 1 no spring is
+    stable. For d < 1 a spring is stable below ``max_stable_stiffness``. A damper c in the spring
+    makes it stable for k h < c, if c h / m < 2. The book uses another name (3.3.2, E-17).
     """
     positive("duration", duration)
     apply_forces(duration)
@@ -71,14 +71,14 @@ def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration:
     p1 = p + v h / 2, then v' = (v + a h) d^h with the forces at p1, and p' = p1 + v' h / 2. The
     forces are evaluated once, in the middle of the step, and damping acts once.
 
-    The order is 2 if no force depends on the velocity. If one does, the order is 1, because that
-    force is evaluated with the old velocity. In the first case, and at d = 1, the method is
-    symplectic.
+    The order is 2 if no force depends on the velocity. In that case, and at d = 1, the method is
+    symplectic. If a force does depend on the velocity, the order is 1, because that force is
+    evaluated with the old velocity.
 
-    It is stable for k h^2 / m < 4. With damping d, and a damper c in the spring, the condition is
-    k h^2 / m + 2 c h / m < 2 (1 + d^h) / d^h. Semi-implicit Euler has the same limits: after its
-    first half drift, leapfrog kicks and drifts in turn as semi-implicit Euler does. Source: Hairer,
-    Lubich and Wanner, Acta Numerica 12 (2003), 399.
+    It is stable for k h^2 / m < 4. With damping d, and a damper c in the spring, the condition is k
+    h^2 / m + 2 c h / m < 2 (1 + d^h) / d^h. Semi-implicit Euler has the same limits, because after
+    its first half drift, leapfrog kicks and drifts in turn too. Source: Hairer, Lubich and Wanner,
+    Acta Numerica 12 (2003), 399.
     """
     positive("duration", duration)
     half = 0.5 * duration
@@ -95,8 +95,8 @@ def velocity_verlet(
 ) -> None:
     """Step with the accelerations a at the start and b at the new position.
 
-    p' = p + v h + a h^2 / 2, and v' = (v + (a + b) h / 2) d^h. Forces that depend on the velocity
-    are evaluated for b with v + a h.
+    p' = p + v h + a h^2 / 2, and v' = (v + (a + b) h / 2) d^h. For b, forces that depend on the
+    velocity are evaluated with v + a h.
 
     The method has order 2 and evaluates the forces twice. It is symplectic at d = 1 if no force
     depends on the velocity. It is stable for k h^2 / m < 4, also if d < 1. A damper in the spring
@@ -132,13 +132,13 @@ def runge_kutta_4(
 ) -> None:
     """Step with the weighted mean of four rates: at the start, twice in the middle, and at the end.
 
-    The second and third rates count double. The first rate is that of the starting state. Each
-    other rate is that of the state reached from the start at the previous rate: after half the
-    step, after half the step again, and after the whole step.
+    The first rate is that of the starting state. Each other rate is that of the state reached from
+    the start at the previous rate: after half the step, after half the step again, and after the
+    whole step. The second and third rates count double.
 
     The method has order 4 and evaluates the forces four times. It is not symplectic, but its energy
-    drifts very slowly if the steps are short. It is stable for k h^2 / m < 8, and for more if
-    d < 1. Source: Kutta, Zeitschrift für Mathematik und Physik 46 (1901), 435.
+    drifts very slowly if the steps are short. It is stable for k h^2 / m < 8, and for more if d <
+    1. Source: Kutta, Zeitschrift für Mathematik und Physik 46 (1901), 435.
     """
     positive("duration", duration)
     half, sixth = 0.5 * duration, duration / 6.0
@@ -181,13 +181,13 @@ def backward_euler(
 ) -> tuple[float, float]:
     """Return position in m and velocity in m/s of one linear spring after a time step.
 
-    Solve x' = x + v' h and v' = v + a' h. The acceleration uses the new values:
-    m a' = -(k x' + c v'). The rest position of the spring is 0. k is in N/m, c in N s/m, the mass
-    in kg and the duration in s.
+    Solve x' = x + v' h and v' = v + a' h, where the acceleration uses the new values: m a' = -(k x'
+    + c v'). The rest position of the spring is 0. k is in N/m, c in N s/m, the mass in kg and the
+    duration in s.
 
     The method has order 1, is not symplectic, and evaluates no forces. It is stable for every
-    stiffness. The stiffer the spring, the more energy it loses. Source: Hairer and Wanner, Solving
-    Ordinary Differential Equations II, IV.3.
+    stiffness, but the stiffer the spring, the more energy it loses. Source: Hairer and Wanner,
+    Solving Ordinary Differential Equations II, IV.3.
 
     Raises ValueError if the mass or duration is not positive, the stiffness or damping is negative,
     or an argument or result is not finite. Raises TypeError for an argument that is not a number.
@@ -203,13 +203,13 @@ def trapezoidal(
     """Return position in m and velocity in m/s of one linear spring after a time step.
 
     Solve x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, which use the means of old and new
-    values, with m a = -k x - c v. The arguments are those of backward_euler.
+    values, with m a = -k x - c v. The arguments are those of ``backward_euler``.
 
-    The method has order 2 and evaluates no forces. It is symplectic for a spring without damping,
-    whose energy it conserves. It is stable for every stiffness. Source: Hairer and Wanner, Solving
-    Ordinary Differential Equations II, IV.3.
+    The method has order 2 and evaluates no forces. It is stable for every stiffness. Without
+    damping it is symplectic and conserves the energy of the spring. Source: Hairer and Wanner,
+    Solving Ordinary Differential Equations II, IV.3.
 
-    Raises ValueError and TypeError as backward_euler does.
+    Raises ValueError and TypeError as ``backward_euler`` does.
     """
     h, k, c = _per_mass(x, v, stiffness, damping, mass, duration)
     half = 0.5 * h
@@ -221,7 +221,7 @@ class SimulationDiverged(ArithmeticError):  # noqa: N818
     """Raised when a particle is faster than anything in its scene should be.
 
     This means that the steps are too long for the forces. ``particle`` is the index of the
-    particle, and ``step`` is the number of the step after which it was found, counted from 1.
+    particle, ``step`` is the number of the step, counted from 1, after which it was too fast, and
     ``speed`` and ``limit`` are in m/s.
     """
 
@@ -234,11 +234,11 @@ class SimulationDiverged(ArithmeticError):  # noqa: N818
 
 
 def watched(integrator: Integrator, speed_limit: float) -> Integrator:
-    """Return an integrator that does the same and then checks the speed of every particle.
+    """Return an integrator that makes the same steps and then checks every particle's speed.
 
-    It takes the same arguments and counts its steps. It raises SimulationDiverged for the first
-    particle whose speed is above the limit in m/s or not a number. Exceptions of the integrator are
-    passed on, and such a step does not count. Only watched integrators pay for this check.
+    Use it to notice an explosion at once. The new integrator takes the same arguments and counts
+    its steps. It raises SimulationDiverged for the first particle whose speed is above the limit in
+    m/s or NaN. Exceptions of the original integrator are passed on, and such a step does not count.
 
     Raises ValueError if the limit is not positive and finite.
     """
@@ -289,7 +289,7 @@ def _add_again(by_hand: list[tuple[Particle, Vector3]]) -> None:
 def _per_mass(
     x: float, v: float, stiffness: float, damping: float, mass: float, duration: float
 ) -> tuple[float, float, float]:
-    """Return the duration, and stiffness and damping for 1 kg, after checking all arguments."""
+    """Check all arguments, and return the duration, and the stiffness and damping per kg."""
     finite("x", x)
     finite("v", v)
     positive("mass", mass)

@@ -1,12 +1,11 @@
 """Springs: force generators whose push or pull depends on a length.
 
 A spring pulls its ends together if it is longer than its rest length, and pushes them apart if it
-is shorter (Eq. 6.1, 6.2). If both ends are at one position, there is no direction and no force.
+is shorter (Eq. 6.1, 6.2). If both ends are at the same position, it has no direction and no force.
 
 Lengths are in m, stiffness in N/m and damping in N s/m. Constructors check their arguments and copy
 vectors. They raise ValueError for a number that is negative or not finite, and TypeError for an
-argument of the wrong type. You may change the attributes later, and then it is up to you to keep
-them finite.
+argument of the wrong type. You may change the attributes later, but these changes are not checked.
 """
 
 from __future__ import annotations
@@ -30,13 +29,13 @@ def spring_force(
     """Return the force in N of a spring on one of its ends as a new vector (Eq. 6.1, 6.2).
 
     The force is -(k (l - l0) + c l') d^. ``offset`` is the position of this end relative to the
-    other one, in m. Its length is l and its direction d^. l' is the rate at which the spring gets
-    longer, which is the part of ``velocity`` along d^. The velocity is that of this end relative to
-    the other one, in m/s. If the offset is zero, there is no direction and no force. The arguments
-    are not checked here, because the constructors of the springs check them.
+    other end, in m. Its length is l and its direction is d^. ``velocity`` is that of this end
+    relative to the other end, in m/s. l' is the rate at which the spring gets longer, which is the
+    component of the velocity along d^. If the offset is zero, there is no force. The arguments are
+    not checked here, because the constructors of the springs check them.
 
     A spring that is shorter than its rest length pushes. The book's listing takes the absolute
-    value and would pull (E-3).
+    value of the extension and would pull (E-3).
     """
     direction = offset.normalized()
     extension = offset.magnitude() - rest_length
@@ -58,16 +57,16 @@ class Spring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the spring_force on the particle, relative to the other particle."""
+        """Add the ``spring_force`` on the particle, relative to the other particle."""
         other = self.other
         particle.add_force(_force(self, particle, other.position, other.velocity))
 
 
 class AnchoredSpring:
-    """A spring from a particle to an anchor, a fixed position (6.2.2).
+    """A spring from a particle to an anchor, which is a fixed position (6.2.2).
 
-    You may move ``anchor``, for example for a camera on a spring. The spring still treats it as
-    being at rest.
+    You may move ``anchor``, for example for a camera on a spring. The spring still treats the
+    anchor as being at rest.
     """
 
     def __init__(
@@ -79,21 +78,21 @@ class AnchoredSpring:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the spring_force on the particle, relative to the anchor."""
+        """Add the ``spring_force`` on the particle, relative to the anchor."""
         particle.add_force(_force(self, particle, self.anchor))
 
 
 class Bungee(Spring):
     """An elastic rope to another particle: a spring that only pulls (6.2.3).
 
-    At its rest length or shorter it is slack and exerts no force. The book's listing subtracts the
-    lengths in the wrong order, so it pushes (E-4).
+    At its rest length or shorter the rope is slack and exerts no force. The book's listing
+    subtracts the lengths in the wrong order, so its rope pushes (E-4).
     """
 
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the force of the spring if it pulls, and nothing if the rope is slack.
 
-        Damping makes a stretched rope pull less while it gets shorter, but never push.
+        While a stretched rope gets shorter, damping makes it pull less, but it never pushes.
         """
         other = self.other
         _add_pull(self, particle, other.position, other.velocity)
@@ -108,7 +107,7 @@ class AnchoredBungee(AnchoredSpring):
 
 
 class Connection:
-    """A spring between two particles, a and b, that pulls on both ends: see ``connect``."""
+    """A spring between two particles, a and b, that pulls on both ends. ``connect`` creates it."""
 
     def __init__(
         self, a: Particle, b: Particle, stiffness: float, rest_length: float, damping: float = 0.0
@@ -120,10 +119,10 @@ class Connection:
         self.damping = not_negative("damping", damping)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the spring_force on a to a, and exactly the opposite force to b.
+        """Add the ``spring_force`` on ``a`` to ``a``, and exactly the opposite force to ``b``.
 
-        So the total momentum of the two does not change. It does not matter for which of the two
-        this is called.
+        The total momentum of the two therefore does not change. The registry may call this method
+        for either of the two particles.
         """
         # spring_force in plain floats, as in _force: a cloth has hundreds of these.
         a, b = self.a, self.b
@@ -151,10 +150,10 @@ def connect(
     rest_length: float,
     damping: float = 0.0,
 ) -> Connection:
-    """Join two particles by one spring that acts on both, and return it.
+    """Join two particles by one spring that acts on both, and return the spring.
 
-    The registry keeps the spring under a, or under b if a is immovable, because it skips immovable
-    particles. So make an end immovable before you connect it, not after.
+    The registry skips immovable particles. It therefore keeps the spring under ``a``, or under
+    ``b`` if ``a`` is immovable. So make an end immovable before you connect it, not after.
     """
     spring = Connection(a, b, stiffness, rest_length, damping)
     registry.add(a if a.inverse_mass else b, spring)
@@ -164,20 +163,20 @@ def connect(
 class FakeStiffSpring:
     """A substitute for a spring that is too stiff for the time steps (6.3.2).
 
-    Its rest length is 0, and its other end is an anchor. One constant force during the step takes
-    the particle to where damped_spring_state says that a real spring would be.
+    Its rest length is 0, and its other end is an anchor. In each step, one constant force takes the
+    particle to the position that ``damped_spring_state`` computes for a real spring.
 
-    It is made for semi-implicit Euler, p' = p + v' h. With it the particle lands where the formula
-    says, if it has a damping of 1, no acceleration of its own and no other forces. With explicit
-    Euler (Particle.integrate) it arrives one step too late and swings wider and wider, because
-    p' = p + v h does not include the force (E-22). The book's formulas for the force do not fit any
+    The force is computed for semi-implicit Euler, p' = p + v' h. The particle reaches this position
+    if it has a damping of 1, no acceleration of its own and no other forces. With explicit Euler
+    (``Particle.integrate``) it arrives one step too late and its oscillations grow, because p' = p
+    + v h does not include the force (E-22). The book's formulas for the force do not fit any
     integrator (E-6).
 
-    The velocity after the step is the mean velocity of the step, not that of a real spring. So with
-    short steps the oscillation is slower by a factor of 1.41, because the force is half that of a
-    real spring. Without damping, most oscillations die out all the same. They grow, by up to 13 %
-    per step, only if chi h is slightly larger than pi, 3 pi, 5 pi and so on (up to 4.06 after pi),
-    where chi is sqrt(k / m). A twentieth of the critical damping prevents that.
+    The velocity after the step is the mean velocity of the step, not that of a real spring. With
+    short steps the force is therefore half that of a real spring, and the oscillation is slower by
+    a factor of 1.41. Even without damping, most oscillations die out. They grow, by up to 13 % per
+    step, only if chi h is slightly larger than pi, 3 pi, 5 pi and so on (up to 4.06 after pi),
+    where chi is sqrt(k / m). A twentieth of the critical damping prevents this growth.
     """
 
     def __init__(self, anchor: Vector3, stiffness: float, damping: float) -> None:
@@ -238,12 +237,12 @@ class ElasticLimitSpring:
 
 
 def max_stable_stiffness(damping: float, duration: float, mass: float = 1.0) -> float:
-    """Exercise 6.6b: return the stiffness in N/m above which a spring explodes: m (d^-h - 1) / h^2.
+    """Exercise 6.6b: return the stiffness in N/m above which a spring explodes.
 
-    The limit holds for a spring to an anchor, without damping of its own, if Particle.integrate
-    makes time steps of a duration h in s. ``damping`` is the particle's d, and ``mass`` is in kg.
-    For d = 1 and above the result is 0, because no spring is stable. For d = 0, and if d^-h is too
-    large for a float, it is math.inf.
+    The result is m (d^-h - 1) / h^2, for time steps of a duration h in s by ``Particle.integrate``.
+    It holds for a spring to an anchor, without damping of its own. ``damping`` is the particle's d,
+    and ``mass`` is in kg. For d = 1 and above the result is 0, because no spring is stable. For d =
+    0, and if d^-h is too large for a float, the result is ``math.inf``.
 
     Raises ValueError if the damping is negative, the duration or the mass is not positive, or one
     of them is not finite.
@@ -268,8 +267,8 @@ def _force(
 ) -> Vector3:
     """Return the spring_force on a particle, for a spring with its other end at ``end``.
 
-    If no velocity is given, the other end is at rest. This is spring_force written out, because
-    plain floats take a third of the time of vectors.
+    If no velocity is given, the other end is at rest. This function is ``spring_force`` written
+    out, because plain floats take a third of the time of vectors.
     """
     position = particle.position
     velocity = particle.velocity

@@ -1,9 +1,9 @@
 """Contacts between two particles or a particle and the world, and the resolver for them.
 
-A contact describes two bodies that touch: the contact normal, how deep they overlap, and how much
-of their speed a bounce returns. Resolving the contact applies an impulse (a change of momentum in
-N s, E-24) and pushes the two bodies apart. Impulses conserve momentum at every restitution, but
-kinetic energy only at restitution 1 (E-7).
+A contact describes two bodies that touch: the contact normal, the depth of their overlap, and the
+fraction of their speed that a bounce returns. Resolving the contact applies an impulse (a change of
+momentum in N s, E-24) and pushes the two bodies apart. Impulses conserve momentum at every
+restitution, but kinetic energy only at restitution 1 (E-7).
 
 Lengths are in m, velocities in m/s.
 """
@@ -27,14 +27,15 @@ class Contact:
     """A contact of a particle with another one, or with the immovable world if ``other`` is None.
 
     ``normal`` is the unit vector that points from ``other`` to ``particle``. For two balls it is
-    the direction of pa - pb, and on the ground it is (0, 1, 0) (Eq. 7.2, 7.4). It is copied.
-    ``restitution`` is the ratio of the separating speed after a bounce to the closing speed before
-    it. ``penetration`` is the depth of the overlap. It is 0 when the two just touch, and negative
-    when there is a gap. You may change the attributes later. They are not checked then.
+    the direction of pa - pb, and on the ground it is (0, 1, 0) (Eq. 7.2, 7.4). The contact stores a
+    copy. ``restitution`` is the ratio of the separating speed after a bounce to the closing speed
+    before it. ``penetration`` is the depth of the overlap. It is 0 when the two just touch, and
+    negative when there is a gap. You may change the attributes later, but these changes are not
+    checked.
 
     Raises:
-        ValueError: if the length of the normal differs from 1 by more than 1e-6, the restitution
-            is not from 0 to 1, the penetration is not finite, or both particles are the same.
+        ValueError: if the length of the normal differs from 1 by more than 1e-6, the restitution is
+            not from 0 to 1, the penetration is not finite, or both particles are the same.
         TypeError: if an argument has the wrong type.
     """
 
@@ -81,19 +82,19 @@ class Contact:
     def velocity_after(self, duration: float = 0.0) -> float:
         """Return the separating velocity in m/s that the contact must have after it is resolved.
 
-        If the separating velocity v_s is 0 or positive, the result is v_s. A closing contact
-        (v_s < 0) bounces with the restitution c, so the result is -c v_s (Eq. 7.3).
+        If the separating velocity v_s is 0 or positive, the result is v_s. A closing contact (v_s <
+        0) bounces with the restitution c, so the result is -c v_s (Eq. 7.3).
 
-        The contact of a body at rest on the ground is closing too, because gravity has just
-        accelerated the body for one time step. If the body bounced, it would jitter. So if the
-        acceleration closes the contact, (aa - ab) . n < 0, return c (-v_s + (aa - ab) . n h)
-        instead, but never less than 0. Here h is the duration of the time step in s, and aa and ab
-        are the last_acceleration of the particles, which includes forces. For an immovable or
-        missing particle use 0. The book counts only the constant acceleration, so a body under a
-        gravity generator would jitter (7.2.3, E-26).
+        The contact of a body at rest on the ground closes too, because gravity has just accelerated
+        the body for one time step. If the body bounced, it would jitter. So if the acceleration
+        closes the contact, (aa - ab) . n < 0, return c (-v_s + (aa - ab) . n h) instead, but never
+        less than 0. Here h is the duration of the time step in s, and aa and ab are the
+        ``last_acceleration`` of the particles, which includes forces. For an immovable or missing
+        particle, use 0. The book counts only the constant acceleration, so a body under a gravity
+        generator would jitter (7.2.3, E-26).
 
-        A duration of 0 stands for an impact at one instant, before which no step has accelerated
-        the particles.
+        Pass a duration of 0 for an impact at one instant, before which no step has accelerated the
+        particles.
 
         Raises:
             ValueError: if the duration is negative or not finite, in every case.
@@ -112,10 +113,10 @@ class Contact:
         return max(0.0, self.restitution * (built_up - closing))
 
     def resolve_velocity(self, duration: float = 0.0) -> None:
-        """Apply the impulse that changes the separating velocity to velocity_after(duration).
+        """Apply the impulse that changes the separating velocity to ``velocity_after(duration)``.
 
-        The impulse g in N s acts along the normal n, and with the opposite sign on ``other``:
-        va' = va + n g / ma and vb' = vb - n g / mb. This conserves momentum. Nothing changes if the
+        The impulse g in N s acts along the normal n, and with the opposite sign on ``other``: va' =
+        va + n g / ma and vb' = vb - n g / mb. This conserves momentum. Nothing changes if the
         contact is not closing, or if neither particle can move. Book 7.1.4 and 7.2.1.
 
         Raises:
@@ -134,15 +135,16 @@ class Contact:
     def resolve_penetration(self) -> tuple[Vector3, Vector3]:
         """Move the two particles apart along the normal until they touch, and return both moves.
 
-        The depth d is divided in the ratio of the inverse masses. ``particle`` moves by n d
-        mb / (ma + mb) and ``other`` by -n d ma / (ma + mb). If one of the two is immovable, the
-        movable one moves by the whole depth. Afterwards the penetration is 0. If the penetration is
-        0 or negative, or neither particle can move, nothing changes. Book 7.2.2.
+        The depth d is divided in the ratio of the inverse masses, so the lighter particle moves
+        farther. ``particle`` moves by n d mb / (ma + mb) and ``other`` by -n d ma / (ma + mb). If
+        one of the two is immovable, the other moves by the whole depth. Afterwards the penetration
+        is 0. If the penetration is 0 or negative, or neither particle can move, nothing changes.
+        Book 7.2.2.
 
         Returns:
             The displacements of ``particle`` and ``other`` in m, as two new vectors. A particle
-            that did not move has a displacement of zero, so that no earlier one is applied again
-            (E-27).
+                that did not move has a displacement of zero, so that no earlier displacement is
+                applied again (E-27).
         """
         move, other_move = Vector3(), Vector3()
         total = self._total_inverse_mass()
@@ -161,7 +163,7 @@ class Contact:
         """Resolve the velocity and then the penetration, after a time step of a duration in s.
 
         Raises:
-            ValueError: if the duration is not positive and finite. Nothing is changed then.
+            ValueError: if the duration is not positive and finite. In that case nothing changes.
         """
         positive("duration", duration)
         self.resolve_velocity(duration)
@@ -183,10 +185,11 @@ class ContactGenerator(Protocol):
 class ContactResolver:
     """Resolves the contacts of a time step in two phases: velocities, then penetrations (7.3.1).
 
-    Each phase resolves the worst contact first, and the first of several equally bad ones. Each
-    resolution can make other contacts better or worse, so all contacts are compared again after it.
-    ``iterations`` limits the resolutions of each phase; None means twice the number of contacts.
-    ``iterations_used`` is the number that both phases used in the last step.
+    Each phase resolves the worst contact first. If several contacts are equally bad, it takes the
+    first of them. Each resolution can make other contacts better or worse, so all contacts are
+    compared again afterward. ``iterations`` limits the number of resolutions in each phase. None
+    means twice the number of contacts. ``iterations_used`` is the number that both phases together
+    used in the last step.
 
     Raises:
         ValueError: if ``iterations`` is less than 1.
@@ -206,10 +209,10 @@ class ContactResolver:
         """Resolve the contacts after a time step of a duration in s: velocities, then penetrations.
 
         This changes the particles' velocities and positions, and the contacts' penetrations.
-        Contacts in which neither particle can move are left out, and do not count.
+        Contacts in which neither particle can move are left out, and do not count for the limit.
 
         Raises:
-            ValueError: if the duration is not positive and finite. Nothing is changed then.
+            ValueError: if the duration is not positive and finite. In that case nothing changes.
         """
         positive("duration", duration)
         movable = [contact for contact in contacts if contact._total_inverse_mass()]
@@ -220,9 +223,9 @@ class ContactResolver:
     def resolve_velocities(self, contacts: list[Contact], limit: int, duration: float) -> int:
         """Repeatedly resolve the velocity of the contact that closes fastest.
 
-        Stop after ``limit`` resolutions, or when no contact closes faster than VELOCITY_TOLERANCE.
-        Of several equally fast contacts take the first. Penetrations do not matter here, and in
-        every contact at least one particle can move.
+        Stop after ``limit`` resolutions, or when no contact closes faster than
+        ``VELOCITY_TOLERANCE``. Of several equally fast contacts, take the first. Penetrations do
+        not matter here, and in every contact at least one particle can move.
 
         Returns:
             The number of resolutions.
@@ -247,12 +250,13 @@ class ContactResolver:
     def resolve_penetrations(self, contacts: list[Contact], limit: int) -> int:
         """Repeatedly resolve the penetration of the deepest contact.
 
-        Every resolution moves particles, so update the penetrations of all their contacts. From
-        each, subtract the distance that the contact's ``particle`` moved along its normal, and add
-        the distance that its ``other`` moved along the normal. The book's listing omits this (E-8).
+        Every resolution moves particles, which changes the penetrations of all their contacts. From
+        each penetration, subtract the distance that the contact's ``particle`` moved along its
+        normal, and add the distance that its ``other`` moved along the normal. The book's listing
+        omits this (E-8).
 
-        Stop after ``limit`` resolutions, or when no contact is deeper than DEPTH_TOLERANCE. Of
-        several equally deep contacts take the first. In every contact at least one particle can
+        Stop after ``limit`` resolutions, or when no contact is deeper than ``DEPTH_TOLERANCE``. Of
+        several equally deep contacts, take the first. In every contact at least one particle can
         move.
 
         Returns:
@@ -289,6 +293,6 @@ def a_restitution(name: str, value: float) -> float:
 
 
 def direction_of(offset: Vector3) -> Vector3:
-    """Return the unit vector along an offset, or +Y if the offset is zero, as a new vector."""
+    """Return the unit vector along an offset as a new vector, or +Y if the offset is zero."""
     direction = offset.normalized()
     return direction if direction.squared_magnitude() else Vector3(0.0, 1.0, 0.0)

@@ -1,12 +1,12 @@
 """Detectors, which find the current contacts and predict the next impact.
 
 ``contacts()`` returns the current contacts, always in the order of the particles. Particles that
-just touch have a contact too, with a penetration of 0. ``next_impact(duration)`` looks ahead and
-serves ``time_division_step``.
+just touch have a contact too, with a penetration of 0. ``next_impact(duration)`` predicts the next
+impact, so that ``time_division_step`` can stop there.
 
-Lengths are in m, times in s. A detector keeps the list of particles that it gets, not a copy, so
-you may change the list later. Constructors raise ValueError for a number that is negative or not
-finite and for a restitution outside 0 to 1, and TypeError for an argument of the wrong type.
+Lengths are in m, times in s. A detector keeps the list of particles itself and not a copy, so you
+may change the list later. Constructors raise ValueError for a number that is negative or not finite
+and for a restitution outside 0 to 1, and TypeError for an argument of the wrong type.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ class GroundPlane:
         """Exercise 7.5: return a contact for each particle that touches the ground or is below it.
 
         The contact's ``other`` is None and its normal is (0, 1, 0). Its penetration is the depth of
-        the sphere's lowest point below the height. Immovable particles are left out.
+        the sphere's lowest point below the ground. Immovable particles are left out.
         """
         found = []
         for particle in self.particles:
@@ -81,15 +81,15 @@ class GroundPlane:
     def next_impact(self, duration: float) -> Impact | None:
         """Return the time and contact of the first impact on the ground within ``duration`` s.
 
-        A particle moves by p + v t + a t^2 / 2, where a is its last_acceleration. It hits the
-        ground at the time that time_to_close returns for the gap below it. A particle that lies on
-        the ground and is accelerated downward always has an impact at time 0. Immovable particles
-        have no impacts. Of two impacts at the same time, take the particle that is first in the
-        list.
+        A particle moves by p + v t + a t^2 / 2, where a is its ``last_acceleration``. It hits the
+        ground at the time that ``time_to_close`` returns for the gap below it. A particle that lies
+        on the ground and is accelerated downward always has an impact at time 0. Immovable
+        particles have no impacts. If two impacts happen at the same time, take the one of the
+        particle that is first in the list.
 
         Returns:
             (time, contact), where the contact has a penetration of 0, or None if there is no
-            impact.
+                impact.
 
         Raises:
             ValueError: if the duration is negative or not finite.
@@ -122,8 +122,9 @@ class ParticlePairs:
         ``other``. The normal points from ``other`` to ``particle``. If both positions are equal,
         the normal is +Y. Two immovable particles have no contact.
 
-        Do not compare every pair. In a grid, for example, only particles in the same cell or in
-        neighboring cells can touch.
+        Do not compare every pair, because the cost would grow with the square of the number of
+        particles. In a grid, for example, only particles in the same cell or in neighboring cells
+        can touch.
         """
         found = []
         for i, j in sorted(self._near_pairs()):
@@ -138,16 +139,18 @@ class ParticlePairs:
     def next_impact(self, duration: float) -> Impact | None:
         """Return the time and contact of the first impact of two spheres within ``duration`` s.
 
-        Particles move by p + v t + a t^2 / 2, where a is their last_acceleration. Two particles
+        Particles move by p + v t + a t^2 / 2, where a is their ``last_acceleration``. Two particles
         with the same acceleration therefore move in a straight line relative to each other.
-        Immovable particles stay where they are and have no acceleration. Two spheres have an impact
-        when they touch or overlap and close faster than VELOCITY_TOLERANCE. If they do so at the
-        start, the time is 0. Motion below the tolerance may be the rounding error of an earlier
-        impact. Of several impacts at the same time, take the first in the order of contacts().
+        Immovable particles stay where they are and have no acceleration.
+
+        Two spheres have an impact when they touch or overlap and close faster than
+        ``VELOCITY_TOLERANCE``. If they do so at the start, the time is 0. A closing speed below the
+        tolerance may be the rounding error of an earlier impact, so ignore it. Of several impacts
+        at the same time, take the first in the order of ``contacts()``.
 
         Returns:
             (time, contact), or None if there is no impact. The contact's normal is the one at the
-            time of the impact, and its penetration is 0.
+                time of the impact, and its penetration is 0.
 
         Raises:
             ValueError: if the duration is negative or not finite, or if the accelerations of any
@@ -197,7 +200,7 @@ class ParticlePairs:
 
 
 def _flight(particle: Particle) -> tuple[Vector3, Vector3]:
-    """Return the velocity and acceleration with which a particle moves, zero if immovable."""
+    """Return the velocity and acceleration of a particle, which are zero if it is immovable."""
     if not particle.inverse_mass:
         return Vector3(), Vector3()
     return particle.velocity, particle.last_acceleration
@@ -214,7 +217,7 @@ class Detectors:
         return [contact for detector in self.detectors for contact in detector.contacts()]
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Return the earliest impact of any detector. At equal times the first detector wins.
+        """Return the earliest impact of any detector. At equal times, the first detector wins.
 
         Raises:
             ValueError: if one of the detectors raises it.
@@ -226,14 +229,16 @@ class Detectors:
 def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
     """Return the first time in s at which a gap is 0 or negative and still decreasing.
 
-    After t seconds the gap is gap + v t + a t^2 / 2, in m, with v in m/s and a in m/s^2. Suppose
-    the gap is 0 or negative at the start. If v is negative, or if v is 0 and a is negative, the
-    result is 0. If v is positive and a is negative, the result is the time at which the gap returns
-    to 0, or at which v reverses if the gap never becomes positive. If a is not negative, a velocity
-    of -VELOCITY_TOLERANCE or more counts as not closing.
+    After t seconds the gap is gap + v t + a t^2 / 2, in m, with v in m/s and a in m/s^2. If the gap
+    is already 0 or negative at the start, the sign of v decides:
 
-    Return math.inf if the gap never closes, or if the velocity reverses exactly when the gap is 0.
-    The arguments are not checked.
+    - If v is negative, or if v is 0 and a is negative, the result is 0.
+    - If v is positive and a is negative, the result is the time at which the gap returns to 0. If
+      the gap never becomes positive, it is the time at which v reverses.
+
+    If a is not negative, a velocity of -VELOCITY_TOLERANCE or more counts as not closing. Return
+    ``math.inf`` if the gap never closes, or if the velocity reverses exactly when the gap is 0. The
+    arguments are not checked.
     """
     if acceleration >= 0.0 and velocity >= -VELOCITY_TOLERANCE:
         return math.inf
@@ -246,7 +251,7 @@ def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
 
 
 def some_particles(particles: Sequence[Particle]) -> Sequence[Particle]:
-    """Return a list or tuple of particles, or raise TypeError for anything else."""
+    """Return ``particles`` if it is a list or tuple of particles, or raise TypeError."""
     if not isinstance(particles, (list, tuple)):
         raise TypeError(f"particles must be a list or tuple, got {particles!r}")
     for i, particle in enumerate(particles):

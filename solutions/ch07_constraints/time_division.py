@@ -1,6 +1,6 @@
 """Time division: a time step that stops at each impact, so that all happen at the right time (7.3).
 
-Between impacts every particle moves exactly as its constant acceleration says. So the motion is
+Between impacts every particle moves exactly as its constant acceleration requires. So the motion is
 exact as long as bodies fly freely and bounce, as in billiards. The cost grows with the number of
 impacts. A body at rest has endless impacts, so use a resolver for resting bodies.
 """
@@ -38,8 +38,8 @@ def time_division_step(
 
     The acceleration of a particle is constant during the step: its own acceleration plus f / m,
     where f is the sum of the forces added before the step. The step uses up the forces, as
-    Particle.integrate does. From the start of the step, last_acceleration returns this
-    acceleration. Detectors use it to look ahead.
+    ``Particle.integrate`` does. From the start of the step, ``last_acceleration`` returns this
+    acceleration, because detectors use it to look ahead.
 
     Between impacts the motion is exact: p + v t + a t^2 / 2. At each impact that ``detector`` finds
     in the rest of the step, resolve the velocity of its contact with a duration of 0. Penetrations
@@ -54,7 +54,7 @@ def time_division_step(
 
     Raises:
         ValueError: if the duration is not positive and finite, or ``max_impacts`` is less than 1.
-        TypeError: if ``max_impacts`` is not a whole number. Nothing is changed in these two cases.
+        TypeError: if ``max_impacts`` is not a whole number. In these two cases nothing changes.
         TooManyImpacts: if there is another impact after ``max_impacts`` of them. The particles are
             then at the time of this impact, which is not resolved, and no damping is applied.
     """
@@ -80,8 +80,8 @@ def time_division_step(
 def _fly(particles: Sequence[Particle], time: float) -> None:
     """Move particles through a time in s without an impact.
 
-    Half of the drift comes before the change of velocity and half after it. So the particles move
-    with their mean velocity, which is exact for a constant acceleration.
+    Half of the drift comes before the change of velocity and half after it. The particles therefore
+    move with their mean velocity, which is exact for a constant acceleration.
     """
     for particle in particles:
         if particle.inverse_mass:

@@ -28,12 +28,12 @@ TOUCH = 1e-6  # m: a ball this close to the ground touches it, whatever the roun
 class Rules:
     """The rules of the game: the ``score``, the ``lives`` and the ``visited`` rows.
 
-    The rules do not know about particles. The game reports to them what happened. ``rows`` is the
-    number of rows.
+    The rules do not use particles. The game reports each landing and each fall to them. ``rows`` is
+    the number of rows.
 
     Raises:
-        ValueError: if rows is less than 1.
-        TypeError: if rows is not a whole number.
+        ValueError: if ``rows`` is less than 1.
+        TypeError: if ``rows`` is not a whole number.
     """
 
     def __init__(self, rows: int) -> None:
@@ -44,20 +44,20 @@ class Rules:
 
     @property
     def won(self) -> bool:
-        """True once the ball has landed on every row (P8.1a)."""
+        """Whether the ball has landed on every row (P8.1a)."""
         return len(self.visited) == self.rows
 
     @property
     def over(self) -> bool:
-        """True if the game is won or lost. After that, nothing changes the score or the lives."""
+        """Whether the game is won or lost. After that, nothing changes the score or the lives."""
         return self.won or self.lives == 0
 
     def landed(self, row: int) -> None:
         """Count the first landing on a row.
 
-        A row that was not visited before gives POINTS. If this wins the game, each life that is
-        left gives BONUS in addition. A landing on a visited row changes nothing, and neither does a
-        landing after the game is over.
+        A row that was not visited before gives ``POINTS``. If this landing wins the game, each life
+        that is left gives ``BONUS`` in addition. A landing on a visited row changes nothing, and
+        neither does a landing after the game is over.
 
         Raises:
             ValueError: if the row does not exist. Rows are numbered from 0.
@@ -78,7 +78,7 @@ class Rules:
 
 
 class Landings:
-    """A contact generator that passes on a deck's contacts and notes which row the ball lands on.
+    """A contact generator that returns a deck's contacts and records where the ball lands.
 
     ``row`` is the row nearest to the ball if the ball touched the deck on its way down in the last
     step, and None otherwise. The world calls ``contacts`` once per step.
@@ -101,7 +101,7 @@ class Landings:
 class BallGame:
     """The game: its ``rules``, the ``rows`` of planks, the ``ball`` and their ``world``.
 
-    ``direction`` says where the player steers: -1 is left, 1 is right, 0 is neither.
+    ``direction`` is the direction in which the player steers: -1 is left, 1 is right, 0 is neither.
     """
 
     def __init__(self) -> None:
@@ -118,20 +118,21 @@ class BallGame:
         self.start_ball()
 
     def start_ball(self) -> None:
-        """Put the ball at rest above the current position of the first row, DROP above HEIGHT."""
+        """Put the ball at rest above the first row's current position, DROP above HEIGHT."""
         self.ball.position = Vector3(self.rows[0][0].position.x, HEIGHT + DROP)
         self.ball.velocity = Vector3()
 
     def step(self, duration: float) -> None:
         """Make one time step of this duration in s. Do nothing if the game is over.
 
-        The ball is pushed in the player's direction with an acceleration of PUSH. If it lands on a
-        row, report this to the rules and set the ball's vertical velocity to JUMP. Its velocity
-        along X stays the same. Otherwise, if the ball's lowest point is at most TOUCH above the
-        ground, the player loses a life, and the ball starts again unless that was the last life.
+        The ball is pushed in the player's direction with an acceleration of ``PUSH``. If it lands
+        on a row, report this to the rules and set the ball's vertical velocity to ``JUMP``. Its
+        velocity along X stays the same. Otherwise, if the ball's lowest point is at most ``TOUCH``
+        above the ground, the player loses a life, and the ball starts again unless that was the
+        last life.
 
         Raises:
-            ValueError: if the duration is not positive and finite. Nothing has changed then.
+            ValueError: if the duration is not positive and finite. In that case nothing changes.
         """
         positive("duration", duration)
         if self.rules.over:

@@ -61,7 +61,7 @@ class Bond:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Break or heal the bond according to its length, and pull on the particle if it holds.
 
-        The bond is checked before the force is computed, so breaking and healing take effect at
+        The length is checked before the force is computed, so breaking and healing take effect at
         once for either end.
         """
         length = (self.b.position - self.a.position).magnitude()
@@ -77,7 +77,7 @@ class Bond:
 def spread(particles: Sequence[Particle]) -> float:
     """Return the root mean square distance in m of the particles from their center of mass.
 
-    Each particle counts in proportion to its mass.
+    Use it as a measure of the blob's size. Each particle counts in proportion to its mass.
 
     Raises:
         ValueError: if there are no particles, or one of them is immovable.
@@ -101,12 +101,12 @@ class Blob:
     """A blob that falls on the ground: ``particles``, ``bonds`` between every two, and a ``world``.
 
     The blob is flat, with all particles at z = 0, and its middle starts at ``height`` in m. If
-    ``cables`` is True, a cable keeps each bond from getting longer than its break_length. Without
-    cables the blob can break. ``push`` is a vector, the force in N on each particle.
+    ``cables`` is True, a cable keeps each bond from getting longer than its ``break_length``.
+    Without cables the blob can break. ``push`` is a vector, the force in N on each particle.
 
     Raises:
-        ValueError: if the height is not finite, or is less than RADIUS, which would be in the
-            ground.
+        ValueError: if the height is not finite, or is less than ``RADIUS``, so that the blob would
+            start inside the ground.
     """
 
     def __init__(self, height: float = 2.0, cables: bool = False) -> None:
@@ -135,11 +135,11 @@ class Blob:
     def step(self, duration: float) -> None:
         """Make one time step of this duration in s, with the push on every particle.
 
-        A push that is not finite is rejected by add_force.
+        If the push is not finite, ``add_force`` rejects it.
 
         Raises:
-            ValueError: if the duration is not positive and finite. Nothing has changed then.
-            TypeError: if the duration is not a number. Nothing has changed then.
+            ValueError: if the duration is not positive and finite. In that case nothing changes.
+            TypeError: if the duration is not a number. In that case nothing changes.
         """
         positive("duration", duration)
         self.world.start_frame()

@@ -20,23 +20,24 @@ ITERATIONS = 200  # per phase
 def fewest_rods(count: int) -> int:
     """Return the smallest number of rods that can make ``count`` particles in space rigid (8.2).
 
-    Each particle can move in three independent ways. A rigid body can move in six: along three axes
-    and about them. Two particles joined by a rod can move in only five, because a rotation about
+    Each particle can move in three independent ways, and each rod prevents at most one motion. A
+    rigid body can still move in six ways: along three axes and about them. There are two
+    exceptions. Two particles joined by a rod can move in only five ways, because a rotation about
     the rod changes nothing. A single particle can move in only three.
 
     Raises:
-        ValueError: if count is less than 1.
-        TypeError: if count is not a whole number.
+        ValueError: if ``count`` is less than 1.
+        TypeError: if ``count`` is not a whole number.
     """
     whole("count", count)
     return 3 * count - 6 if count >= 3 else count - 1
 
 
 def cube_rods() -> list[tuple[int, int]]:
-    """Return rods that make the cube rigid, as pairs of indices of CORNERS (8.2).
+    """Return rods that make the cube rigid, as pairs of indices of ``CORNERS`` (8.2).
 
     Any set of rods is right if it allows only the motions of a rigid body. You need at least
-    fewest_rods(8) rods, but the number alone is not enough. The rods must also join the right
+    ``fewest_rods(8)`` rods, but the number alone is not enough. The rods must also join the right
     corners.
     """
     edges = [(i, i | bit) for i in range(8) for bit in (1, 2, 4) if not i & bit]
@@ -49,7 +50,8 @@ class Cube:
     """A cube that falls on one of its corners: its ``particles``, ``rods`` and ``world``.
 
     The cube starts at rest, slightly rotated, with its lowest corner at ``height`` in m. ``rods``
-    are pairs of indices of its corners. If ``rods`` is None, the cube has the rods of cube_rods().
+    are pairs of indices of its corners. If ``rods`` is None, the cube has the rods of
+    ``cube_rods()``.
 
     Raises:
         ValueError: if the height is not positive and finite, or a rod joins a corner to itself.

@@ -33,8 +33,8 @@ MOST_WEIGHT, LONGEST_BEAM = 400.0, 5.0  # kg, and m for both arms: the limits of
 class Design:
     """The numbers that a designer chooses for a trebuchet, in kg, m and degrees.
 
-    The sling lets go when the projectile flies forward at ``release_angle`` above the horizontal,
-    or lower.
+    The sling releases the projectile when it flies forward at ``release_angle`` above the
+    horizontal, or lower.
 
     Raises:
         ValueError: if a number is not finite, a mass or length is not positive, the release angle
@@ -63,8 +63,8 @@ class Throw:
     """The result of a throw: the range in m, measured from the pivot, and the energy share.
 
     The share is the energy that the projectile gained (kinetic and potential), divided by the
-    potential energy that the counterweight lost, both until the sling let go. If the sling never
-    let go, both numbers are 0.
+    potential energy that the counterweight lost, both until the release. If the projectile was
+    never released, both numbers are 0.
     """
 
     range: float
@@ -74,9 +74,10 @@ class Throw:
 def my_design() -> Design:
     """Return a trebuchet design of your own (P8.2b).
 
-    The counterweight may be at most MOST_WEIGHT, and the two arms together at most LONGEST_BEAM.
-    The design is graded for its range and for the share of the energy that reaches the projectile,
-    both computed from its numbers alone: 60 m and 40 % are good, 80 m and 50 % are better.
+    The counterweight may be at most ``MOST_WEIGHT``, and the two arms together at most
+    ``LONGEST_BEAM``. The design is graded for its range and for the share of the energy that
+    reaches the projectile. Both are computed from the numbers of the design alone: 60 m and 40 %
+    are good, 80 m and 50 % are better.
     """
     return Design(400.0, 0.8, 4.2, 3.0, 27.0)
 
@@ -85,7 +86,7 @@ class Trebuchet:
     """A trebuchet of a given design: its particles, and the ``world`` in which they move.
 
     ``pivot``, ``weight`` (the counterweight), ``tip`` and ``projectile`` start at rest. ``flies``
-    is False until the sling has let go.
+    is False until the sling has released the projectile.
     """
 
     def __init__(self, design: Design) -> None:
@@ -106,9 +107,9 @@ class Trebuchet:
         self.world = ParticleWorld(particles, [*self.beam(), self.sling], iterations=ITERATIONS)
 
     def beam(self) -> list[ContactGenerator]:
-        """Return rods that make pivot, counterweight and tip a rigid beam as they are now.
+        """Return rods that make a rigid beam of pivot, counterweight and tip as they are now.
 
-        Any set of rods that does this is right.
+        Any set of rods that makes the beam rigid is right.
         """
         ends = ((self.pivot, self.weight), (self.pivot, self.tip), (self.weight, self.tip))
         return [TwoSidedRod(a, b, (b.position - a.position).magnitude()) for a, b in ends]
@@ -126,10 +127,9 @@ class Trebuchet:
         return angle <= self.design.release_angle
 
     def step(self, duration: float) -> None:
-        """Make one time step of this duration in s. At its end the sling lets go, if it should.
+        """Make one time step of this duration in s, and then release the projectile if it is time.
 
-        Then the sling's cable is removed from the generators of the world, and the projectile
-        flies.
+        To release it, remove the sling's cable from the generators of the world.
         """
         self.world.step(duration)
         if not self.flies and self.lets_go():
@@ -137,12 +137,12 @@ class Trebuchet:
             self.world.contact_generators.remove(self.sling)
 
     def throw(self) -> Throw:
-        """Throw in steps of STEP until the sling lets go, and return range and share (P8.2a).
+        """Make steps of ``STEP`` until the release, and return the range and the share (P8.2a).
 
         From the moment of release, the range is that of a shot without drag, down to the ground at
         a height of 0. Return Throw(0.0, 0.0) if the projectile reaches the ground while it is still
-        on the sling, or if the sling has not let go within TIME_LIMIT. The trebuchet must be a new
-        one.
+        on the sling, or if it has not been released within ``TIME_LIMIT``. The trebuchet must be a
+        new one.
         """
         weight, projectile = self.weight, self.projectile
         high, low = weight.position.y, projectile.position.y

@@ -55,9 +55,9 @@ class RimDrive:
 def spin(hub: Particle, rim: Sequence[Particle]) -> float:
     """Return the angular velocity of a wheel about its hub in rad/s.
 
-    It is the angular momentum divided by the moment of inertia: the sum of m (x v_y - y v_x),
-    divided by the sum of m (x^2 + y^2). Positions and velocities are relative to the hub, which may
-    move. Return 0 if the moment of inertia is zero.
+    The angular velocity is the angular momentum divided by the moment of inertia: the sum of m (x
+    v_y - y v_x), divided by the sum of m (x^2 + y^2). Positions and velocities are relative to the
+    hub, which may move. Return 0 if the moment of inertia is zero.
     """
     turning, inertia = 0.0, 0.0
     for particle in rim:
@@ -85,7 +85,7 @@ class Wheel:
     A ``drive`` pushes each of the first ``driven`` particles of the rim with a ``force`` in N.
 
     Raises:
-        ValueError: if the force is not finite, or driven is not from 0 to COUNT.
+        ValueError: if the force is not finite, or ``driven`` is not from 0 to ``COUNT``.
     """
 
     def __init__(self, force: float = 1.0, driven: int = COUNT) -> None:

@@ -26,9 +26,9 @@ class ParticleWorld:
     and silently drops the contacts beyond it.
 
     Raises:
-        ValueError: if a particle is listed twice, or the resolver rejects iterations.
-        TypeError: if one of the particles is not a Particle, a generator has no contacts(), or the
-            integrator is not callable.
+        ValueError: if a particle is listed twice, or the resolver rejects ``iterations``.
+        TypeError: if one of the particles is not a Particle, a generator has no ``contacts()``, or
+            the integrator is not callable.
     """
 
     def __init__(
@@ -74,12 +74,12 @@ class ParticleWorld:
         """Move the world forward by one time step of this duration in s.
 
         First the integrator moves the particles. The forces on them come from the registry and from
-        calls of add_force since start_frame. Then every generator is asked once for the contacts at
-        the new positions, and the resolver gets all contacts in one call. If there are no contacts,
-        the resolver is not called. Book 8.1.
+        calls of ``add_force`` since ``start_frame``. Then ``contacts()`` of every generator is
+        called once, at the new positions, and the resolver gets all contacts in one call. If there
+        are no contacts, the resolver is not called. Book 8.1.
 
         Raises:
-            ValueError: if the duration is not positive and finite. Nothing has changed then.
+            ValueError: if the duration is not positive and finite. In that case nothing changes.
         """
         positive("duration", duration)  # a user's integrator may not check it
         self.integrator(self.particles, self.registry.update_forces, duration)
@@ -90,10 +90,11 @@ class ParticleWorld:
     def step(self, duration: float) -> None:
         """Start a frame and run its physics.
 
-        Forces that were added before the call are cleared, so they have no effect.
+        Forces that were added before the call are cleared, so they have no effect. To add forces by
+        hand, call ``start_frame`` and ``run_physics`` separately.
 
         Raises:
-            ValueError: if the duration is not positive and finite. Nothing has changed then.
+            ValueError: if the duration is not positive and finite. In that case nothing changes.
         """
         positive("duration", duration)  # before the forces are cleared
         self.start_frame()
@@ -103,8 +104,9 @@ class ParticleWorld:
 def mechanical_energy(particles: Iterable[Particle]) -> float:
     """Return the mechanical energy of the particles in J: the sum of m v^2 / 2 - m a . p.
 
-    Here a is the particle's own acceleration and p its position. For a = (0, -g, 0) the energy is m
-    v^2 / 2 + m g y. Forces and immovable particles do not contribute.
+    Use it to check a simulation, because without damping and forces the energy should stay
+    constant. Here a is the particle's own acceleration and p is its position. For a = (0, -g, 0)
+    the energy is m v^2 / 2 + m g y. Forces and immovable particles do not contribute.
     """
     return sum(
         particle.kinetic_energy() - particle.mass * particle.acceleration.dot(particle.position)

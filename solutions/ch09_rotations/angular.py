@@ -19,7 +19,7 @@ def velocity_of_point(
     """Return the velocity of a point of a moving and rotating object as a new vector (Eq. 9.6).
 
     ``point`` is the point's position in the world, in m. ``position`` is the position that the
-    object rotates about, and ``velocity`` the velocity of that position, in m/s.
+    object rotates about, and ``velocity`` is the velocity of that position, in m/s.
 
     Raises:
         ValueError: if a component is not finite.
@@ -39,12 +39,12 @@ def integrate_rotation(
 
     First the angular velocity w changes to w' = w + alpha h. Then the orientation rotates by w' h
     and is normalized, so that rounding errors do not accumulate in its length.
-    ``angular_acceleration`` (alpha) is in rad/s^2 and ``duration`` (h) in s. The method is of order
-    1 if the axis changes.
+    ``angular_acceleration`` (alpha) is in rad/s^2 and ``duration`` (h) in s. If the axis changes,
+    the method is of order 1.
 
     Raises:
-        ValueError: if the duration is not positive and finite, or a component is not finite.
-            After this error and a TypeError, nothing has changed.
+        ValueError: if the duration is not positive and finite, or a component is not finite. After
+            this error and after a TypeError, nothing has changed.
     """
     positive("duration", duration)
     if not isinstance(orientation, Quaternion):
@@ -61,18 +61,18 @@ def first_order_drift(angular_speed: float, duration: float, steps: int) -> tupl
 
     A unit quaternion rotates about one axis at ``angular_speed`` in rad/s for ``duration`` in s, in
     ``steps`` equal steps of ``Quaternion.add_scaled``, without normalizing. The first result is its
-    length afterwards. The second is angular_speed times duration minus the angle by which it
-    actually rotated, in radians, and is negative for a negative speed. Normalizing corrects the
-    length (E-31) but not the angle.
+    length afterward. The second is angular_speed times duration minus the angle by which it
+    actually rotated, in radians. This angle is negative for a negative speed. Normalizing corrects
+    the length (E-31) but not the angle.
 
     >>> length, angle = first_order_drift(2 * math.pi, 1.0, 60)  # a turn a second, 60 frames
     >>> round(length, 4), round(math.degrees(angle), 4)
     (1.0856, 0.3284)
 
     Raises:
-        ValueError: if angular_speed is not finite, duration is not positive and finite, or steps is
-            less than 1.
-        TypeError: if steps is not a whole number.
+        ValueError: if ``angular_speed`` is not finite, ``duration`` is not positive and finite, or
+            ``steps`` is less than 1.
+        TypeError: if ``steps`` is not a whole number.
         OverflowError: if the length is too large for a float.
     """
     half = 0.5 * finite("angular_speed", angular_speed) * positive("duration", duration)

@@ -23,7 +23,7 @@ UNIT_TOLERANCE = 1e-6
 
 
 class Quaternion:
-    """Four components: the scalar r, and i, j and k along X, Y and Z (Eq. 9.4).
+    """A quaternion with four components: the scalar r, and i, j and k along X, Y and Z (Eq. 9.4).
 
     The components are converted by float() and may have any values until the quaternion has to
     rotate something. Quaternion() is the reference orientation, which rotates nothing.
@@ -52,7 +52,10 @@ class Quaternion:
         yield self.k
 
     def __eq__(self, other: object) -> bool:
-        """Compare exactly. q and -q differ, although they represent the same orientation."""
+        """Return whether all components are exactly equal.
+
+        q and -q are unequal, although they represent the same orientation.
+        """
         if not isinstance(other, Quaternion):
             return NotImplemented
         return [*self] == [*other]
@@ -64,18 +67,18 @@ class Quaternion:
     def magnitude(self) -> float:
         """Return the length, sqrt(r^2 + i^2 + j^2 + k^2). It is 1 for an orientation.
 
-        The result must also be right for components as large as 1e200 and as small as 1e-200.
+        The result must also be correct for components as large as 1e200 and as small as 1e-200.
         """
         return math.hypot(self.r, self.i, self.j, self.k)
 
     def is_unit(self) -> bool:
-        """Return whether the length is within UNIT_TOLERANCE of 1. For NaN return False."""
+        """Return whether the length is within ``UNIT_TOLERANCE`` of 1. For NaN return False."""
         return abs(self.magnitude() - 1.0) <= UNIT_TOLERANCE
 
     def normalize(self) -> None:
         """Divide all components by the length, in place (9.4.8). Zero becomes (1, 0, 0, 0).
 
-        The result must also be right for components as large as 1e200 and as small as 1e-200.
+        The result must also be correct for components as large as 1e200 and as small as 1e-200.
         """
         length = self.magnitude()
         if length == 0.0:
@@ -91,7 +94,7 @@ class Quaternion:
         return Quaternion(self.r, -self.i, -self.j, -self.k)
 
     def __mul__(self, q: Quaternion) -> Quaternion:
-        """Return the new quaternion self * q, which rotates by q first and then by self (9.4.9)."""
+        """Return the new quaternion ``self * q``, which rotates by q first (9.4.9)."""
         if not isinstance(q, Quaternion):
             return NotImplemented
         return Quaternion(
@@ -121,10 +124,11 @@ class Quaternion:
         """Return the axis, a new unit vector, and the angle in radians, from 0 to pi.
 
         q and -q give the same rotation. For a half-turn, the axis and its opposite are both right.
-        For an angle of 0 the axis is X. The result must be right for angles as small as 1e-200 too.
+        For an angle of 0 the axis is X. The result must also be correct for angles as small as
+        1e-200.
 
         Raises:
-            ValueError: if the length is not 1 (is_unit).
+            ValueError: if the length is not 1 (``is_unit``).
         """
         if not self.is_unit():
             raise ValueError(f"the quaternion must have length 1, got {self!r}")
@@ -139,8 +143,8 @@ class Quaternion:
         """Return the rotated vector q (0, v) q* as a new vector.
 
         Raises:
-            ValueError: if the quaternion's length is not 1 (is_unit), because it would then scale
-                v.
+            ValueError: if the quaternion's length is not 1 (``is_unit``), because it would then
+                scale ``v``.
         """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
@@ -157,8 +161,8 @@ class Quaternion:
         """Rotate in place about the direction of a vector, by the vector's length in radians.
 
         The vector is in world axes, and a zero vector rotates nothing. The result is exp((0,
-        vector)/2) q, of which Eq. 9.9 is a first-order approximation. The book's listing multiplies
-        by (0, vector), which is not a rotation, and on the wrong side (E-12).
+        vector)/2) q. Eq. 9.9 is a first-order approximation of this formula. The book's listing
+        multiplies by (0, vector), which is not a rotation, and on the wrong side (E-12).
 
         Raises:
             ValueError: if the vector is not finite.
@@ -171,12 +175,12 @@ class Quaternion:
     def add_scaled(self, vector: Vector3, scale: float) -> None:
         """Add scale/2 times (0, vector) q to q, in place (Eq. 9.5).
 
-        If the vector is an angular velocity and the scale a duration, this is the book's step. The
-        step is accurate only to first order, and it increases the quaternion's length (E-31). Do
-        not normalize here, so that this error can be measured.
+        If the vector is an angular velocity and the scale is a duration, this is the book's step.
+        The step is accurate only to first order, and it increases the quaternion's length (E-31).
+        Do not normalize here, so that this error can be measured.
 
         Raises:
-            ValueError: if the vector or the scale is not finite. Nothing is changed then.
+            ValueError: if the vector or the scale is not finite. In that case nothing changes.
         """
         half = 0.5 * finite("scale", scale)
         rate = Quaternion(0.0, *finite_vector("vector", vector)) * self

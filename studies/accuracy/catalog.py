@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from studies.accuracy.bridge import BRIDGES
-from studies.accuracy.flights import FLIGHTS
-from studies.accuracy.impacts import IMPACTS
-from studies.accuracy.links import LINKED
-from studies.accuracy.nets import NETS
 from studies.accuracy.scene import Scene
-from studies.accuracy.springs import SPRINGS
+from studies.accuracy.scenes.bridge import BRIDGES
+from studies.accuracy.scenes.flights import FLIGHTS
+from studies.accuracy.scenes.impacts import IMPACTS
+from studies.accuracy.scenes.links import LINKED
+from studies.accuracy.scenes.nets import NETS
+from studies.accuracy.scenes.springs import SPRINGS
 
 
 def scenes_with(part: str) -> list[Scene]:

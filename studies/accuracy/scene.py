@@ -18,7 +18,7 @@ from ch05_forces.forces import ForceGenerator, ForceRegistry
 from ch05_forces.particle import Particle
 from ch06_springs.adaptive import adaptive
 from ch06_springs.integrators import Integrator, explicit_euler
-from studies.stability import INTEGRATORS
+from studies.runs.stability import INTEGRATORS
 
 if TYPE_CHECKING:
     import pymunk

@@ -1,9 +1,9 @@
 """Speed at equal accuracy: pymunk's time relative to that of one of our models.
 
-The position is needed in every frame, with a tolerance in units of the scene's scale. Each side
+The position is needed in every frame, with a tolerance in units of the scene's size. Each side
 makes the fewest steps per frame that reach the tolerance, out of the powers of two. If pymunk does
 not reach it with MOST steps, its time is extrapolated from its order of convergence, and the line
-says so. If its error does not fall steadily either, the line is a lower bound.
+reports this. If pymunk's error does not decrease steadily either, the line is a lower bound.
 
 The last lines compare the cost of a fixed step with that of `adaptive` for an orbit.
 """

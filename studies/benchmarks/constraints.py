@@ -15,9 +15,10 @@ from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import ParticlePairs
 from ch07_constraints.direct_chain import DirectChain
+from ch07_constraints.direct_net import DirectNet
 from ch07_constraints.heap_resolver import HeapResolver
-from ch07_constraints.links import Cable
-from studies.constraints import FRAME, GRAVITY, LINK, chain_particles, no_forces
+from ch07_constraints.links import AnchoredRod, Cable, Rod
+from studies.runs.constraints import FRAME, GRAVITY, LINK, chain_particles, no_forces
 from studies.timing import Measurement, Target, Timer, timer, versus
 
 LINKS = 30
@@ -59,6 +60,12 @@ def lines() -> list[Measurement]:
             7,
             Target("at least", 2.5),
         ),
+        Measurement(
+            f"{LINKS} rods: DirectNet / DirectChain at {RATE} Hz, with the same error at the tip",
+            versus(timer(lambda: by_direct_net(RATE)), timer(lambda: by_direct_solve(RATE))),
+            7,
+            Target("at least", 2.5),
+        ),
     ]
 
 
@@ -92,6 +99,17 @@ def by_direct_solve(rate: int) -> tuple[float, float]:
     chain = DirectChain(particles[1:], Vector3())
     for _ in range(SECONDS * rate):
         chain.step(1.0 / rate)
+    tip = particles[-1].position
+    return tip.x, tip.y
+
+
+def by_direct_net(rate: int) -> tuple[float, float]:
+    """Return the tip's position for the same chain as a net of rods."""
+    particles = chain_particles(LINKS, ANGLE)[1:]
+    first = AnchoredRod(particles[0], Vector3(), LINK)
+    net = DirectNet([first, *(Rod(a, b, LINK) for a, b in pairwise(particles))])
+    for _ in range(SECONDS * rate):
+        net.step(1.0 / rate)
     tip = particles[-1].position
     return tip.x, tip.y
 

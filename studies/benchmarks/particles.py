@@ -6,7 +6,7 @@ import random
 import sys
 
 from ch03_laws_of_motion.particle import Particle
-from studies.drag_flight import DAMPED_FALL, PROJECTILE, Numbers, make_particle, make_space
+from studies.runs.drag_flight import DAMPED_FALL, PROJECTILE, Numbers, make_particle, make_space
 from studies.timing import Measurement, Target, timer, versus
 
 FRAME = 1.0 / 60.0
@@ -112,8 +112,8 @@ def in_place_steps(particle: Particle, frames: list[float]) -> None:
 def arithmetic(frames: list[float]) -> Numbers:
     """Step by the same equations in local variables, and return the final position.
 
-    This is the cost of a step without any objects, with a power in every frame. Particle.integrate
-    saves the power if a frame is as long as the last frame.
+    This time is the cost of a step without any objects, with a power in every frame.
+    Particle.integrate saves the power if a frame is as long as the last frame.
     """
     x, y, z = PROJECTILE.start.position
     vx, vy, vz = PROJECTILE.start.velocity

@@ -12,8 +12,8 @@ from ch06_springs.springs import AnchoredSpring
 from ch07_constraints.detectors import GroundPlane
 from ch08_mass_aggregate.sleeping import LOOK_EVERY, SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
-from studies.constraints import FRAME, GRAVITY, no_forces
-from studies.ropes import hang_by_direct_chain, hang_by_rods, polygon_sag
+from studies.runs.constraints import FRAME, GRAVITY, no_forces
+from studies.runs.ropes import hang_by_direct_chain, hang_by_rods, polygon_sag
 from studies.timing import Measurement, Target, timer, versus
 
 COUNT = 1000  # particles that fly freely

@@ -117,10 +117,7 @@ def test_a_syntax_error_is_named_with_its_line() -> None:
     [
         (["check", "--chapter", "77"], "there is no chapter 77 here, only 2"),
         (["check", "--chapter", "two"], "chapters must look like 2 or 2,4-6, got 'two'"),
-        (
-            ["check", "--exercise", "2.99"],
-            "there is no exercise '2.99'. An id looks like B2.1",
-        ),
+        (["check", "--exercise", "2.99"], "there is no exercise '2.99'. An id looks like B2.1"),
         (["check", "--engine", "nowhere"], "engine must be a folder of chapters, got 'nowhere'"),
         (["hint", "2.99"], "there is no exercise '2.99'"),
         (["check", "--chapter", "5-2"], "chapters must count upwards, got '5-2'"),

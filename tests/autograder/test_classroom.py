@@ -64,9 +64,7 @@ def test_each_exercise_with_checks_is_graded_once_for_its_points(job: dict[str, 
 
 
 @pytest.mark.parametrize("chapters", [[CH02], CHAPTERS], ids=["one", "all"])
-def test_the_reporter_is_told_of_every_step_by_an_id_that_it_takes(
-    chapters: list[Chapter],
-) -> None:
+def test_the_reporter_is_told_of_every_step_by_an_id_that_it_takes(chapters: list[Chapter]) -> None:
     steps = workflow(chapters)["jobs"]["autograding"]["steps"]
     ids = [step["id"] for step in graded(steps)]
     report = steps[-1]

@@ -25,19 +25,8 @@ from autograder.isolation import level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT
 from copies import copy_tree
-from small import RIGHT, hand_in, make_root
+from small import RIGHT, WRITTEN, hand_in, make_root
 from small_class import HALF, everything_in, grade, make_class, results, scores
-
-WRITTEN = """
-[[exercise]]
-id = "90.2"
-title = "Why"
-kind = "written"
-stars = 1
-points = 3
-hints = ["think"]
-terms = []
-"""
 
 
 @pytest.fixture
@@ -263,10 +252,7 @@ def test_reports_do_not_go_where_submissions_are(
 
 def test_two_runs_do_not_share_a_folder(submissions: Path, root: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
-    with (
-        only_run(out),
-        pytest.raises(ValueError, match="another run is grading into"),
-    ):
+    with only_run(out), pytest.raises(ValueError, match="another run is grading into"):
         grade(submissions, out, root)
     assert grade(submissions, out, root) == 0
 

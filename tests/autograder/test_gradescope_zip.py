@@ -16,6 +16,7 @@ from typing import Any
 import jsonschema
 import pytest
 
+from autograder.course.model import Work
 from autograder.isolation import level
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
@@ -286,7 +287,7 @@ def test_only_the_reference_that_is_needed_goes_along(
     reference: set[str],
     checks: set[str],
 ) -> None:
-    make_gradescope(chapters, given, tmp_path / "a.zip", unsafe=unsafe)
+    make_gradescope(Work("", chapters, given), tmp_path / "a.zip", unsafe=unsafe)
     names = names_in(tmp_path / "a.zip")
     assert {name[10:] for name in names if name.startswith("solutions/")} == reference
     assert {name[6:] for name in names if re.match(r"tests/ch\d\d_\w+$", name)} == checks
@@ -296,7 +297,7 @@ def test_only_the_reference_that_is_needed_goes_along(
 
 def test_what_is_no_zip_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match=r"--out must be a \.zip file, got"):
-        make_gradescope([CH02], [], tmp_path / "out")
+        make_gradescope(Work("", [CH02]), tmp_path / "out")
 
 
 def test_the_scripts_are_shell_that_can_be_read() -> None:

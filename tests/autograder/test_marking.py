@@ -165,7 +165,7 @@ def test_the_server_knows_its_own_page_alone_and_no_names(address: str, folder: 
 
 @pytest.mark.parametrize(
     ("chapters", "words"),
-    [("3", "these chapters have no written exercises"), ("2", "line 2: student 'zoe'")],
+    [("3", "there are no written exercises to mark"), ("2", "line 2: student 'zoe'")],
 )
 def test_it_says_why_there_is_nothing_to_mark(folder: Path, chapters: str, words: str) -> None:
     from autograder.marking.server import mark

@@ -133,8 +133,7 @@ def test_one_name_twice_is_refused(tmp_path: Path, second: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "content",
-    [b"", b"PK", b"PK\5\6", b"PK\5\6" + b"\0" * 17, b"Rar!\x1a\7", b"\xff" * 100_000],
+    "content", [b"", b"PK", b"PK\5\6", b"PK\5\6" + b"\0" * 17, b"Rar!\x1a\7", b"\xff" * 100_000]
 )
 def test_what_is_no_zip(tmp_path: Path, content: bytes) -> None:
     (tmp_path / "ann.zip").write_bytes(content)

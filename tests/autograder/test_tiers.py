@@ -81,13 +81,7 @@ def test_only_failing_physics_blocks_what_builds_on_it(chapter: Chapter, tmp_pat
 
 
 @pytest.mark.parametrize(
-    ("passing", "points"),
-    [
-        ("", 0.0),
-        ("physics", 8.5),
-        ("robust", 1.5),
-        ("physics robust", 10.0),
-    ],
+    ("passing", "points"), [("", 0.0), ("physics", 8.5), ("robust", 1.5), ("physics robust", 10.0)]
 )
 def test_points_by_tier_whatever_the_number_of_checks(passing: str, points: float) -> None:
     exercise = exercise_of("B90.1", "Double", "build", 10)

@@ -35,11 +35,7 @@ def two_at_an_angle(rng: Random, angle: float) -> tuple[Components, Components]:
     first, second = rng.uniform(1.0, 9.0), rng.uniform(1.0, 9.0)
     cosine, sine = second * math.cos(angle), second * math.sin(angle)
     a = (first * u[0], first * u[1], first * u[2])
-    b = (
-        cosine * u[0] + sine * w[0],
-        cosine * u[1] + sine * w[1],
-        cosine * u[2] + sine * w[2],
-    )
+    b = (cosine * u[0] + sine * w[0], cosine * u[1] + sine * w[1], cosine * u[2] + sine * w[2])
     return a, b
 
 
@@ -54,20 +50,23 @@ def test_the_sign_of_a_scalar_product_names_the_angle(rng: Random, word: str) ->
     about.read = "book 2.1.7, Eq. 2.4"
     for a in (long, (0.01 * long[0], 0.01 * long[1], 0.01 * long[2])):
         about.call = f"scalar_product_and_angle(Vector3{a}, Vector3{b})"
-        about.cause = "Return a pair: the number a . b, and then the word."
+        about.cause = "Return a pair: the scalar product a . b, and then the word."
         product, got = exercises.scalar_product_and_angle(Vector3(*a), Vector3(*b))
         name = f"{about.call}, the first"
         cosine = dot(a, b) / math.sqrt(dot(a, a) * dot(b, b))
-        divided = "This is the cosine of the angle. Return a . b without dividing by the lengths."
+        divided = (
+            "The result is the cosine of the angle. Return a . b without dividing by the lengths."
+        )
         blame(product, [(cosine, divided)])
         expect_close(product, dot(a, b), call=name, tolerance=1e-12)
         about.cause = (
-            "A positive scalar product means an acute angle, and a negative one means an obtuse "
-            "angle."
+            "The sign decides. A positive scalar product means an acute angle, and a negative one "
+            "means an obtuse angle."
         )
         if got == "right":
             about.cause = (
-                "A small product is not zero. Its sign still decides between acute and obtuse."
+                "A small product is still positive or negative, and its sign decides between "
+                "acute and obtuse."
             )
         expect_exactly(got, word, then=", the second")
 
@@ -77,7 +76,9 @@ def test_a_scalar_product_of_zero_is_a_right_angle(rng: Random) -> None:
     # Powers of 2: unit vectors of these are at right angles as well, to the last digit.
     x, y = rng.choice((1.0, 2.0, 4.0, 8.0)), rng.choice((1.0, 2.0, 4.0, 8.0))
     about.call = f"scalar_product_and_angle(Vector3({x}, {y}, 0), Vector3({-y}, {x}, 3))"
-    about.cause = "The cosine of a right angle is 0, so the word for a . b = 0 is right."
+    about.cause = (
+        "A scalar product of 0 means a right angle, because the cosine of a right angle is 0."
+    )
     about.read = "book 2.1.7, Eq. 2.4"
     a, b = Vector3(x, y, 0.0), Vector3(-y, x, 3.0)
     product, got = exercises.scalar_product_and_angle(a, b)
@@ -89,7 +90,7 @@ def test_a_scalar_product_of_zero_is_a_right_angle(rng: Random) -> None:
 @pytest.mark.robust
 def test_a_product_that_is_nan_says_nothing_of_the_angle() -> None:
     about.call = "scalar_product_and_angle(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
-    about.cause = "NaN has no sign, so there is no word for this angle. Raise ValueError."
+    about.cause = "NaN has no sign, so no word describes this angle. Raise ValueError."
     about.read = "the docstring of scalar_product_and_angle"
     good = Vector3(1.0, 2.0, 3.0)
     expect_error(
@@ -106,18 +107,24 @@ def test_a_product_that_is_nan_says_nothing_of_the_angle() -> None:
 def test_the_angles_of_the_book() -> None:
     a, b = Vector3(0.0, 1.0, 1.0), Vector3(0.0, -1.0, 0.0)
     about.call = "angle_by_scalar_product(Vector3(0, 1, 1), Vector3(0, -1, 0))"
-    about.cause = "The cosine is a . b divided by both lengths. Return math.acos of it, in radians."
+    about.cause = (
+        "Divide a . b by both lengths to get the cosine. Return math.acos of the cosine, in "
+        "radians."
+    )
     about.read = "book 2.1.7, Eq. 2.4"
     got = exercises.angle_by_scalar_product(a, b)
     mistakes = [
-        (135.0, "This is in degrees. Return radians, as math.acos does."),
-        (math.pi, "a . b is not the cosine yet. Divide it by both lengths."),
-        (-math.sqrt(0.5), "This is the cosine. Return its angle, math.acos(cosine)."),
+        (135.0, "The result is in degrees. Return radians, as math.acos does."),
+        (
+            math.pi,
+            "The result is the arccosine of a . b itself. Divide a . b by both lengths first.",
+        ),
+        (-math.sqrt(0.5), "The result is the cosine. Return the angle, math.acos(cosine)."),
         (
             0.25 * math.pi,
             "The sign of a . b was lost. A negative scalar product means an obtuse angle.",
         ),
-        (-0.25 * math.pi, "This is math.asin of the cosine. Use math.acos."),
+        (-0.25 * math.pi, "The result is math.asin of the cosine. Use math.acos."),
     ]
     blame(got, mistakes)
     expect_close(got, 0.75 * math.pi)
@@ -129,16 +136,19 @@ def test_the_angles_of_the_book() -> None:
     mistakes = [
         (
             (0.0, math.pi),
-            "The root of 1 - (a . b)^2 is the sine for unit vectors only. Normalize a and b first, "
-            "or divide |a x b| by both lengths.",
+            "sqrt(1 - (a . b)^2) is the sine for unit vectors only. Normalize a and b first, or "
+            "divide |a x b| by both lengths.",
         ),
-        ((0.5 * math.pi, 0.5 * math.pi), "|a x b| is not the sine yet. Divide by both lengths."),
-        ((45.0, 135.0), "These angles are in degrees. Return radians, as math.asin does."),
-        (wanted[::-1], "The angles are in the wrong order. Return the smaller one first."),
+        (
+            (0.5 * math.pi, 0.5 * math.pi),
+            "The results use |a x b| as the sine. Divide |a x b| by both lengths first.",
+        ),
+        ((45.0, 135.0), "The results are in degrees. Return radians, as math.asin does."),
+        (wanted[::-1], "The angles are in the wrong order. Return the smaller angle first."),
         (
             wanted[0],
-            "This is only one of the two angles. The angle pi - t has the same sine as "
-            "t, so return both.",
+            "The result is only one of the two angles. pi - t has the same sine as t, so return "
+            "both.",
         ),
     ]
     blame(angles, mistakes)
@@ -152,10 +162,13 @@ def test_the_angle_by_the_scalar_product(rng: Random, kind: str) -> None:
     a, b = two_at_an_angle(rng, angle)
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; angle_by_scalar_product(v, w)"
-    about.cause = "The cosine is v . w divided by both lengths. Return math.acos of it, in radians."
+    about.cause = (
+        "Divide v . w by both lengths to get the cosine. Return math.acos of the cosine, in "
+        "radians."
+    )
     about.read = "book 2.1.7, Eq. 2.4"
     got = exercises.angle_by_scalar_product(v, w)
-    other = "This is pi minus the angle. The sign of a . b was lost or reversed."
+    other = "The result is pi minus the angle. The sign of a . b was lost or reversed."
     blame(got, [(math.pi - angle, other)])
     # Rounding errors are divided by sin t, at least 0.3, and drawing the vectors adds its own.
     expect_close(got, angle, tolerance=1e-12)
@@ -171,7 +184,7 @@ def test_the_angles_by_the_vector_product(rng: Random, kind: str) -> None:
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; angles_by_vector_product(v, w)"
     about.cause = "The sine is |v x w| divided by both lengths. Return t and pi - t, in radians. "
-    about.cause += "The root of 1 - (v . w)^2 is the sine for unit vectors only."
+    about.cause += "sqrt(1 - (v . w)^2) is the sine for unit vectors only."
     about.read = "book 2.1.8, Eq. 2.6"
     got = exercises.angles_by_vector_product(v, w)
     wanted = (min(angle, math.pi - angle), max(angle, math.pi - angle))
@@ -185,7 +198,10 @@ def test_the_angles_by_the_vector_product(rng: Random, kind: str) -> None:
 def test_parallel_and_perpendicular_vectors_have_angles_too(rng: Random) -> None:
     # In many of the 40 pairs, rounding leaves a cosine or a sine slightly above 1.
     about.cause = "Rounding can leave a cosine or a sine slightly above 1 or below -1. math.acos "
-    about.cause += "and math.asin refuse such numbers, so clamp them to the range from -1 to 1 "
+    about.cause += (
+        "and math.asin raise an error outside -1 to 1, so clamp the cosine and the sine to this "
+        "range "
+    )
     about.cause += "first."
     about.read = "the hints of exercise 2.5"
     for _ in range(40):
@@ -214,7 +230,9 @@ def test_a_zero_vector_has_no_angle(rng: Random, name: str) -> None:
     def right_angle() -> object:
         return function(Vector3(1.0, 0.0, 0.0), Vector3(0.0, 1.0, 0.0))
 
-    about.cause = "A zero vector has no direction and so no angle. Raise ValueError."
+    about.cause = (
+        "A zero vector has no direction, so it has no angle with another vector. Raise ValueError."
+    )
     about.read = f"the docstring of {name}"
     for call, attempt in (
         (f"{name}(Vector3{a}, Vector3(0, 0, 0))", lambda: function(Vector3(*a), zero)),
@@ -230,7 +248,7 @@ def test_nan_has_no_angle() -> None:
     lost, good = Vector3(math.nan, 0.0, 0.0), Vector3(1.0, 2.0, 3.0)
     about.call = "angle_by_scalar_product(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
     about.cause = "A clamp can hide NaN: min(1.0, nan) is 1.0, but min(nan, 1.0) is nan. Put the "
-    about.cause += "number to clamp first."
+    about.cause += "number that you clamp first."
     about.read = "the docstring of angle_by_scalar_product"
     got = exercises.angle_by_scalar_product(lost, good)
     expect_nan(got)

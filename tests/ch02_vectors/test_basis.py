@@ -43,17 +43,20 @@ def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
     for i in range(3):
         for j in range(i, 3):
             name = f"{about.call}; the scalar product of vectors {i + 1} and {j + 1}"
-            about.cause = "The three vectors must be perpendicular. Make vector 2 as c x a."
+            about.cause = "The three vectors must be perpendicular. Compute vector 2 as c x a."
             if i == j:
                 about.cause = f"Vector {i + 1} must have length 1, but this is its squared length."
             along = dot(a, b) / math.sqrt(dot(a, a) * dot(b, b))
             mistakes = [
                 (
                     along,
-                    "Vector 2 is b, only normalized. Compute a vector perpendicular to a "
-                    "instead: c x a.",
+                    "Vector 2 is the normalized b. It must also be perpendicular to a, so compute "
+                    "c x a instead.",
                 ),
-                (1.0 - along**2, "The length of a x b is the sine of the angle. Normalize it."),
+                (
+                    1.0 - along**2,
+                    "The length of a x b is only the sine of the angle. Normalize a x b.",
+                ),
             ]
             got = dot(basis[i], basis[j])
             blame(got, mistakes)
@@ -68,8 +71,8 @@ def test_the_first_keeps_the_direction_of_a_and_the_second_leans_to_b(rng: Rando
         a, b = components(rng), components(rng)
         about.call = f"make_orthonormal_basis(Vector3{a}, Vector3{b})"
         about.cause = (
-            "Vector 1 must be the normalized a. Only vector 2 may have another direction than its "
-            "argument, b."
+            "Vector 1 must be the normalized a. Only vector 2 may have a different direction from "
+            "its argument, b."
         )
         first, second, _ = basis_of(a, b)
         length = math.sqrt(dot(a, a))
@@ -84,8 +87,10 @@ def test_the_first_keeps_the_direction_of_a_and_the_second_leans_to_b(rng: Rando
 def test_the_basis_is_right_handed(rng: Random) -> None:
     a, b = components(rng), components(rng)
     about.call = f"make_orthonormal_basis(Vector3{a}, Vector3{b})"
-    about.cause = "The basis is left-handed. First compute c = a x b, and then b = c x a. The "
-    about.cause += "order of the factors matters."
+    about.cause = (
+        "The basis is left-handed. First compute c = a x b, and then b = c x a. Reversing the "
+    )
+    about.cause += "order of the factors reverses the direction."
     about.read = "book 2.1.9"
     (ax, ay, az), (bx, by, bz), third = basis_of(a, b)
     wanted = (ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
@@ -98,7 +103,7 @@ def test_the_arguments_stay_as_they_were(rng: Random) -> None:
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; make_orthonormal_basis(v, w)"
     about.cause = "An argument was changed, as in the book's function. normalize changes a vector "
-    about.cause += "in place. Use normalized, which makes a new one."
+    about.cause += "in place. Use normalized, which returns a new vector."
     about.read = "the docstring of make_orthonormal_basis"
     first, _, _ = make_orthonormal_basis(v, w)
     expect_unchanged("v", xyz(v), a)
@@ -147,7 +152,7 @@ def expect_refusal(a: Components, b: Components) -> None:
 @pytest.mark.exercise("B2.10")
 @pytest.mark.robust
 def test_vectors_along_one_axis_are_refused() -> None:
-    about.cause = "Parallel vectors span no plane, even if they point in opposite directions."
+    about.cause = "Parallel vectors do not span a plane, even if they point in opposite directions."
     for scale in (2.0, -3.0):
         expect_refusal(Y_AXIS, (0.0, scale, 0.0))
 
@@ -156,7 +161,7 @@ def test_vectors_along_one_axis_are_refused() -> None:
 @pytest.mark.robust
 def test_parallel_vectors_in_any_direction_are_refused(rng: Random) -> None:
     about.cause = "Rounding leaves a vector product of about 1e-16. Compare its length with a "
-    about.cause += "small limit, not with 0."
+    about.cause += "small limit instead of 0."
     # In nearly all of the 40 pairs, rounding leaves a vector product that is not exactly zero.
     for _ in range(40):
         a, scale = components(rng), rng.choice((-1.0, 1.0)) * rng.uniform(0.1, 9.0)

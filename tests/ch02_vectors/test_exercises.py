@@ -34,14 +34,22 @@ def test_split_the_vector_of_the_book() -> None:
     about.read = "book 2.1"
     magnitude, unit = exercises.split(Vector3(2.0, -2.0, -2.0))
     if not is_plain(magnitude):
-        about.cause = "The pair is in the wrong order. Return the length first, then the direction."
-    blame(magnitude, [(12.0, "This is the squared length. Return v.magnitude().")])
+        about.cause = (
+            "The pair is in the wrong order. Return the length first and the direction second."
+        )
+    blame(magnitude, [(12.0, "The first result is the squared length. Return v.magnitude().")])
     third = 1.0 / math.sqrt(3.0)
     expect_close(magnitude, math.sqrt(12.0), then=", the first")
     wanted = (third, -third, -third)
     mistakes = [
-        ((2.0, -2.0, -2.0), "This is v itself. Return its direction, which has length 1."),
-        ((1.0 / 6.0, -1.0 / 6.0, -1.0 / 6.0), "This was divided by the squared length."),
+        (
+            (2.0, -2.0, -2.0),
+            "The second result is v itself. Return its direction, which has length 1.",
+        ),
+        (
+            (1.0 / 6.0, -1.0 / 6.0, -1.0 / 6.0),
+            "The second result was divided by the squared length. Divide by the length.",
+        ),
     ]
     blame(xyz(unit), mistakes)
     expect_close(xyz(unit), wanted, then=", the second")
@@ -89,7 +97,7 @@ def test_the_perpendicular_vector_of_the_book() -> None:
             "The sign is wrong. Move the x and y terms to the other side: 3 z = -(1 * 7 + 2 * "
             "(-2)).",
         ),
-        (-3.0, "This is 3 z. Divide by a.z to get z."),
+        (-3.0, "The result is 3 z. Divide by a.z to get z."),
     ]
     blame(got, mistakes)
     expect_close(got, -1.0)
@@ -99,7 +107,8 @@ def test_the_perpendicular_vector_of_the_book() -> None:
 def test_the_component_makes_the_scalar_product_zero(rng: Random) -> None:
     (ax, ay, az), x, y = components(rng), number(rng), number(rng)
     about(
-        cause="Solve a.x x + a.y y + a.z z = 0 for z. A small a.z is not zero.", read="book 2.1.7"
+        cause="Solve a.x x + a.y y + a.z z = 0 for z. Refuse a.z only if it is 0.",
+        read="book 2.1.7",
     )
     for z in (az, -az, az * 1e-12, az * -1e-12):
         about.call = f"make_perpendicular(Vector3{(ax, ay, z)}, {x}, {y})"
@@ -133,8 +142,8 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     a, b = (tuple(n * (1.0 + 1e-15) for n in direction(rng)) for _ in range(2))
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; remove_projection(v, w)"
-    about.cause = "Except for rounding errors, these are unit vectors. Compare their lengths to 1 "
-    about.cause += "with the tolerance 1e-6, not with ==."
+    about.cause = "Apart from rounding errors, these are unit vectors. Compare their lengths to 1 "
+    about.cause += "with the tolerance 1e-6 instead of ==."
     about.read = "book 2.1.7"
     c, d, angle = exercises.remove_projection(v, w)
     about.cause = "Return c = a . b, the vector d = b - c a, and the angle between a and d in "
@@ -145,7 +154,10 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     wanted = (b[0] - along * a[0], b[1] - along * a[1], b[2] - along * a[2])
     name = f"{about.call}, the second"
     mistakes = [
-        (tuple(along * n for n in a), "This is c a, the projection itself. Subtract it from b."),
+        (
+            tuple(along * n for n in a),
+            "The result is c a, which is the projection itself. Subtract it from b.",
+        ),
         (tuple(-n for n in wanted), "This is c a - b. Return d = b - c a."),
         (tuple(b[i] + along * a[i] for i in range(3)), "This is b + c a. Return d = b - c a."),
         (tuple(a[i] - along * b[i] for i in range(3)), "This is a - c b. Return d = b - c a."),
@@ -156,12 +168,17 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     # A sine gives a right angle only to the root of a rounding error: 5e-8 for 1e-15.
     name = f"{about.call}, the third"
     mistakes = [
-        (90.0, "This is in degrees. Return radians."),
-        (math.acos(max(-1.0, min(along, 1.0))), "This is the angle between a and b, not a and d."),
+        (90.0, "The angle is in degrees. Return radians."),
+        (
+            math.acos(max(-1.0, min(along, 1.0))),
+            "The result is the angle between a and b. Return the angle between a and d.",
+        ),
     ]
     about.cause = cause_of(angle, mistakes, "d is perpendicular to a, so the angle is pi / 2.")
     expect_close(angle, math.pi / 2.0, call=name, tolerance=1e-7)
-    about.cause = "add_scaled, -= and *= change the caller's vector. b - a * c makes a new one."
+    about.cause = (
+        "add_scaled, -= and *= change the caller's vector. b - a * c creates a new vector."
+    )
     expect_unchanged("v", xyz(v), a, read="the docstring of remove_projection")
     expect_unchanged("w", xyz(w), b, read="the docstring of remove_projection")
 
@@ -174,12 +191,17 @@ def remove_projection_of_length(length: float) -> object:
 @pytest.mark.exercise("2.6")
 @pytest.mark.robust
 def test_what_is_not_a_unit_vector_is_refused() -> None:
-    about.cause = "A difference of 5e-7 from 1 is within the tolerance of 1e-6. Do not use ==."
+    about.cause = (
+        "A difference of 5e-7 from 1 is within the tolerance of 1e-6. Do not compare with ==."
+    )
     about.read = "the docstring of remove_projection"
     for length in (1.0 - 5e-7, 1.0 + 5e-7):
         about.call = f"remove_projection(Vector3(0, {length!r}, 0), Vector3(0.6, 0.8, 0))"
         remove_projection_of_length(length)
-    about.cause = "c a is the projection for unit vectors only. Check the lengths of a and b first."
+    about.cause = (
+        "c a is the projection only if a and b are unit vectors. Check the lengths of a and b "
+        "first."
+    )
     for length in (0.0, 3.0, 1.0 + 2e-6, 1.0 - 2e-6):
         about.call = f"remove_projection(Vector3(0, {length!r}, 0), Vector3(0.6, 0.8, 0))"
         expect_error(
@@ -200,7 +222,7 @@ def test_what_is_not_a_unit_vector_is_refused() -> None:
 def test_nan_is_not_a_unit_vector() -> None:
     about.call = "remove_projection(Vector3(0, nan, 0), Vector3(0.6, 0.8, 0))"
     about(
-        cause="The length of a vector with NaN is NaN, not 1.",
+        cause="The length of a vector with NaN is NaN, which is not 1. Refuse it.",
         read="the docstring of remove_projection",
     )
     expect_error(
@@ -225,7 +247,9 @@ def test_nothing_is_left_of_a_parallel_vector(rng: Random) -> None:
             ValueError,
             allowed=lambda: remove_projection_of_length(1.0),
         )
-    about.cause = "If d is shorter than 1e-6, a and b count as parallel. Do not test for exactly 0."
+    about.cause = (
+        "If d is shorter than 1e-6, a and b count as parallel. Compare with 1e-6 instead of 0."
+    )
     x = Vector3(1.0, 0.0, 0.0)
     # Both have length 1 to the last digit, and d is their Y component.
     short, enough = (Vector3(math.sqrt(1.0 - y * y), y, 0.0) for y in (5e-7, 1.5e-6))
@@ -246,9 +270,12 @@ def test_ten_seconds_with_the_velocity_of_the_book() -> None:
     about(cause="Return a new vector p' = p + v t.", read="book 2.2, Eq. 2.7")
     got = exercises.position_after(Vector3(3, 5, -4), Vector3(1, -1, 2), 10)
     mistakes = [
-        ((4, 4, -2), "The velocity was added as if one second had passed. Multiply it by t."),
-        ((10, -10, 20), "This is the displacement v t alone. Add it to p."),
-        ((40, 40, -20), "This is (p + v) t. Multiply only the velocity by t."),
+        (
+            (4, 4, -2),
+            "The velocity was added as if one second had passed. Multiply the velocity by t first.",
+        ),
+        ((10, -10, 20), "The result is the displacement v t alone. Add it to p."),
+        ((40, 40, -20), "The result is (p + v) t. Multiply only the velocity by t."),
     ]
     blame(xyz(got), mistakes)
     expect_close(xyz(got), (13.0, -5.0, 16.0))
@@ -265,7 +292,9 @@ def test_the_new_position_leaves_the_old_one_alone(rng: Random) -> None:
     # Rounding of numbers up to 200.
     expect_close(xyz(got), wanted, tolerance=1e-12)
     about.read = "the docstring of position_after"
-    about.cause = "add_scaled, += and *= change the caller's vector. p + v * t makes a new one."
+    about.cause = (
+        "add_scaled, += and *= change the caller's vector. p + v * t creates a new vector."
+    )
     expect_unchanged("p", xyz(p), start)
     expect_unchanged("v", xyz(v), velocity)
 

@@ -34,7 +34,7 @@ def expect_vectors_only(
     """Expect a method or an operator to accept a vector and to refuse a number."""
     a, b = components(rng), components(rng)
     about.call = f"v = Vector3{a}; {expression}"
-    about.cause = "Check isinstance(v, Vector3) first. Raise TypeError if it is false."
+    about.cause = "Check isinstance(v, Vector3) first, and raise TypeError if it is False."
     about.read = "the docstring of the method"
     expect_error(
         lambda: attempt(Vector3(*a), 3.0),
@@ -52,26 +52,32 @@ def test_add_scaled_changes_the_vector_itself(rng: Random) -> None:
     v, w = Vector3(*a), Vector3(*b)
     wanted = (a[0] + b[0] * scale, a[1] + b[1] * scale, a[2] + b[2] * scale)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.add_scaled(w, {scale})"
-    about(cause="Add scale times w to v itself. w must not change.", read="book 2.1.4")
+    about(cause="Add scale times w to v itself, without changing w.", read="book 2.1.4")
     v.add_scaled(w, scale)
     mistakes = [
         (a, LOST),
         (
             tuple(a[i] * scale + b[i] for i in range(3)),
-            "v was multiplied by the number, but w should be. Add w times the number to v.",
+            "v was multiplied by the number instead of w. Add w times the number to v.",
         ),
         (
             tuple((a[i] + b[i]) * scale for i in range(3)),
             "The whole sum was multiplied. Multiply only w by the number.",
         ),
-        (tuple(a[i] + b[i] for i in range(3)), "w was added without the number. Multiply w by it."),
-        (tuple(b[i] * scale for i in range(3)), "This is w times the number. Add it to v."),
+        (
+            tuple(a[i] + b[i] for i in range(3)),
+            "w was added without the number. Multiply w by the number first.",
+        ),
+        (
+            tuple(b[i] * scale for i in range(3)),
+            "The result is w times the number. Add this product to v.",
+        ),
     ]
     blame(xyz(v), mistakes)
     # The rounding errors of numbers up to 100.
     expect_close(xyz(v), wanted, tolerance=1e-12)
-    about.cause = "w was changed, and it belongs to the caller. w *= number changes w in place, "
-    about.cause += "but w * number makes a new vector."
+    about.cause = "w was changed, but it belongs to the caller. w *= number changes w in place, "
+    about.cause += "and w * number creates a new vector."
     expect_unchanged("w", xyz(w), b)
 
 
@@ -118,10 +124,13 @@ def test_the_component_product_is_a_new_vector(rng: Random) -> None:
     about.cause = "Return a new vector of three products: x times x, y times y and z times z."
     about.read = "book 2.1.6"
     got = xyz(v.component_product(w))
-    scalar = "This is the scalar product, a number. Do not add the three products up."
+    scalar = "The result is the scalar product, a number. Do not add the three products."
     mistakes = [
         (dot(a, b), scalar),
-        (tuple(a[i] + b[i] for i in range(3)), "This is v + w. Multiply the components."),
+        (
+            tuple(a[i] + b[i] for i in range(3)),
+            "The result is v + w. Multiply the components instead of adding them.",
+        ),
     ]
     blame(got, mistakes)
     expect_close(got, wanted)
@@ -178,17 +187,23 @@ def test_the_scalar_product_is_the_sum_of_the_products(rng: Random) -> None:
     v, w = Vector3(*a), Vector3(*b)
     wanted = dot(a, b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.dot(w)"
-    about(cause="Multiply matching components and add up the three products.")
+    about(cause="Multiply matching components and add the three products.")
     about.read = "book 2.1.7, Eq. 2.4"
     # The terms may cancel, so rounding is measured by the terms: at most 100 each.
     got = v.dot(w)
     mistakes = [
         (
             wanted / (math.hypot(*a) * math.hypot(*b)),
-            "This is the cosine of the angle. Do not divide by the lengths.",
+            "The result is the cosine of the angle. Do not divide by the lengths.",
         ),
-        (a[0] * b[0] + a[1] * b[1], "The product of the z components is missing."),
-        (math.hypot(*a) * math.hypot(*b), "This is |v| |w|. The cosine of the angle is missing."),
+        (
+            a[0] * b[0] + a[1] * b[1],
+            "The product of the z components is missing. Add it to the sum.",
+        ),
+        (
+            math.hypot(*a) * math.hypot(*b),
+            "The result is |v| |w|. The cosine of the angle is missing.",
+        ),
     ]
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-12)
@@ -226,7 +241,7 @@ def test_nan_and_infinity_stay_visible_in_the_scalar_product() -> None:
     w = Vector3(1.0, 1.0, 1.0)
     about(
         "Vector3(nan, 1, 1).dot(Vector3(1, 1, 1))",
-        cause="If any component is NaN, the scalar product must be NaN too.",
+        cause="If any component is NaN, the scalar product must also be NaN.",
     )
     about.read = "the docstring of Vector3"
     expect_nan(Vector3(math.nan, 1.0, 1.0).dot(w))
@@ -247,11 +262,7 @@ def test_the_scalar_product_refuses_what_is_no_vector(rng: Random) -> None:
 
 def vector_product(a: Components, b: Components) -> Components:
     """Return a x b, computed from its definition."""
-    return (
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    )
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 @pytest.mark.exercise("B2.9")
@@ -268,7 +279,7 @@ def test_x_cross_y_is_z_and_so_on_round() -> None:
     for i, (call, got, wanted) in enumerate(products):
         about.call = call
         if all(turned):
-            about.cause = "All three signs are reversed. This is b x a, which is -(a x b)."
+            about.cause = "All three signs are reversed. The result is b x a, which is -(a x b)."
         elif turned[i]:
             about.cause = f"The sign of {'zxy'[i]} is reversed. Swap the two terms of {'zxy'[i]}."
         expect_close(got, wanted)
@@ -314,7 +325,11 @@ def test_the_vector_product_in_place(rng: Random) -> None:
     y = a[2] * b[0] - x * b[2]
     mistakes = [
         (a, LOST),
-        ((x, y, x * b[1] - y * b[0]), "y was computed from the new x. Store all three at the end."),
+        (
+            (x, y, x * b[1] - y * b[0]),
+            "y was computed from the new x. Compute all three components before you store the "
+            "first.",
+        ),
     ]
     blame(xyz(v), mistakes)
     expect_close(xyz(v), wanted, tolerance=1e-12)
@@ -327,7 +342,7 @@ def test_a_vector_crossed_with_itself_in_place(rng: Random) -> None:
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.cross_update(v)"
     about.cause = "The vector product of a vector with itself is zero. Here v is both factors, so "
-    about.cause += "read all components before you change one."
+    about.cause += "read all components before you change the first."
     about.read = "book 2.1.8"
     v.cross_update(v)
     expect_close(xyz(v), (0.0, 0.0, 0.0), tolerance=1e-12)

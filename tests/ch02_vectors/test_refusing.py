@@ -36,23 +36,25 @@ def test_a_good_duration_comes_back_as_a_float(rng: Random) -> None:
         about.cause = "Every positive, finite number is a valid duration. Return float(duration)."
         got = exercises.checked_duration(duration)
         expect_close(got, float(duration), tolerance=0.0)
-        about.cause = "A whole number must come back as a float. Return float(duration)."
+        about.cause = "A whole number must be returned as a float. Return float(duration)."
         expect_exactly(got, float(duration))
 
 
 @pytest.mark.exercise("B2.11")
 def test_zero_and_negative_durations_are_refused(rng: Random) -> None:
     for value in (0.0, -round(rng.uniform(0.1, 5.0), 3), -1e-300, 0):
-        about.cause = "A step needs time to pass. Raise ValueError unless the duration is above 0."
+        about.cause = (
+            "A step needs a positive duration. Raise ValueError unless the duration is above 0."
+        )
         expect_refusal(value, ValueError, about.cause)
 
 
 @pytest.mark.exercise("B2.11")
 def test_infinite_durations_and_nan_are_refused() -> None:
-    infinite = "An infinite step would move everything to infinity. Raise ValueError."
+    infinite = "An infinite step would move every particle to infinity. Raise ValueError."
     nan = (
-        "Every comparison with NaN is False, so a test such as duration <= 0 does not catch it. "
-        "Test for what you want, 0.0 < duration < math.inf, and refuse everything else."
+        "Every comparison with NaN is False, so a test such as duration <= 0 does not catch NaN. "
+        "Test for the valid range, 0.0 < duration < math.inf, and refuse everything else."
     )
     expect_refusal(math.inf, ValueError, infinite)
     expect_refusal(-math.inf, ValueError, infinite)
@@ -81,8 +83,8 @@ def test_the_message_names_the_argument_and_shows_the_value(value: Any) -> None:
         message = str(error)
     about.call = f"the error message of checked_duration({value!r})"
     about.cause = (
-        'The message must name the argument and show the value that came in: f"duration must be '
-        'positive and finite, got {duration!r}".'
+        'The message must name the argument and show its value: f"duration must be positive and '
+        'finite, got {duration!r}".'
     )
     wanted = ("duration", str(value))
     got = tuple(word for word in wanted if word in message)

@@ -30,9 +30,14 @@ def test_the_sum_is_a_new_vector(rng: Random) -> None:
     v, w = Vector3(*a), Vector3(*b)
     wanted = (a[0] + b[0], a[1] + b[1], a[2] + b[2])
     about.call = f"v, w = Vector3{a}, Vector3{b}; v + w"
-    about(cause="Return a new vector of three sums: x + x, y + y and z + z.", read="book 2.1.4")
+    about(
+        cause="Return a new vector with the sums of matching components: x + x, y + y and z + z.",
+        read="book 2.1.4",
+    )
     expect_close(xyz(v + w), wanted)
-    about.cause = "v + w must make a new vector and leave v and w alone. Only v += w changes v."
+    about.cause = (
+        "v + w must return a new vector and leave v and w unchanged. Only v += w changes v."
+    )
     expect_unchanged("v", xyz(v), a)
     expect_unchanged("w", xyz(w), b)
 
@@ -43,16 +48,20 @@ def test_the_difference_is_a_new_vector(rng: Random) -> None:
     v, w = Vector3(*a), Vector3(*b)
     wanted = (a[0] - b[0], a[1] - b[1], a[2] - b[2])
     about.call = f"v, w = Vector3{a}, Vector3{b}; v - w"
-    about.cause = "Return a new vector of three differences: v.x - w.x, and so on."
+    about.cause = (
+        "Return a new vector with the differences of matching components: v.x - w.x, and so on."
+    )
     about.read = "book 2.1.4"
     got = xyz(v - w)
     mistakes = [
-        (tuple(-n for n in wanted), "This is w - v. Swap the operands."),
-        ((a[0] + b[0], a[1] + b[1], a[2] + b[2]), "This is v + w. Subtract the components."),
+        (tuple(-n for n in wanted), "The result is w - v. Swap the operands."),
+        ((a[0] + b[0], a[1] + b[1], a[2] + b[2]), "The result is v + w. Subtract the components."),
     ]
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-14)
-    about.cause = "v - w must make a new vector and leave v and w alone. Only v -= w changes v."
+    about.cause = (
+        "v - w must return a new vector and leave v and w unchanged. Only v -= w changes v."
+    )
     expect_unchanged("v", xyz(v), a)
     expect_unchanged("w", xyz(w), b)
 
@@ -68,8 +77,8 @@ def test_plus_and_minus_equals_change_the_vector_itself(
     wanted = (a[0] + sign * b[0], a[1] + sign * b[1], a[2] + sign * b[2])
     made, step = f"v, other = Vector3{a}, Vector3{b}", f"v {operator} other"
     about.call = f"{made}; {step}"
-    about.cause = "Change the components of self, and end with return self. Python assigns what "
-    about.cause += "the method returns to v."
+    about.cause = "Change the components of self, and end with return self. Python assigns the "
+    about.cause += "returned value to v."
     about.read = "book 2.1.4"
     if operator == "+=":
         v += w
@@ -77,10 +86,10 @@ def test_plus_and_minus_equals_change_the_vector_itself(
         v -= w
     opposite = (a[0] - sign * b[0], a[1] - sign * b[1], a[2] - sign * b[2])
     wrong_sign = "-" if sign > 0.0 else "+"
-    mistakes = [(opposite, f"This is v {wrong_sign} other. The sign is wrong.")]
+    mistakes = [(opposite, f"The sign is wrong. The result is v {wrong_sign} other.")]
     blame(xyz(v), mistakes)
     expect_close(xyz(v), wanted, tolerance=1e-14)
-    about.cause = "Only self may change. The other vector was changed as well."
+    about.cause = "Only self may change, but the other vector was changed as well."
     expect_unchanged("other", xyz(w), b)
     expect_same_object(made, step, v, before)
 

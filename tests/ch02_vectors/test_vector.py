@@ -77,7 +77,7 @@ def test_invert_changes_the_sign_of_every_component(rng: Random) -> None:
     about.cause = "Change the sign of every component of self: self.x = -self.x, and so on."
     about.read = "book 2.1, and errata.md"
     v.invert()
-    printed = "This is the book's listing, which sets x from z and never changes z (E-14)."
+    printed = "The book's listing sets x from z and never changes z (E-14). Correct this error."
     blame(xyz(v), [(a, LOST), ((-a[2], -a[1], a[2]), printed)])
     expect_close(xyz(v), scaled(a, -1.0))
 
@@ -89,7 +89,7 @@ def test_minus_v_is_a_new_vector_turned_round(rng: Random) -> None:
     about(f"v = Vector3{a}; -v", cause="Return a new vector with all three signs reversed.")
     about.read = "the docstring of Vector3.__neg__"
     expect_close(xyz(-v), scaled(a, -1.0))
-    about.cause = "-v must return a new vector and leave v alone. Only invert changes v itself."
+    about.cause = "-v must return a new vector and leave v unchanged. Only invert changes v itself."
     expect_unchanged("v", xyz(v), a)
 
 
@@ -103,9 +103,9 @@ def test_magnitude_is_the_length(rng: Random) -> None:
     about.read = "book 2.1"
     got = Vector3(*a).magnitude()
     mistakes = [
-        (length**2, "This is the squared length. Take its square root."),
-        (math.hypot(a[0], a[1]), "This is the length without z. Add the square of z, too."),
-        (sum(a), "This is the sum of the components. Square each of them first."),
+        (length**2, "The result is the squared length. Take its square root."),
+        (math.hypot(a[0], a[1]), "The result is the length without z. Add the square of z, too."),
+        (sum(a), "The result is the sum of the components. Square each component first."),
     ]
     blame(got, mistakes)
     expect_close(got, length)
@@ -118,8 +118,8 @@ def test_squared_magnitude_is_the_length_squared(rng: Random) -> None:
     about.read = "book 2.1"
     got = Vector3(*a).squared_magnitude()
     mistakes = [
-        (length, "This is the length itself. Leave out the square root."),
-        (a[0] ** 2 + a[1] ** 2, "This is x^2 + y^2. The square of z is missing."),
+        (length, "The result is the length itself. Leave out the square root."),
+        (a[0] ** 2 + a[1] ** 2, "The result is x^2 + y^2. Add the square of z."),
     ]
     blame(got, mistakes)
     expect_close(got, length**2)
@@ -151,7 +151,9 @@ def test_nan_stays_visible_in_a_length() -> None:
     about.read = "the docstrings of Vector3 and Vector3.magnitude"
     lost = Vector3(1.0, math.nan, 2.0)
     about.call = "Vector3(1, nan, 2).magnitude()"
-    about.cause = "The length of a vector with a NaN is NaN. max, min and comparisons can hide it."
+    about.cause = (
+        "The length of a vector with a NaN is NaN. max, min and comparisons can hide a NaN."
+    )
     expect_nan(lost.magnitude())
     about.call = "Vector3(1, nan, 2).squared_magnitude()"
     expect_nan(lost.squared_magnitude())
@@ -164,13 +166,16 @@ def test_nan_stays_visible_in_a_length() -> None:
 def test_a_vector_times_a_number_on_either_side(rng: Random) -> None:
     a, scale = components(rng), number(rng)
     v = Vector3(*a)
-    about.cause = "Return a new vector with each component multiplied by the number, int or float."
+    about.cause = (
+        "Return a new vector with each component multiplied by the number, which may be an int or "
+        "a float."
+    )
     about.read = "book 2.1.3"
     for factor in (scale, 2):
         wanted = scaled(a, factor)
         about.call = f"v = Vector3{a}; v * {factor}"
         expect_close(xyz(v * factor), wanted)
-        reads = f"v * {factor} must return a new vector and leave v alone. Only v *= changes v."
+        reads = f"v * {factor} must return a new vector and leave v unchanged. Only v *= changes v."
         expect_unchanged("v", xyz(v), a, cause=reads)
         about.call = f"v = Vector3{a}; {factor} * v"
         expect_close(xyz(factor * v), wanted)
@@ -182,8 +187,8 @@ def test_times_equals_changes_the_vector_itself(rng: Random) -> None:
     v = before = Vector3(*a)
     made, step = f"v = Vector3{a}", f"v *= {scale}"
     about.call = f"{made}; {step}"
-    about.cause = "Multiply each component of self, and end with return self. Python assigns what "
-    about.cause += "the method returns to v."
+    about.cause = "Multiply each component of self, and end with return self. Python assigns the "
+    about.cause += "returned value to v."
     about.read = "book 2.1.3, and the docstring of Vector3.__imul__"
     v *= scale
     expect_close(xyz(v), scaled(a, scale))
@@ -197,8 +202,11 @@ def test_division_by_a_number(rng: Random) -> None:
     w = before = Vector3(*a)
     wanted = (a[0] / divisor, a[1] / divisor, a[2] / divisor)
     mistakes = [
-        (tuple(n // divisor for n in a), "// rounds down to a whole number. Divide with /."),
-        (scaled(a, divisor), "This is v times the number. Divide by it."),
+        (
+            tuple(n // divisor for n in a),
+            "// rounds down to a whole number. Divide with / instead.",
+        ),
+        (scaled(a, divisor), "The result is v times the number. Divide by the number."),
     ]
     made, step = f"v = Vector3{a}", f"v /= {divisor}"
     about(
@@ -208,11 +216,11 @@ def test_division_by_a_number(rng: Random) -> None:
     about.read = "the docstring of Vector3.__truediv__"
     got = xyz(v / divisor)
     expect_close(got, wanted, cause=cause_of(got, mistakes, about.cause))
-    reads = f"v / {divisor} must return a new vector and leave v alone. Only v /= changes v."
+    reads = f"v / {divisor} must return a new vector and leave v unchanged. Only v /= changes v."
     expect_unchanged("v", xyz(v), a, cause=reads)
     about.call = f"{made}; {step}"
-    about.cause = "Divide each component of self, and end with return self. Python assigns what "
-    about.cause += "the method returns to v."
+    about.cause = "Divide each component of self, and end with return self. Python assigns the "
+    about.cause += "returned value to v."
     about.read = "the docstring of Vector3.__itruediv__"
     w /= divisor
     got = xyz(w)
@@ -232,8 +240,8 @@ def test_division_by_zero_is_an_error(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.cause = (
-        "Division by zero has no result. Let Python's ZeroDivisionError pass through instead of "
-        "catching it."
+        "Division by zero has no result. Do not catch Python's ZeroDivisionError, so that the "
+        "caller sees it."
     )
     about.read = "the docstring of Vector3.__truediv__"
     for call, attempt, allowed in (
@@ -260,7 +268,7 @@ def test_a_vector_times_a_vector_is_refused(rng: Random) -> None:
         return changed
 
     asked = "Check isinstance(..., Vector3) first, and raise TypeError."
-    product = f"v * w could mean three different products, so * takes only numbers. {asked}"
+    product = f"v * w could mean three different products, so * accepts only numbers. {asked}"
     about.read = "the docstring of Vector3.__mul__"
     for call, attempt, allowed, cause in (
         (f"Vector3{a} * Vector3{b}", lambda: v * w, lambda: v * 2.0, product),
@@ -296,10 +304,14 @@ def test_normalize_keeps_the_direction_and_makes_the_length_one(rng: Random) -> 
     y = a[1] / math.hypot(x, a[1], a[2])
     mistakes = [
         (a, LOST),
-        (scaled(a, length**-2), "This was divided by the squared length. Use magnitude()."),
+        (
+            scaled(a, length**-2),
+            "The vector was divided by its squared length. Divide by magnitude().",
+        ),
         (
             (x, y, a[2] / math.hypot(x, y, a[2])),
-            "The length was computed again after x had changed. Store it in a name first.",
+            "The length was computed again after x had changed. Compute it once and store it in a "
+            "variable.",
         ),
     ]
     blame(xyz(v), mistakes)
@@ -314,15 +326,24 @@ def test_normalized_is_a_new_unit_vector(rng: Random) -> None:
     about.cause = "Return a new vector with each component divided by the length."
     about.read = "the docstring of Vector3.normalized"
     got = xyz(v.normalized())
-    mistakes = [(scaled(a, length**-2), "This was divided by the squared length. Use magnitude().")]
+    mistakes = [
+        (
+            scaled(a, length**-2),
+            "The vector was divided by its squared length. Divide by magnitude().",
+        )
+    ]
     blame(got, mistakes)
     expect_close(got, scaled(a, 1.0 / length))
-    about.cause = "normalized must return a new vector and leave v alone. Only normalize changes v."
+    about.cause = (
+        "normalized must return a new vector and leave v unchanged. Only normalize changes v."
+    )
     expect_unchanged("v", xyz(v), a)
     first = v.normalized()
     Vector3(0.0, -1.0, 0.0).normalized()
     about.call = f"u = Vector3{a}.normalized(); Vector3(0, -1, 0).normalized(); u"
-    about.cause = "The second call changed the first result. Make a new vector in every call."
+    about.cause = (
+        "The second call changed the result of the first. Create a new vector in every call."
+    )
     expect_close(xyz(first), scaled(a, 1.0 / length))
 
 
@@ -331,8 +352,8 @@ def test_the_zero_vector_stays_zero() -> None:
     v = Vector3(0.0, 0.0, 0.0)
     about.call = "v = Vector3(0, 0, 0); v.normalized()"
     about.cause = (
-        "Zero has no direction, so the zero vector stays as it is. Test for a length of 0.0 before "
-        "you divide."
+        "The zero vector has no direction and stays zero. Test for a length of 0.0 before you "
+        "divide."
     )
     about.read = "book 2.1.3"
     expect_close(xyz(v.normalized()), ZERO)
@@ -353,7 +374,7 @@ def test_normalize_huge_and_tiny_vectors(rng: Random) -> None:
         about.cause = "A square is outside the range of a float. Compute the length with "
         about.cause += "magnitude()."
         v.normalize()
-        taken = "v did not change. A short vector is not zero: only test for magnitude() == 0.0."
+        taken = "v did not change. A short vector is not zero, so test only for magnitude() == 0.0."
         mistakes = [
             (b, taken),
             (ZERO, "The squared length overflowed to infinity. Use magnitude() instead."),

@@ -44,14 +44,21 @@ def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) ->
     for d, h in ((draw_damping(rng), 0.1), (draw_damping(rng), 0.7), (0.0, 0.5), (1.5, 0.5)):
         about.call = f"damp_per_frame(Vector3{v}, Vector3{a}, {d}, {h})"
         about.cause = (
-            "By Eq. 3.5, v' = v d + a h. Multiply the velocity by d in every step, then add a h."
+            "By Eq. 3.5, v' = v d + a h. In every step, multiply the velocity by d, and then add "
+            "a h."
         )
         got = forms.damp_per_frame(Vector3(*v), Vector3(*a), d, h)
-        undamped = "The velocity was not damped. Multiply it by d."
+        undamped = "The velocity was not damped. Multiply the velocity by d."
         if d == 0.0:
-            undamped = "Damping 0 keeps none of the velocity. Python treats 0 as false in an if."
+            undamped = (
+                "A damping of 0 keeps none of the velocity. Python treats 0 as false in an if, so "
+                "do not test the damping itself."
+            )
         mistakes = [
-            (combined(v, a, d**h, h), "This is Eq. 3.6 with d^h. Eq. 3.5 uses d in every step."),
+            (
+                combined(v, a, d**h, h),
+                "The result follows Eq. 3.6, which uses d^h. Eq. 3.5 uses d in every step.",
+            ),
             (
                 combined(v, a, d, 1.0),
                 "The acceleration is per second, so multiply it by the duration of the step.",
@@ -73,8 +80,14 @@ def test_damping_per_second_takes_less_from_a_shorter_frame(rng: Random) -> None
         about.cause = "Without acceleration, v' = v d^h, where h is the duration of the step."
         got = forms.damp_per_second(Vector3(*v), Vector3(), d, h)
         mistakes = [
-            (combined(v, v, d, 0.0), "This is Eq. 3.5, which uses d in every step. Use d^h."),
-            (combined(v, v, d * h, 0.0), "This multiplies d by h. Use damping**duration."),
+            (
+                combined(v, v, d, 0.0),
+                "The result follows Eq. 3.5, which uses d in every step. Use d^h.",
+            ),
+            (
+                combined(v, v, d * h, 0.0),
+                "The velocity was multiplied by d times h. Use damping**duration.",
+            ),
         ]
         blame(xyz(got), mistakes)
         wanted = combined(v, v, d**h, 0.0)
@@ -87,11 +100,12 @@ def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> N
     about.read = "book 3.3, Eq. 3.6, and errata.md"
     for d in (draw_damping(rng), 0.0, 1.5):
         about.call = f"damp_per_second(Vector3{v}, Vector3{a}, {d}, 0.5)"
-        about.cause = "This is Eq. 3.6, v' = v d^h + a h: do not damp what the acceleration adds."
+        about.cause = "By Eq. 3.6, v' = v d^h + a h. The term a h is not damped."
         got = forms.damp_per_second(Vector3(*v), Vector3(*a), d, 0.5)
         listing = (
-            "This is (v + a h) d^h, the form of the book's listing, which contradicts Eq. 3.6 "
-            "(E-16). Use Eq. 3.6 here, v d^h + a h. Particle.kick uses the form of the listing."
+            "The result is (v + a h) d^h, the form of the book's listing, which contradicts Eq. "
+            "3.6 (E-16). Use Eq. 3.6 here, v d^h + a h. Particle.kick uses the form of the "
+            "listing."
         )
         kept = math.sqrt(d)
         mistakes = [(combined(v, a, kept, 0.5 * kept), listing)]
@@ -103,7 +117,7 @@ def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> N
 @pytest.mark.exercise("B3.3")
 def test_both_equations_give_a_new_vector(rng: Random) -> None:
     first, second = components(rng), components(rng)
-    about.cause = "Return a new vector. v *= d would change the caller's velocity."
+    about.cause = "Return a new vector, because v *= d would change the caller's velocity."
     about.read = "the head of damping.py"
     for name in ("damp_per_frame", "damp_per_second"):
         about.call = f"v, a = Vector3{first}, Vector3{second}; {name}(v, a, 0.5, 2.0)"
@@ -168,7 +182,7 @@ def test_one_second_of_equal_frames_ends_as_the_sums_say(rng: Random) -> None:
     damping, frames = draw_damping(rng), rng.choice((20, 40, 80))
     h = 1.0 / frames
     about.call = f"damping_difference(Vector3(), Vector3(0, -10, 0), {damping}, [[{h}] * {frames}])"
-    about.cause = "In every step each of the two velocities is updated by its own equation."
+    about.cause = "In every step, update each of the two velocities by its own equation."
     about.read = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
     got = exercises.damping_difference(Vector3(), Vector3(0.0, -10.0, 0.0), damping, [[h] * frames])
     # From rest both velocities are sums of powers: a h (1 - q^n) / (1 - q), with q = d and d^h.
@@ -177,7 +191,13 @@ def test_one_second_of_equal_frames_ends_as_the_sums_say(rng: Random) -> None:
     by_second = 10.0 * h * (1.0 - damping) / (1.0 - damping**h)
     blame(
         got,
-        [(0.0, "The two velocities ended up equal. Are both the same vector? Make two copies.")],
+        [
+            (
+                0.0,
+                "The two velocities ended up equal. Are both the same vector? If so, make two "
+                "copies.",
+            )
+        ],
     )
     expect_close(got, abs(by_second - by_frame), tolerance=1e-12)
 
@@ -187,7 +207,7 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
     v, a, damping = components(rng), components(rng), draw_damping(rng)
     runs = [[round(rng.uniform(0.05, 0.3), 3) for _ in range(n)] for n in (2, 3, 5)]
     about.call = f"damping_difference(Vector3{v}, Vector3{a}, {damping}, {runs})"
-    about.cause = "Start every run from the given velocity, and take the mean over the runs."
+    about.cause = "Start every run from the given velocity, and average the results over the runs."
     about.read = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
     got = exercises.damping_difference(Vector3(*v), Vector3(*a), damping, runs)
     distances, speeds = [], []
@@ -204,12 +224,16 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
         speeds.append(abs(math.hypot(*by_frames) - math.hypot(*by_seconds)))
     wanted = math.fsum(distances) / len(distances)
     mistakes = [
-        (wanted * len(runs), "This is the sum over the runs. Divide it by their number."),
+        (
+            wanted * len(runs),
+            "The result is the sum over the runs. Divide it by the number of runs.",
+        ),
         (
             math.fsum(speeds) / len(speeds),
-            "This is the difference of the speeds. Subtract the velocities, then take the length.",
+            "The result is the difference of the speeds. Subtract the velocities first, and then "
+            "take the length.",
         ),
-        (distances[-1], "This is the difference of the last run. Take the mean over all runs."),
+        (distances[-1], "The result is the difference of the last run. Average over all runs."),
     ]
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-12)
@@ -221,7 +245,7 @@ def test_the_difference_leaves_its_vectors_alone(rng: Random) -> None:
     v, a = Vector3(*first), Vector3(*second)
     about.call = f"v, a = Vector3{first}, Vector3{second}; damping_difference(v, a, 1.0, [[0.5, "
     about.call += "0.5]])"
-    about.cause = "With damping 1 both equations are v + a h, so their results are equal."
+    about.cause = "With a damping of 1, both equations give v + a h, so the difference is 0."
     about.read = "the docstring of damping_difference"
     got = exercises.damping_difference(v, a, 1.0, [[0.5, 0.5]])
     expect_close(got, 0.0, tolerance=1e-13)

@@ -20,7 +20,7 @@ from expect import about, blame, cause_of, expect_close, expect_error, expect_un
 def test_twice_the_mass_gets_half_the_speed() -> None:
     about(
         "speed_ratio(2, 1)",
-        cause="By a = f / m, the same force gives the heavier body the smaller speed.",
+        cause="By a = f / m, the same force gives the heavier body a smaller speed.",
     )
     about.read = "book 3.2, Eq. 3.2; errata.md"
     got = exercises.speed_ratio(2, 1)
@@ -28,7 +28,7 @@ def test_twice_the_mass_gets_half_the_speed() -> None:
         "The heavier body became the faster one, but a = f / m. The book's sentence that "
         "acceleration is proportional to the mass is wrong (E-1)."
     )
-    mistakes = [(2.0, faster), (0.0, "// rounds down to a whole number. Divide with /.")]
+    mistakes = [(2.0, faster), (0.0, "// rounds down to a whole number. Divide with / instead.")]
     expect_close(got, 0.5, cause=cause_of(got, mistakes, about.cause))
 
 
@@ -159,7 +159,9 @@ def test_the_equation_gives_a_new_position(rng: Random) -> None:
         wanted = tuple(x[i] + v[i] * t + 0.5 * a[i] * t * t for i in range(3))
         # The rounding errors of numbers up to 400.
         expect_close(xyz(got), wanted, tolerance=1e-12)
-        about.cause = "+=, *= and add_scaled change the caller's vector. + and * make a new one."
+        about.cause = (
+            "+=, *= and add_scaled change the caller's vector. + and * create a new vector."
+        )
         expect_unchanged("p", xyz(position), x)
         expect_unchanged("v", xyz(velocity), v)
         expect_unchanged("a", xyz(acceleration), a)
@@ -183,24 +185,23 @@ def test_the_time_of_the_equation_is_positive_and_finite(bad: float) -> None:
 @pytest.mark.exercise("3.4b")
 def test_one_step_and_five_steps_of_a_second() -> None:
     about.read = "book 2.2, Eq. 2.7 and 2.8; errata.md"
-    wanted = {
-        1: ((3.0, 4.0, 1.0), (-1.0, 0.0, 2.5)),
-        5: ((-13.0, 10.0, 14.0), (-9.0, 4.0, 4.5)),
-    }
+    wanted = {1: ((3.0, 4.0, 1.0), (-1.0, 0.0, 2.5)), 5: ((-13.0, 10.0, 14.0), (-9.0, 4.0, 4.5))}
     for steps, (x, v) in wanted.items():
         about.call = f"state_by_steps({EXAMPLE}, 1, {steps})"
-        about.cause = "Return a pair, position and velocity. In each step first p' = p + v h, then "
+        about.cause = (
+            "Return a pair of position and velocity. In each step, first p' = p + v h, then "
+        )
         about.cause += "v' = v + a h."
         position, velocity = exercises.state_by_steps(
             *vectors(START, VELOCITY, ACCELERATION), 1, steps
         )
         few = (
-            "One step is missing. A loop over range(steps) runs steps times, but one over range(1, "
-            "steps) runs one time fewer."
+            "One step is missing. A loop over range(steps) runs steps times, but a loop over "
+            "range(1, steps) runs one time fewer."
         )
         mistakes = [
             (v, "The pair is in the wrong order. Return the position first, then the velocity."),
-            ((7.0, 0.0, 9.0), "This is one step of 5 s. Take five steps of 1 s."),
+            ((7.0, 0.0, 9.0), "The result is one step of 5 s. Make five steps of 1 s."),
             (START if steps == 1 else (-6.0, 7.0, 10.0), few),
             (
                 (1.0, 5.0, 1.5) if steps == 1 else (-23.0, 15.0, 16.5),
@@ -220,7 +221,7 @@ def test_many_steps_lag_by_half_a_step_and_change_no_argument(rng: Random) -> No
     p, velocity, acceleration = vectors(x, v, a)
     about.call = f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; state_by_steps(p, v, a, {h}, "
     about.call += f"{steps})"
-    about.cause = "Take n steps of h seconds. Each step starts where the last one ended."
+    about.cause = "Make n steps of h seconds. Each step starts where the last one ended."
     about.read = "book 2.2, Eq. 2.7 and 2.8"
     position, last = exercises.state_by_steps(p, velocity, acceleration, h, steps)
     t = h * steps
@@ -249,7 +250,7 @@ def test_steps_need_a_duration_and_a_number(duration: float, steps: int) -> None
 def expect_refusal(name: str, duration: float, steps: int) -> None:
     """Expect an exercise to refuse a bad duration or number of steps."""
     about.call = f"{name}({EXAMPLE}, {duration}, {steps})"
-    about.cause = "A loop over range(0) silently does nothing. Refuse fewer than 1 step."
+    about.cause = "A loop over range(0) does nothing and raises no error. Refuse fewer than 1 step."
     if steps > 0:
         about.cause = "A duration must be positive and finite. Particle.integrate and positive "
         about.cause += "from arguments.py both check that."
@@ -267,14 +268,18 @@ def expect_refusal(name: str, duration: float, steps: int) -> None:
 def test_five_steps_are_off_by_half_a_step() -> None:
     about(
         f"stepping_error({EXAMPLE}, 1, 5)",
-        cause="Return stepped minus exact position.",
+        cause="Return the stepped position minus the exact position.",
     )
     about.read = "book 3, exercise 3.4"
     got = exercises.stepping_error(*vectors(START, VELOCITY, ACCELERATION), 1, 5)
     mistakes = [
-        ((-5.0, 2.5, 1.25), "This is exact minus stepped. Subtract the exact position instead."),
+        (
+            (-5.0, 2.5, 1.25),
+            "The result is the exact position minus the stepped one. Subtract the exact position "
+            "instead.",
+        ),
         ((-15.0, 5.5, 12.75), "Use the exact position after 5 s, which is steps x duration."),
-        (math.hypot(5.0, 2.5, 1.25), "This is the length of the error. Return the vector."),
+        (math.hypot(5.0, 2.5, 1.25), "The result is the length of the error. Return the vector."),
     ]
     blame(xyz(got), mistakes)
     expect_close(xyz(got), (5.0, -2.5, -1.25), tolerance=1e-12)

@@ -44,15 +44,15 @@ def test_a_drift_moves_the_position_alone(rng: Random) -> None:
         mistakes = [
             (
                 tuple(x[i] + (v[i] + a[i] * h) * h for i in range(3)),
-                "The acceleration was used here. Only kick() uses it, and drift() uses only the "
-                "velocity.",
+                "The acceleration was used here. drift() uses only the velocity, and kick() uses "
+                "the acceleration.",
             ),
             (
                 tuple(x[i] + v[i] * damping**h * h for i in range(3)),
-                "The velocity was damped here. Only kick() damps it, and drift() only reads the "
-                "velocity.",
+                "The velocity was damped here. drift() only reads the velocity, and kick() damps "
+                "it.",
             ),
-            (x, "The position did not change. Add v h to it."),
+            (x, "The position did not change. Add v h to the position."),
         ]
         blame(got, mistakes if h else [])
         wanted = tuple(x[i] + v[i] * h for i in range(3))
@@ -78,7 +78,9 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
     ):
         words, p = a_particle(x, v, a, mass, damping)
         about.call = f"{words}; p.kick({h})"
-        about.cause = "v' = (v + a h) d^h: add the acceleration first, then damp. h may be "
+        about.cause = (
+            "v' = (v + a h) d^h: add the acceleration first, and then damp the result. h may be "
+        )
         about.cause += "negative."
         p.kick(h)
         got = xyz(p.velocity)
@@ -86,8 +88,8 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
         mistakes = [
             (
                 tuple(v[i] * keep + a[i] * h for i in range(3)),
-                "This is Eq. 3.6, v d^h + a h. The engine follows the book's listing, which damps "
-                "after the acceleration is added (E-16).",
+                "The result follows Eq. 3.6, v d^h + a h. The engine follows the book's listing, "
+                "which damps after the acceleration is added (E-16).",
             ),
             (
                 tuple(v[i] * keep + a[i] * keep for i in range(3)),
@@ -99,12 +101,15 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
                 "The velocity was multiplied by d in every kick, but d is the damping per second. "
                 "Use d^h.",
             ),
-            (tuple(v[i] + a[i] * h for i in range(3)), "The velocity was not damped. Use d^h."),
+            (
+                tuple(v[i] + a[i] * h for i in range(3)),
+                "The velocity was not damped. Multiply by d^h.",
+            ),
             (
                 tuple((v[i] + a[i] * h / mass) * keep for i in range(3)),
                 "The acceleration was divided by the mass, but it is not a force. Add a h.",
             ),
-            (v, "The velocity did not change. Add a h to it."),
+            (v, "The velocity did not change. Add a h to the velocity."),
         ]
         blame(got, mistakes if h and damping != 1.0 else [])
         wanted = tuple((v[i] + a[i] * h) * keep for i in range(3))
@@ -120,7 +125,7 @@ def test_half_a_drift_a_kick_and_half_a_drift_fall_exactly(rng: Random) -> None:
     words, p = a_particle(x, v, a)
     about.call = f"{words}; p.drift({h} / 2); p.kick({h}); p.drift({h} / 2)"
     about.cause = "Under a constant acceleration these moves are exact: x + v h + a h^2 / 2. Each "
-    about.cause += "call must start from the state that the last one left."
+    about.cause += "call must start from the state in which the last one ended."
     about.read = "book 2.4, Eq. 2.9, and the docstrings of drift and kick"
     p.drift(h / 2.0)
     p.kick(h)
@@ -146,7 +151,7 @@ def test_no_move_changes_an_immovable_particle(rng: Random) -> None:
     words, p = a_particle(x, v, a, math.inf)
     about.call = f"{words}; p.mass = 2.0; p.drift({h}); p.kick({h})"
     about.read = "the docstrings of drift and kick"
-    about.cause = "Now the particle has a finite mass, so both moves must change it."
+    about.cause = "The particle now has a finite mass, so both moves must change it."
     p.mass = 2.0
     p.drift(h)
     p.kick(h)

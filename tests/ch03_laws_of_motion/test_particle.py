@@ -42,10 +42,10 @@ def test_a_new_particle_has_the_mass_1_and_keeps_its_velocity() -> None:
     p = Particle()
     expect_close(p.mass, 1.0, then=".mass")
     expect_close(p.inverse_mass, 1.0, then=".inverse_mass")
-    lost = "This is the fraction that is lost. damping is the fraction that is kept."
+    lost = "The result is the fraction that is lost. damping is the fraction that is kept."
     blame(p.damping, [(0.0, lost)])
     expect_close(p.damping, 1.0, then=".damping")
-    about.cause = "This mass is finite, so return True. A comparison returns True or False."
+    about.cause = "This mass is finite, so return True. A comparison already returns True or False."
     for mass in (1.0, 1e9, 0.001):
         about.call = f"p.has_finite_mass, for a mass of {mass} kg"
         got = Particle(mass=mass).has_finite_mass
@@ -56,7 +56,7 @@ def test_a_new_particle_has_the_mass_1_and_keeps_its_velocity() -> None:
 def test_a_mass_is_kept_as_its_inverse(rng: Random) -> None:
     first, second = draw_mass(rng), draw_mass(rng)
     about.read = "book 3.2"
-    itself = "This is the mass itself. The setter of mass must store 1 / mass."
+    itself = "The result is the mass itself. The setter of mass must store 1 / mass."
     about(f"p = Particle(mass={first}); p.inverse_mass", cause="The inverse mass is 1 / mass.")
     p = Particle(mass=first)
     blame(p.inverse_mass, [(first, itself)])
@@ -90,8 +90,8 @@ def test_an_inverse_mass_can_be_assigned(rng: Random) -> None:
     p = Particle(mass=8.0)
     p.inverse_mass = inverse
     once_more = (
-        "This is 1 / inverse mass. The assigned number is already an inverse mass, so store it "
-        "unchanged."
+        "The result is 1 / inverse mass. The assigned number is already an inverse mass, so store "
+        "it unchanged."
     )
     blame(p.inverse_mass, [(1.0 / inverse, once_more)])
     expect_close(p.inverse_mass, inverse, then="; p.inverse_mass")
@@ -120,7 +120,7 @@ def test_an_infinite_mass_has_the_inverse_0() -> None:
 @pytest.mark.exercise("B3.1")
 def test_an_inverse_mass_of_0_is_an_infinite_mass() -> None:
     about.call = "p = Particle(); p.inverse_mass = 0"
-    about.cause = "An inverse mass of 0 is valid. It means that nothing can move the particle. "
+    about.cause = "An inverse mass of 0 is valid, and it means that the particle is immovable. "
     about.cause += "Check it with not_negative from arguments.py."
     about.read = "book 3.2"
     p = Particle()
@@ -134,7 +134,9 @@ def test_an_inverse_mass_of_0_is_an_infinite_mass() -> None:
 
 @pytest.mark.exercise("B3.1")
 def test_a_damping_is_kept(rng: Random) -> None:
-    about.cause = "Store the damping as it is. 0 and numbers above 1 are valid, too. Check it with "
+    about.cause = (
+        "Store the damping unchanged. 0 and numbers above 1 are valid, too. Check it with "
+    )
     about.cause += "not_negative from arguments.py."
     about.read = "the docstring of Particle"
     for damping in (0.0, round(rng.uniform(0.1, 0.9), 3), 1.5):
@@ -168,7 +170,9 @@ def expect_refusal(name: str, bad: Any, error: type[Exception], *, good: float, 
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -2.0, -math.inf, math.nan])
 def test_a_mass_must_be_positive(bad: float) -> None:
-    about.cause = "A mass must be positive and may be infinite. Pass it to positive_or_infinite "
+    about.cause = (
+        "A mass must be positive and may be infinite. Pass the mass to positive_or_infinite "
+    )
     about.cause += "from arguments.py."
     expect_refusal("mass", bad, ValueError, good=4.0, read="the docstring of mass")
 
@@ -211,7 +215,7 @@ def test_text_is_no_number(name: str, good: float) -> None:
 def test_momentum_is_mass_times_velocity(rng: Random) -> None:
     mass, v = draw_mass(rng), components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}, damping=0.5); p.momentum()"
-    about.cause = "Momentum is m v, a vector. Damping does not matter here."
+    about.cause = "Momentum is the vector m v. The damping does not matter here."
     about.read = "book 3.2"
     p = Particle(velocity=Vector3(*v), mass=mass, damping=0.5)
     wanted = (mass * v[0], mass * v[1], mass * v[2])
@@ -221,8 +225,8 @@ def test_momentum_is_mass_times_velocity(rng: Random) -> None:
             tuple(n / mass for n in v),
             "The velocity was divided by the mass. Multiply by self.mass.",
         ),
-        (mass * math.sqrt(dot(v, v)), "This is the length of m v. Return the vector."),
-        (v, "This is the velocity. Multiply it by the mass."),
+        (mass * math.sqrt(dot(v, v)), "The result is the length of m v. Return the vector."),
+        (v, "The result is the velocity. Multiply it by the mass."),
     ]
     blame(got, mistakes)
     expect_close(got, wanted)
@@ -232,7 +236,9 @@ def test_momentum_is_mass_times_velocity(rng: Random) -> None:
 def test_momentum_is_a_vector_of_its_own(rng: Random) -> None:
     v = components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.momentum()"
-    about.cause = "momentum must return a new vector and leave the velocity alone. velocity * mass "
+    about.cause = (
+        "momentum must return a new vector and leave the velocity unchanged. velocity * mass "
+    )
     about.cause += "makes a new one."
     about.read = "the docstring of momentum"
     p = Particle(velocity=Vector3(*v))
@@ -269,9 +275,9 @@ def test_kinetic_energy_is_half_of_m_v_squared(rng: Random) -> None:
     p = Particle(velocity=Vector3(*v), mass=mass, damping=0.5)
     got, squared = p.kinetic_energy(), dot(v, v)
     mistakes = [
-        (mass * squared, "This is m |v|^2. Kinetic energy is half of that."),
-        (0.5 * mass * math.sqrt(squared), "This is m |v| / 2. Square the speed."),
-        (0.5 / mass * squared, "This uses the inverse mass. Multiply by self.mass."),
+        (mass * squared, "The result is m |v|^2. The kinetic energy is half of that."),
+        (0.5 * mass * math.sqrt(squared), "The result is m |v| / 2. Square the speed."),
+        (0.5 / mass * squared, "The result uses the inverse mass. Multiply by self.mass."),
     ]
     blame(got, mistakes)
     expect_close(got, 0.5 * mass * squared)

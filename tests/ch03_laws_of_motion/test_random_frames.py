@@ -50,7 +50,7 @@ def test_every_frame_but_the_last_is_within_the_jitter(rng: Random) -> None:
         least, most = mean * (1.0 - jitter), mean * (1.0 + jitter)
         name = ": of all frames but the last, the one that is farthest from the mean"
         expect_between(farthest, least, most, then=name, tolerance=1e-9 * mean)
-        about.cause = "The last frame is what remains of the total. So it is longer than 0 and no "
+        about.cause = "The last frame is the rest of the total. So it is longer than 0 and no "
         about.cause += "longer than the other frames may be."
         expect_exactly(last > 0.0, True, then=": is the last frame longer than 0")
         expect_between(last, 0.0, most, then=": the last frame", tolerance=1e-9)
@@ -62,7 +62,7 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
     about.read = "the docstring of random_frames"
     frames = frames_of(mean, jitter, 20.0, seed)[:-1]
     about.call = f"random_frames({mean}, {jitter}, 20.0, {seed})"
-    about.cause = "Draw each frame evenly from the whole range, which lies on both sides of the "
+    about.cause = "Draw each frame uniformly from the whole range, which lies on both sides of the "
     about.cause += "mean."
     # The mean of about 1000 even draws is within 6 of its standard deviations. The chance that a
     # tenth of the range stays empty is 0.9^1000.
@@ -80,15 +80,15 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
     name = f"the fraction of {about.call} within half the jitter of the mean"
     if inner > 0.5:
         about.cause = (
-            "Too many frames are near the mean. Draw each frame with a single call of uniform(), "
-            "not as the mean of several draws."
+            "Too many frames are near the mean. Draw each frame with a single call of uniform() "
+            "instead of averaging several draws."
         )
     expect_close(inner, 0.5, call=name, tolerance=six_sigma)
 
 
 @pytest.mark.exercise("3.5a")
 def test_without_jitter_all_frames_are_equal() -> None:
-    about.cause = "Without jitter every frame has the mean duration. A rest of about 1e-16 s is a "
+    about.cause = "Without jitter, every frame has the mean duration. A rest of about 1e-16 s is a "
     about.cause += "rounding error, not a frame."
     about.read = "the docstring of random_frames"
     for mean, count in ((0.125, 8), (0.1, 10)):
@@ -96,8 +96,7 @@ def test_without_jitter_all_frames_are_equal() -> None:
         got = frames_of(mean, 0.0, 1.0, 3)
         expect_close(got, [mean] * count, tolerance=1e-11)
     about.cause = (
-        "The remaining 1e-7 s are far more than a rounding error, so they need a frame of their "
-        "own."
+        "The remaining 1e-7 s are far more than a rounding error, so they need another frame."
     )
     about.call = "random_frames(0.25, 0.0, 0.5000001, 3)"
     got = frames_of(0.25, 0.0, 0.5000001, 3)
@@ -113,7 +112,9 @@ def test_without_jitter_all_frames_are_equal() -> None:
 def test_a_seed_repeats_its_frames_and_another_gives_others(rng: Random) -> None:
     seed = rng.randrange(1000)
     about.call = f"random_frames(0.02, 0.5, 1.0, {seed})"
-    about.cause = "Make a random.Random(seed) in the function. The frames depend only on the seed."
+    about.cause = (
+        "Create a random.Random(seed) in the function. The frames must depend only on the seed."
+    )
     about.read = "the docstring of random_frames"
     first = frames_of(0.02, 0.5, 1.0, seed)
     others = [frames_of(0.02, 0.5, 1.0, seed + i) for i in (1, 2)]
@@ -150,7 +151,7 @@ def test_a_seed_repeats_its_frames_and_another_gives_others(rng: Random) -> None
 def test_frames_of_no_length_are_refused(name: str, bad: float) -> None:
     arguments: dict[str, Any] = {"mean": 0.1, "jitter": 0.5, "total": 1.0, "seed": 3}
     about.cause = "mean and total must be positive and finite, and jitter from 0 to below 1. Check "
-    about.cause += "them before the first draw, or the loop may never end."
+    about.cause += "them before the first draw, because the loop may otherwise never end."
     about.read = "the docstring of random_frames"
     for value in (bad, 1.5) if bad == 1.0 else (bad,):  # at a limit, and beyond it
         bad_ones = arguments | {name: value}

@@ -11,15 +11,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion import probes
 from ch03_laws_of_motion.particle import Particle
 from draw import Components, components
-from expect import (
-    about,
-    blame,
-    expect_close,
-    expect_error,
-    expect_exactly,
-    expect_unchanged,
-    xyz,
-)
+from expect import about, blame, expect_close, expect_error, expect_exactly, expect_unchanged, xyz
 
 
 def draw_frame(rng: Random) -> float:
@@ -55,7 +47,7 @@ def test_the_position_moves_with_the_velocity_from_before_the_step(rng: Random) 
             ),
             (
                 tuple(x[i] + v[i] * h + a[i] * h * h / 2.0 for i in range(3)),
-                "a h^2 / 2 was added. The book's step leaves this term out on purpose.",
+                "The step added a h^2 / 2. The book's step leaves this term out on purpose.",
             ),
             (
                 tuple(x[i] + v[i] for i in range(3)),
@@ -74,7 +66,7 @@ def test_the_velocity_gains_what_the_acceleration_gives(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_frame(rng)
     words, p = a_particle(x, v, a)
     about.call = f"{words}; p.integrate({h}); p.velocity"
-    about.cause = "v' = v + a h, once in every step."
+    about.cause = "Each step must change the velocity once: v' = v + a h."
     about.read = "book 3.3.2, Eq. 2.8"
     p.integrate(h)
     wanted = tuple(v[i] + a[i] * h for i in range(3))
@@ -137,11 +129,11 @@ def test_damping_is_the_share_that_is_kept_in_a_second(rng: Random) -> None:
         mistakes = [
             (
                 tuple(n * each for n in v),
-                "d was used in every step, as in Eq. 3.5. Use d^h.",
+                "The velocity was multiplied by d in every step, as in Eq. 3.5. Use d^h.",
             ),
             (
                 tuple(n * first for n in v),
-                "d^h of the first step was used in all steps. Compute it for each duration.",
+                "The d^h of the first step was used in all steps. Compute d^h for each duration.",
             ),
             (v, "The velocity was not damped. Multiply it by d^h."),
         ]
@@ -157,13 +149,15 @@ def test_damping_comes_after_the_acceleration(rng: Random) -> None:
     damping = round(rng.uniform(0.2, 0.8), 3)
     words, p = a_particle(x, v, a, damping)
     about.call = f"{words}; p.integrate({h}); p.velocity"
-    about.cause = "v' = (v + a h) d^h, as in the book's listing: add the acceleration, then damp."
+    about.cause = (
+        "v' = (v + a h) d^h, as in the book's listing: add the acceleration, then damp the result."
+    )
     about.read = "the docstring of integrate, errata.md"
     p.integrate(h)
     wanted = tuple((v[i] + a[i] * h) * damping**h for i in range(3))
     equation = (
-        "This is Eq. 3.6, v d^h + a h, which the book's listing contradicts (E-16). The engine "
-        "follows the listing, (v + a h) d^h."
+        "The result follows Eq. 3.6, v d^h + a h, which the book's listing contradicts (E-16). "
+        "The engine follows the listing, (v + a h) d^h."
     )
     mistakes = [(tuple(v[i] * damping**h + a[i] * h for i in range(3)), equation)]
     blame(xyz(p.velocity), mistakes)
@@ -177,7 +171,9 @@ def test_a_new_damping_counts_from_the_next_step_on(rng: Random) -> None:
     v, damping = components(rng), round(rng.uniform(0.2, 0.8), 3)
     about.call = f"p = Particle(velocity=Vector3{v}); p.integrate(0.5); p.damping = {damping}; "
     about.call += "p.integrate(0.5); p.velocity"
-    about.cause = "Compute d^h from the damping that the particle has now. A stored one is out of "
+    about.cause = (
+        "Compute d^h from the damping that the particle has now. A stored value is out of "
+    )
     about.cause += "date."
     about.read = "the docstring of integrate"
     p = Particle(velocity=Vector3(*v))
@@ -194,7 +190,9 @@ def test_a_damping_of_0_stops_the_particle(rng: Random) -> None:
     x, v, h = components(rng), components(rng), draw_frame(rng)
     words, p = a_particle(x, v, (0.0, 0.0, 0.0), 0.0)
     about.call = f"{words}; p.integrate({h})"
-    about.cause = "0^h is 0, so damping 0 stops the particle. Python treats 0 as false in an if."
+    about.cause = (
+        "0^h is 0, so a damping of 0 stops the particle. Python treats 0 as false in an if."
+    )
     about.read = "the docstring of integrate"
     p.integrate(h)
     expect_close(xyz(p.velocity), (0.0, 0.0, 0.0), then="; p.velocity")
@@ -245,7 +243,7 @@ def test_an_immovable_particle_stays_as_it_is(rng: Random) -> None:
     expect_unchanged("p.acceleration", xyz(p.acceleration), a)
     p.mass = 2.0
     about.call = f"{about.call}; p.mass = 2.0; p.integrate({h}); p.position"
-    about.cause = "Now the particle has a finite mass, so it must move."
+    about.cause = "The particle now has a finite mass, so it must move."
     p.integrate(h)
     wanted = tuple(x[i] + v[i] * h for i in range(3))
     expect_close(xyz(p.position), wanted, tolerance=1e-13)
@@ -256,7 +254,7 @@ def test_the_last_acceleration_is_the_constant_one_and_a_vector_of_its_own(rng: 
     a = components(rng)
     about.call = f"p = Particle(acceleration=Vector3{a}, mass=4.0, damping=0.5); p.integrate(0.5); "
     about.call += "p.last_acceleration"
-    about.cause = "Return the acceleration as it is. The mass and the damping do not matter."
+    about.cause = "Return the acceleration unchanged. The mass and the damping do not matter."
     about.read = "the docstring of last_acceleration"
     p = Particle(acceleration=Vector3(*a), mass=4.0, damping=0.5)
     p.integrate(0.5)
@@ -299,7 +297,7 @@ def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
     for mass in (1.0, math.inf):
         about.cause = "A duration must be positive and finite: use positive from arguments.py."
         if mass == math.inf:
-            about.cause = "Refuse a bad duration before you test for an immovable particle."
+            about.cause = "Refuse an invalid duration before you test for an immovable particle."
         about.call = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, {mass=}); "
         about.call += f"p.integrate({duration})"
         p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass)

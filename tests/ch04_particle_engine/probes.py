@@ -117,11 +117,7 @@ def burst(
 ) -> list[list[float]]:
     """Burst a grenade; return mass, damping, position, velocity, acceleration of each fragment."""
     particle = Particle(
-        Vector3(*position),
-        Vector3(*velocity),
-        Vector3(*acceleration),
-        mass=mass,
-        damping=damping,
+        Vector3(*position), Vector3(*velocity), Vector3(*acceleration), mass=mass, damping=damping
     )
     return [
         [piece.mass, piece.damping, *piece.position, *piece.velocity, *piece.acceleration]

@@ -38,10 +38,20 @@ def test_the_axes_of_aiming(rng: Random) -> None:
     speed = round(rng.uniform(2.0, 90.0), 3)
     about.read = "the docstring of aim"
     for azimuth, elevation, wanted, cause in (
-        (0.0, 0.0, (0.0, 0.0, speed), "With both angles 0 the velocity points along Z."),
-        (QUARTER, 0.0, (speed, 0.0, 0.0), "An azimuth of a quarter turn points along X."),
-        (0.0, QUARTER, (0.0, speed, 0.0), "An elevation of a quarter turn points straight up."),
-        (0.0, -QUARTER, (0.0, -speed, 0.0), "A negative elevation points down."),
+        (0.0, 0.0, (0.0, 0.0, speed), "If both angles are 0, the velocity points along Z."),
+        (
+            QUARTER,
+            0.0,
+            (speed, 0.0, 0.0),
+            "At an azimuth of a quarter turn, the velocity points along X.",
+        ),
+        (
+            0.0,
+            QUARTER,
+            (0.0, speed, 0.0),
+            "At an elevation of a quarter turn, the velocity points straight up.",
+        ),
+        (0.0, -QUARTER, (0.0, -speed, 0.0), "At a negative elevation, the velocity points down."),
     ):
         about(f"aim({speed}, {azimuth}, {elevation})", cause=cause)
         got = xyz(ballistics.aim(speed, azimuth, elevation))
@@ -52,8 +62,8 @@ def test_the_axes_of_aiming(rng: Random) -> None:
                 ((speed, 0.0, 0.0), "The azimuth was measured from X. Measure it from Z."),
                 (
                     (0.0, speed, 0.0),
-                    "The elevation was measured from the vertical. Measure it "
-                    "from the ground, so that 0 is level.",
+                    "The elevation was measured from the vertical. Measure it from the ground, so "
+                    "that an elevation of 0 is level.",
                 ),
             ],
             (QUARTER, 0.0): [
@@ -68,7 +78,7 @@ def test_the_axes_of_aiming(rng: Random) -> None:
                     (0.0, speed, speed),
                     "The speed along the ground must be speed x cos(elevation).",
                 ),
-                ((0.0, -speed, 0.0), "A positive elevation points up. The sign is wrong."),
+                ((0.0, -speed, 0.0), "The sign is wrong. A positive elevation points up."),
                 ((0.0, speed * math.sin(small), speed * math.cos(small)), degrees),
             ],
         }
@@ -81,7 +91,9 @@ def test_the_axes_of_aiming(rng: Random) -> None:
 def test_azimuth_and_elevation_together(rng: Random) -> None:
     speed = round(rng.uniform(2.0, 90.0), 3)
     azimuth, elevation = round(rng.uniform(0.4, 1.1), 3), round(rng.uniform(0.4, 1.1), 3)
-    about.cause = "The speed upward is speed x sin(elevation). The speed along the ground is speed "
+    about.cause = (
+        "The vertical speed is speed x sin(elevation). The speed along the ground is speed "
+    )
     about.cause += "x cos(elevation), of which sin(azimuth) goes to X and cos(azimuth) to Z."
     about.read = "the docstring of aim"
     turned = ((-azimuth, elevation), (azimuth + math.pi, -elevation), (azimuth, elevation + 1.6))
@@ -116,7 +128,7 @@ def test_speed_and_angles_are_finite(bad: float) -> None:
 def test_a_shot_starts_as_its_type_says(name: str) -> None:
     mass, velocity, acceleration, damping = TABLE[name]
     about.call = f'r = BallisticRange(); r.fire("{name}"); r.shots'
-    about.cause = "Append one Shot of that type to shots."
+    about.cause = "Append one Shot of the given type to shots."
     about.read = "the docstring of fire; book 4.1.2"
     at = BallisticRange()
     at.fire(name)
@@ -132,14 +144,14 @@ def test_a_shot_starts_as_its_type_says(name: str) -> None:
     mistakes = [
         (
             (0.0, 0.0, speed),
-            "Without an elevation the shot must keep the angle of its type's velocity.",
+            "Without an elevation, the shot must keep the angle of its type's velocity.",
         ),
         (
             (0.0, up * along / speed, along * along / speed),
             "The speed is the length of the type's velocity, not only its Z component.",
         ),
     ]
-    unaimed = "Without angles the shot must have the velocity of its type."
+    unaimed = "Without angles, the shot must have the velocity of its type."
     about.cause = cause_of(xyz(p.velocity), mistakes, unaimed)
     expect_close(xyz(p.velocity), velocity, call=f"{own}.velocity")
     about.cause = "Pass the acceleration of the type to the Particle."
@@ -163,9 +175,7 @@ def test_shots_stand_in_the_order_in_which_they_were_fired_and_have_nothing_in_c
     for name in names:
         at.fire(name)
     expect_exactly(types_of(at), tuple(names), then=", their types")
-    about.cause = (
-        "Each shot needs a particle of its own, and each range needs a list of shots of its own."
-    )
+    about.cause = "Each shot needs its own particle, and each range needs its own list of shots."
     at.shots[0].particle.velocity.x = 99.0
     about.call = f"{about.call}[0].particle.velocity.x = 99.0; r.shots[3].particle.velocity.x"
     got = at.shots[3].particle.velocity.x
@@ -186,7 +196,7 @@ def test_an_azimuth_turns_the_shot_and_keeps_its_own_elevation(rng: Random) -> N
         at.fire(name, azimuth=azimuth)
         wanted = (along * math.sin(azimuth), up, along * math.cos(azimuth))
         got = xyz(at.shots[-1].particle.velocity)
-        unaimed = "This is the type's own velocity. Rotate it by the azimuth."
+        unaimed = "The result is the type's own velocity. Rotate it by the azimuth."
         blame(got, [((0.0, up, along), unaimed)])
         expect_close(got, wanted, tolerance=ROUNDED)
 
@@ -198,7 +208,10 @@ def test_an_elevation_takes_the_place_of_the_type_s_own(rng: Random) -> None:
         about.cause = "Aim the whole speed, 50 m/s, at the elevation instead of the type's own "
         about.cause += "angle."
         if elevation == 0.0:
-            about.cause = "An elevation of 0 means level. Test for None, because 0 is false in an "
+            about.cause = (
+                "An elevation of 0 means level. Test for None, because Python treats 0 as false "
+                "in an "
+            )
             about.cause += "if."
         about.call = f'r.fire("artillery", elevation={elevation}); r.shots[-1].particle.velocity'
         at = BallisticRange()

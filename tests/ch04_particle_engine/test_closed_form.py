@@ -13,15 +13,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine import closed_form, probes
 from draw import Components, components, number
-from expect import (
-    about,
-    blame,
-    expect_close,
-    expect_error,
-    expect_unchanged,
-    expect_vector,
-    xyz,
-)
+from expect import about, blame, expect_close, expect_error, expect_unchanged, expect_vector, xyz
 
 FACTORS = "the docstring of drag_factors"
 STATE = "the docstring of state_after"
@@ -61,17 +53,17 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
         about.cause = "kept = d^t, gone = (1 - d^t) / k and fallen = (t - gone) / k with k = -ln d."
         got = closed_form.drag_factors(damping, time)
         size = max(1.0, *wanted)
-        undamped = "The damping was ignored."
+        undamped = "The damping was ignored. Compute k from it."
         if damping == 0.9999:
             undamped = (
-                "A damping near 1 was taken for 1. Whether drag is negligible depends on k t, not "
-                "on the damping alone."
+                "A damping near 1 was treated as 1. Whether drag is negligible depends on k t, "
+                "not on the damping alone."
             )
         drag = 1.0 - damping
         powers = [(kept, (1.0 - kept) / drag) for kept in (damping**time, math.exp(-drag * time))]
         mistakes = [
             *(
-                ((kept, gone, (time - gone) / drag), "This uses k = 1 - d. k is -ln d.")
+                ((kept, gone, (time - gone) / drag), "The result uses k = 1 - d. k is -ln d.")
                 for kept, gone in powers
             ),
             (
@@ -95,10 +87,15 @@ def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
             0.0,
             time,
             (0.0, 0.0, 0.0),
-            "With damping 0 everything stops at once. Handle this case "
-            "first, because ln 0 does not exist.",
+            "A damping of 0 stops everything at once. Handle this case first, because ln 0 does "
+            "not exist.",
         ),
-        (0.5, 0.0, (1.0, 0.0, 0.0), "At time 0 nothing has changed: 1, 0 and 0."),
+        (
+            0.5,
+            0.0,
+            (1.0, 0.0, 0.0),
+            "At time 0 nothing has changed, so the factors are 1, 0 and 0.",
+        ),
         (0.0, 0.0, (1.0, 0.0, 0.0), "At time 0 nothing has changed, whatever the damping is."),
     ):
         about(f"kept, gone and fallen of drag_factors({damping}, {t})", cause=cause)
@@ -139,7 +136,9 @@ def test_the_factors_hold_for_short_times(rng: Random) -> None:
 
 @pytest.mark.exercise("B4.8")
 def test_the_flight_of_an_artillery_shell_ends_where_it_is_known_to() -> None:
-    about.cause = "On each axis v(t) = v kept + a gone and p(t) = p + v gone + a fallen. No steps "
+    about.cause = (
+        "On each axis, v(t) = v kept + a gone and p(t) = p + v gone + a fallen. No time steps "
+    )
     about.cause += "are needed."
     about.read = STATE
     x, v, a = (0.0, 1.5, 0.0), (0.0, 30.0, 40.0), (0.0, -20.0, 0.0)
@@ -181,7 +180,7 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
     middle = closed_form.state_after(p, first)
     if xyz(p.position) != x or xyz(p.velocity) != v:
         about.cause = "state_after moved the particle itself. Return new vectors."
-    undamped = "The velocity was not damped. It is v kept + a gone."
+    undamped = "The velocity was not damped. Multiply v by kept."
     gone = (1.0 - damping**first) / -math.log(damping)
     gain = tuple(v[i] + a[i] * gone for i in range(3))
     blame(xyz(middle[1]), [(gain, undamped)])
@@ -205,7 +204,10 @@ def test_the_step_comes_near_it_as_frames_get_short(rng: Random) -> None:
     x, v, a = components(rng), components(rng), (number(rng), -9.81, number(rng))
     damping, t = round(rng.uniform(0.3, 0.8), 3), 2.0
     words, p = particle_of(x, v, a, damping)
-    about.cause = "integrate must approach this state as the steps get shorter. Half the step must "
+    about.cause = (
+        "The results of integrate must approach this state as the steps get shorter. Half the "
+        "step must "
+    )
     about.cause += "give half the error."
     about(f"{words}; state_after(p, {t})", read=f"{STATE}; chapter 3's integrate")
     exact = [xyz(vector) for vector in closed_form.state_after(p, t)]
@@ -225,7 +227,7 @@ def test_the_particle_stays_as_it_is(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     words, p = particle_of(x, v, a, 0.5)
     about.call = f"{words}; position, velocity = state_after(p, t); position.x = velocity.x = 99"
-    about(cause="Return new vectors and do not change the particle.", read=STATE)
+    about(cause="Return new vectors, and do not change the particle.", read=STATE)
     for t in (2.0, 0.0):
         state = closed_form.state_after(p, t)
         state[0].x = state[1].x = 99.0
@@ -245,7 +247,7 @@ def test_an_immovable_particle_is_found_where_it_is(rng: Random) -> None:
     expect_close(xyz(velocity), v, then="; velocity")
     position.x = velocity.x = 99.0
     about.call += "; position.x = velocity.x = 99"
-    about.cause = "Return new vectors, not those of the particle."
+    about.cause = "Return new vectors instead of the particle's own."
     expect_unchanged("p.position", xyz(p.position), x)
     expect_unchanged("p.velocity", xyz(p.velocity), v)
 
@@ -295,9 +297,12 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     mistakes = [
         (
             [number - start for number in wanted],
-            "The start position is missing. Add it to each position.",
+            "The start position is missing. Add it to each result.",
         ),
-        ([start + speed * t for speed in speeds], "acceleration x fallen is missing."),
+        (
+            [start + speed * t for speed in speeds],
+            "The term acceleration x fallen is missing. Add it to each result.",
+        ),
         (sorted(wanted), "The positions were sorted. Return them in the order of the speeds."),
     ]
     blame(got, mistakes)
@@ -333,11 +338,11 @@ def test_the_factors_are_worked_out_once_for_all_sparks() -> None:
 def test_a_burst_begins_at_its_start_and_may_be_empty(rng: Random) -> None:
     start = number(rng)
     about(f"burst_positions({start}, [3.0, -4.0], -10.0, 0.5, 0.0)", read=BURST)
-    about.cause = "At time 0 every spark is at its start."
+    about.cause = "At time 0, every spark is at its start position."
     got = closed_form.burst_positions(start, [3.0, -4.0], -10.0, 0.5, 0.0)
     expect_close(got, [start, start])
     about.call = f"len(burst_positions({start}, [], -10.0, 0.5, 1.0))"
-    about.cause = "Without speeds, return an empty list."
+    about.cause = "If there are no speeds, return an empty list."
     got = len(closed_form.burst_positions(start, [], -10.0, 0.5, 1.0))
     expect_close(got, 0)
 

@@ -38,7 +38,9 @@ def types(of: Any) -> list[int]:
 def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
     x, y = number(rng), round(rng.uniform(20.0, 30.0), 3)
     about.read = "the docstring of find_rocket"
-    about.cause = "Return the rocket nearest to the click, not the first one in the list."
+    about.cause = (
+        "Return the rocket nearest to the click, which is not always the first one in the list."
+    )
     about.call = f"rockets at ({x} - 2, {y}), ({x} + 1, {y}) and ({x}, {y} + 1.5); "
     about.call += f"find_rocket(display, {x}, {y})"
     found = display.find_rocket(game((1, x - 2, y), (3, x + 1, y), (1, x, y + 1.5)), x, y)
@@ -90,7 +92,11 @@ def test_sparks_are_no_rockets() -> None:
 def test_a_rocket_without_a_fuse_is_past_saving() -> None:
     about.read = "the docstring of find_rocket"
     for age, cause in (
-        (0.0, "A rocket of age 0 bursts in the next update. Ignore it, or it could be hit twice."),
+        (
+            0.0,
+            "A rocket of age 0 bursts in the next update. Ignore it, because it could otherwise "
+            "be hit twice.",
+        ),
         (-0.5, "A rocket whose age is 0 or less has no fuse left. Ignore it."),
     ):
         about.cause = cause
@@ -131,7 +137,7 @@ def test_a_late_click_scores_more() -> None:
     about.read = "the docstring of click"
     for fuse, score, cause in (
         (1.5, 1, "A hit with 1.5 s of fuse left scores 1. Read the fuse before you set it to 0."),
-        (0.4, 1, "A hit scores 3 only below LATE = 0.4 s of fuse, not at exactly 0.4 s."),
+        (0.4, 1, "A hit scores 3 only below LATE = 0.4 s of fuse. At exactly 0.4 s it scores 1."),
         (0.39, 3, "A hit with less fuse than LATE scores 3. Read the fuse before you set it to 0."),
     ):
         about(f"a rocket at (0, 20) with {fuse} s of fuse; click(display, 0, 20); ", cause=cause)
@@ -201,7 +207,7 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
             "MISSES_ALLOWED is 5, so the fifth miss does not end the game.",
         ),
         ((rocket, spark), 6, True, "The sixth miss ends the game, even if a rocket still burns."),
-        ((spark, spark), 0, True, "Only sparks still burn. Without rockets the game is over."),
+        ((spark, spark), 0, True, "Only sparks still burn. Without rockets, the game is over."),
         ((), 0, True, "Nothing burns any more, so the game is over."),
     ):
         about.cause = cause
@@ -220,7 +226,7 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
 @pytest.mark.exercise("P4.1")
 def test_a_click_after_the_end_does_nothing() -> None:
     about("a rocket at (0, 20), 6 misses; click(display, 0, 20)")
-    about.cause = "The game is over. Call is_over first, and let the click do nothing."
+    about.cause = "The game is over. Call is_over first, and do nothing if it returns True."
     about.read = "the docstring of click"
     a_game = game((1, 0.0, 20.0))
     a_game.misses = 6

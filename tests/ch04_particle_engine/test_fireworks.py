@@ -98,7 +98,9 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
     ages = [firework[1] for firework in made]
     if min(ages) < max(ages):  # another check tests whether ages are drawn at all
         columns["the age"] = ages
-    about.cause = "One draw was used for several numbers. Draw each component and the age "
+    about.cause = (
+        "One random number was used for several quantities. Draw each component and the age "
+    )
     about.cause += "separately."
     for one, other in itertools.combinations(columns, 2):
         correlation = statistics.correlation(columns[one], columns[other])
@@ -112,7 +114,7 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
 def test_without_a_parent_it_starts_on_the_ground_at_one_of_three_places(rng: Random) -> None:
     seed = rng.randrange(10**6)
     about.call = f"make_firework(rule, Random({seed})).particle.position"
-    about.cause = "Choose x from LAUNCH_PLACES, each equally often. y and z are 0."
+    about.cause = "Choose x from LAUNCH_PLACES, each with the same probability. y and z are 0."
     about.read = "the docstring of make_firework; book 4.2.3"
     places = [tuple(firework[2:5]) for firework in probes.lit(FIRST, seed, MANY)]
     for x in (-5.0, 0.0, 5.0):
@@ -137,7 +139,9 @@ def test_a_parent_gives_its_place_and_adds_its_velocity(rng: Random) -> None:
     about.cause = "The velocity is the drawn one plus the parent's."
     wanted = tuple(a + b for a, b in zip(v, own, strict=True))
     expect_close(firework[5:8], wanted, then=".particle.velocity")
-    about.cause = "The parent was changed. Copy its vectors, since one parent has many children."
+    about.cause = (
+        "The parent was changed. Copy its vectors, because one parent can have many children."
+    )
     family = probes.lit(data, seed, 3, (x, v))
     expect_close(family[2][5:8], wanted, then=", the third")
 
@@ -171,7 +175,7 @@ def test_all_that_is_drawn_comes_from_the_random_that_is_given(rng: Random) -> N
     expect_exactly(differ, 0, then=": how many fireworks differ")
     about.call = f"make_firework(rule, Random({seed})) and with Random({seed + 1}): how many "
     about.call += "velocities are equal"
-    about.cause = "Another seed must give other numbers."
+    about.cause = "A different seed must give different numbers."
     other = probes.lit(FIRST, seed + 1, 5)
     same = sum(a[5:8] == b[5:8] for a, b in zip(once, other, strict=True))
     expect_exactly(same, 0)
@@ -205,7 +209,7 @@ def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
 def test_launched_fireworks_burn_in_the_order_of_their_launches(rng: Random) -> None:
     order = rng.sample([1, 2, 3, 4], 4)
     about.call = f"launch {', '.join(map(str, order))}; the types of show.fireworks"
-    about.cause = "Append each new firework at the end, so that the oldest is the first."
+    about.cause = "Append each new firework at the end, so that the oldest one is first."
     about.read = "the docstrings of FireworksShow and launch"
     for when_full in ("keep_old", "drop_oldest"):
         a_show = show(9, when_full)
@@ -226,10 +230,10 @@ def test_keep_old_lights_none_when_all_slots_are_taken() -> None:
         a_show.launch(type)
     lit = burning(a_show)
     if len(lit) == 3 and 4 in lit:
-        about.cause = "The oldest fireworks were put out, as in the book's listing. With keep_old "
+        about.cause = "The oldest fireworks were removed, as in the book's listing. With keep_old "
         about.cause += "they must keep their slots (E-20)."
     expect_exactly(lit, [1, 2, 3])
-    about.cause = "Add to dropped the fireworks that were not lit."
+    about.cause = "Add the fireworks that were not lit to dropped."
     expect_exactly(a_show.dropped, 2, then="; show.dropped")
 
 
@@ -242,7 +246,7 @@ def test_drop_oldest_puts_out_the_oldest() -> None:
     for type in (1, 2, 3, 4, 1):
         a_show.launch(type)
     expect_exactly(burning(a_show), [3, 4, 1])
-    about.cause = "Add to dropped the fireworks that were put out."
+    about.cause = "Add the fireworks that were put out to dropped."
     expect_exactly(a_show.dropped, 2, then="; show.dropped")
 
 
@@ -251,7 +255,7 @@ def test_drop_oldest_puts_out_the_oldest() -> None:
     ("when_full", "wanted", "cause"),
     [
         ("keep_old", [1, 2, 2, 3], "One firework burns, so the first three new ones have room."),
-        ("drop_oldest", [3, 3, 3, 4], "The last four stay, and all older ones are put out."),
+        ("drop_oldest", [3, 3, 3, 4], "The last four stay, and all older fireworks are put out."),
     ],
 )
 def test_more_births_than_there_is_room_for(when_full: str, wanted: list[int], cause: str) -> None:
@@ -263,7 +267,9 @@ def test_more_births_than_there_is_room_for(when_full: str, wanted: list[int], c
     a_show.launch(1)
     a_show.light(births)
     expect_exactly(burning(a_show), wanted)
-    about.cause = "Of 8 fireworks 4 burn. Add the other 4 to dropped, whether lit or not."
+    about.cause = (
+        "Of 8 fireworks, 4 burn. Add the other 4 to dropped, whether they were lit or not."
+    )
     expect_exactly(a_show.dropped, 4, then="; show.dropped")
 
 
@@ -281,7 +287,7 @@ def test_births_have_their_own_parents(rng: Random) -> None:
     wanted = [x[0], x[0], x[1], x[1], 0.0]
     expect_close(got, wanted, then=": x of two and y of three")
     places[0].x = 99.0
-    about.cause = "Both entries are the same firework. Call make_firework for each one."
+    about.cause = "Both entries are the same firework. Call make_firework once for each firework."
     expect_close(places[1].x, x[0], then="; the first one's x = 99; x of the second one")
     about.call = "births = [(1, 2, None), (2, 3, None)]; show.light(births); births"
     about.cause = "The list of births belongs to the caller. Do not change it."
@@ -316,13 +322,13 @@ def test_the_same_seed_launches_the_same(rng: Random) -> None:
     seed = rng.randrange(10**6)
     rules = [FIRST]
     about.call = f"two shows with the seed {seed}: launch 1 three times"
-    about.cause = "Draw from self.random, which was made from the seed."
+    about.cause = "Draw from self.random, which was created from the seed."
     about.read = "the docstring of FireworksShow"
     runs = [probes.show_after(rules, [1, 1, 1], s, 0.01, 0) for s in (seed, seed, seed + 1)]
     expect_exactly(len(runs[0]), 3, then=", how many burn")
     differ = sum(a != b for a, b in zip(runs[0], runs[1], strict=True))
     expect_exactly(differ, 0, then=": how many fireworks differ")
-    about.cause = "Another seed must give another show."
+    about.cause = "A different seed must give a different show."
     same = sum(a == b for a, b in zip(runs[0], runs[2], strict=True))
     about.call = f"shows with the seeds {seed} and {seed + 1}: how many fireworks are equal"
     expect_exactly(same, 0)

@@ -44,18 +44,28 @@ def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> No
     about.read = "the docstring of is_spent; book 4.1.2, the listing"
     for position, age, spent, cause in (
         ((0.0, 1.5, 100.0), 4.0, False, "This shot is still in flight, so it is not spent."),
-        ((0.0, 0.0, 100.0), 4.0, False, "y = 0 is on the ground. Only y < 0 is below it."),
+        (
+            (0.0, 0.0, 100.0),
+            4.0,
+            False,
+            "At y = 0 the shot is on the ground. Only y < 0 is below it.",
+        ),
         ((0.0, -0.001, 100.0), 4.0, True, "This shot is below the ground, so it is spent."),
         ((0.0, 1.5, 100.0), 5.0, False, "An age of 5 s is allowed. Only an older shot is spent."),
         ((0.0, 1.5, 100.0), 5.001, True, "This shot is older than 5 s, so it is spent."),
         ((0.0, 1.5, 150.0), 4.0, False, "The range ends at 200 m, not at 100 m (E-34)."),
-        ((0.0, 1.5, 200.0), 4.0, False, "z = 200 m is allowed. Only z > 200 m is past the end."),
-        ((0.0, 1.5, 200.001), 4.0, True, "This shot is past the end of the range, so it is spent."),
+        ((0.0, 1.5, 200.0), 4.0, False, "z = 200 m is allowed. Only z > 200 m is beyond the end."),
+        (
+            (0.0, 1.5, 200.001),
+            4.0,
+            True,
+            "This shot is beyond the end of the range, so it is spent.",
+        ),
         (
             (300.0, 300.0, -300.0),
             0.0,
             False,
-            "The range has no limit in x, none upward and none for z < 0.",
+            "The range has no limit in x, no upper limit in y and no lower limit in z.",
         ),
     ):
         about.cause = cause
@@ -71,7 +81,7 @@ def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> No
 def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
     h = round(rng.uniform(0.05, 0.2), 3)
     about.call = f'r.fire("pistol"); r.fire("artillery"); r.fire("pistol"); r.update({h}); r.shots'
-    about.cause = "Integrate the particle of each shot once, with the duration of the frame."
+    about.cause = "Integrate the particle of each shot once, with the duration of the step."
     about.read = "the docstring of update"
     at = BallisticRange()
     at.fire("pistol")
@@ -84,7 +94,7 @@ def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
         wanted = (0.0, 1.5 + vy * h, vz * h)
         expect_close(got, wanted, then=f"[{i}].particle.position")
     mistakes = [
-        (1.0, "This is the number of frames. Add the duration in seconds to the age."),
+        (1.0, "The age counts frames. Add the duration in seconds to the age."),
         (0.0, "The age did not change. Add the duration to it."),
     ]
     about.cause = cause_of(at.shots[1].age, mistakes, "Add the duration to the age in every frame.")
@@ -102,7 +112,7 @@ def test_many_updates_follow_the_law_of_the_step(rng: Random) -> None:
         ("fireball", (0.0, 0.0, 10.0), 0.6, 0.9),
     ):
         about.call = f'r.fire("{name}"); r.update(1/60) {frames} times; r.shots[0].particle'
-        about.cause = "Each frame is one call of integrate and nothing else."
+        about.cause = "Make each step with a single call of integrate."
         position, velocity = probes.shot_after(name, h, frames)
         axes = zip((0.0, 1.5, 0.0), speeds, (0.0, a, 0.0), strict=True)
         law = [by_the_law(p, v, a, damping, h, frames) for p, v, a in axes]
@@ -126,11 +136,12 @@ def test_shots_are_dropped_in_the_frame_that_ends_their_lifetime() -> None:
             "artillery",
             h,
             landed,
-            "Drop a shot in the frame in which it falls below y = 0: call is_spent after the step.",
+            "Remove a shot in the frame in which it falls below y = 0: call is_spent after the "
+            "step.",
         ),
-        ("laser", h, past, "Drop a shot in the frame in which it passes z = 200."),
+        ("laser", h, past, "Remove a shot in the frame in which it passes z = 200."),
         # 40 frames are exactly 5 s, and a shot of 5 s is not too old.
-        ("fireball", 1.0 / 8.0, 41, "Drop a shot in the frame in which its age exceeds 5 s."),
+        ("fireball", 1.0 / 8.0, 41, "Remove a shot in the frame in which its age exceeds 5 s."),
     ):
         about.cause = cause
         about.call = f'r.fire("{name}"); r.update({frame}) until r.shots is empty: how many updates'
@@ -142,7 +153,7 @@ def test_shots_are_dropped_in_the_frame_that_ends_their_lifetime() -> None:
 def test_neighbors_that_are_spent_together_are_dropped_together() -> None:
     names = ["laser", "laser", "fireball", "laser", "laser", "fireball"]
     about.call = f"fire {', '.join(names)}; r.update(0.5) 5 times; the types of r.shots after each"
-    about.cause = "Removing an item from the list that the loop runs over skips the next one. "
+    about.cause = "If a loop removes an item from its own list, it skips the next item. "
     about.cause += "Build a new list of the shots that stay."
     about.read = "the docstring of update"
     seen = probes.shots_over(names, 0.5, 5)
@@ -159,8 +170,10 @@ def test_flight_time_and_range_come_close_to_the_closed_form_as_frames_get_short
     errors = []
     for h in (1.0 / 500.0, 1.0 / 1000.0):
         about.call = f'r.fire("artillery"); r.update({h}) until it lands: time in s and z in m'
-        about.cause = "With 1000 steps per second the error is only 0.001 s and 0.04 m. Is update "
-        about.cause += "more than one step of integrate?"
+        about.cause = (
+            "With 1000 steps per second, the error is only 0.001 s and 0.04 m. Does update make "
+        )
+        about.cause += "more than one call of integrate?"
         got = probes.landing("artillery", h)
         # The step ends a t h / 2 too high, 0.06 m for 1/500 s, which it falls in 0.002 s.
         expect_close(got, wanted, tolerance=2.0 * 50.0 * h)

@@ -13,15 +13,7 @@ from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine import ballistics, grenade, probes
 from draw import components, number
-from expect import (
-    about,
-    blame,
-    expect_close,
-    expect_exactly,
-    expect_unchanged,
-    scoped,
-    xyz,
-)
+from expect import about, blame, expect_close, expect_exactly, expect_unchanged, scoped, xyz
 
 BURST_FRAME = 16  # of a quarter of a second each: 4 s
 
@@ -51,18 +43,24 @@ def test_a_bounce_turns_half_of_the_fall_upwards(rng: Random) -> None:
         about.call = f"p = Particle(Vector3({x}, {y}, 3), Vector3({vx}, {vy}, {vz})); bounce(p)"
         p = Particle(Vector3(x, y, 3.0), Vector3(vx, vy, vz))
         grenade.bounce(p)
-        mirrored = "The grenade was put as high above the ground as it was below. Set y to 0."
-        about.cause = "Below the ground, set y to 0 and leave x and z alone."
+        mirrored = "The grenade was placed as high above the ground as it was below. Set y to 0."
+        about.cause = "Below the ground, set y to 0 and leave x and z unchanged."
         blame(xyz(p.position), [((x, -y, 3.0), mirrored)])
         expect_close(xyz(p.position), (x, 0.0, 3.0), then="; p.position")
         about.cause = "Reverse the velocity along Y and keep BOUNCE = 0.5 of it. Along X and Z "
         about.cause += "keep SLIDE = 0.8."
         wanted = (0.8 * vx, -0.5 * vy, 0.8 * vz)
-        all_of_it = "The whole speed came back upward. Multiply it by BOUNCE, 0.5."
+        all_of_it = "The vertical velocity was reversed without a loss. Multiply it by BOUNCE, 0.5."
         mistakes = [
             ((0.8 * vx, -vy, 0.8 * vz), all_of_it),
-            ((vx, -0.5 * vy, vz), "The speed along the ground did not change. Keep SLIDE, 0.8."),
-            ((0.8 * vx, 0.5 * vy, 0.8 * vz), "The grenade still falls. Reverse the sign along Y."),
+            (
+                (vx, -0.5 * vy, vz),
+                "The velocity along the ground did not change. Multiply it by SLIDE, 0.8.",
+            ),
+            (
+                (0.8 * vx, 0.5 * vy, 0.8 * vz),
+                "The grenade still falls. Reverse the sign of the velocity along Y.",
+            ),
             ((vx, vy, vz), "The velocity did not change, but a falling grenade must bounce."),
         ]
         blame(xyz(p.velocity), mistakes)
@@ -81,7 +79,7 @@ def test_what_is_not_below_the_ground_does_not_bounce(rng: Random) -> None:
         expect_unchanged("p.position", now, (1.0, y, 3.0))
         expect_unchanged("p.velocity", xyz(p.velocity), v)
     about.call = f"p = Particle(Vector3(1, -1e-9, 3), Vector3{v}); bounce(p); p.position.y"
-    about.cause = "Even a grenade 1e-9 m below the ground must be put back to y = 0."
+    about.cause = "Even a grenade 1e-9 m below the ground must be moved back to y = 0."
     p = Particle(Vector3(1.0, -1e-9, 3.0), Vector3(*v))
     grenade.bounce(p)
     expect_close(p.position.y, 0.0, tolerance=0.0)
@@ -140,7 +138,7 @@ def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> No
         )
     expect_exactly(len(relative), 12, then=", how many", cause="Return 12 fragments.")
     pairs = [math.dist(a, b) for a, b in itertools.combinations(relative, 2)]
-    about.cause = "Two fragments fly in the same direction. Each needs its own direction."
+    about.cause = "Two fragments fly in the same direction. Each fragment needs its own direction."
     near = sum(pair < 0.1 for pair in pairs)
     expect_exactly(near, 0, then=", how many pairs of velocities differ by less than 0.1 m/s")
 
@@ -183,7 +181,7 @@ def test_a_grenade_bounces_until_its_fuse_has_burnt() -> None:
 
 @pytest.mark.exercise("4.1")
 def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
-    about(cause="FUSE is 4 s. Before that there is one grenade.")
+    about(cause="FUSE is 4 s. Before that time, there is one grenade.")
     about.read = "the docstring of grenade_after"
     about.call, at = thrown(frames=BURST_FRAME - 1)
     types = tuple(shot.type for shot in at.shots)
@@ -205,7 +203,9 @@ def test_other_shots_go_on_and_fragments_are_spent_like_them() -> None:
     about.cause += " The fragments take the place of their grenade in the list, before the "
     about.cause += "fireball."
     expect_exactly(types, ["fragment"] * 12 + ["fireball"], then=", their types in order")
-    about.cause = "Fragments do not bounce. Drop them below the ground, like other shots."
+    about.cause = (
+        "Fragments do not bounce. Remove them when they fall below the ground, like other shots."
+    )
     about.call, at = thrown(frames=BURST_FRAME + 40)
     expect_exactly(len(at.shots), 0, then=", how many")
 
@@ -213,7 +213,7 @@ def test_other_shots_go_on_and_fragments_are_spent_like_them() -> None:
 @pytest.mark.exercise("4.1")
 def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
     about.call = 'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); grenade_after(shot)'
-    about.cause = "This grenade is past the end of the range. Call is_spent for grenades, too."
+    about.cause = "This grenade is beyond the end of the range. Call is_spent for grenades, too."
     about.read = "the docstring of grenade_after"
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 201.0)))
     left = ballistics.grenade_after(shot)
@@ -221,7 +221,7 @@ def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
     about.call = (
         'shot = Shot("grenade", Particle(Vector3(0, 1, 9))); shot.age = 2; grenade_after(shot)'
     )
-    about.cause = "This grenade is still in flight. Return a list with only the grenade."
+    about.cause = "This grenade is still in flight. Return a list that contains only the grenade."
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 9.0)))
     shot.age = 2.0
     left = [(each.type, each.age) for each in ballistics.grenade_after(shot)]
@@ -238,7 +238,7 @@ def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> N
     shot = ballistics.Shot("grenade", Particle(Vector3(0, -0.5, 9), Vector3(0.0, -8.0, 5.0)))
     shot.age = 4.0
     left = ballistics.grenade_after(shot)
-    about.cause = "Bounce first, so that the fragments start on the ground, not below it."
+    about.cause = "Bounce first, so that the fragments start on the ground instead of below it."
     heights = [each.particle.position.y for each in left]
     expect_close(heights, [0.0] * 12, then=", heights", tolerance=0.0)
     about.cause = "Bounce first: the grenade then moves at 4 m/s upward and 4 m/s along Z."

@@ -33,11 +33,11 @@ def test_rules_that_end_have_no_endless_types() -> None:
         got = probes.endless(leaves)
         if got == [*leaves]:
             about.cause = "Your function returns every type. A type counts as reached only if a "
-            about.cause += "payload leads to it, so do not mark the type that you start from."
+            about.cause += "payload leads to it, so do not mark the type from which you start."
         elif got == [1]:
             about.cause = "Type 1 leads to type 4 in two ways, by 2 and by 3, but nothing leads "
-            about.cause += "back to 1. Reaching a type twice does not make a ring. Compare each "
-            about.cause += "type with the one that you started from."
+            about.cause += "back to 1. Reaching a type twice is not a ring. Compare each "
+            about.cause += "type with the one from which you started."
         expect_exactly(got, [])
 
 
@@ -79,7 +79,7 @@ def test_types_that_lead_round_in_a_ring_are_all_endless(rng: Random) -> None:
 @pytest.mark.exercise("B4.7")
 def test_many_ways_to_the_same_types_are_not_followed_one_by_one() -> None:
     about.call = "endless_types(rules), 62 types, of which each leaves two of the next pair"
-    about.cause = "There are 2^30 paths through these rules. Remember the types that you have "
+    about.cause = "There are 2^30 paths through these rules. Keep a set of the types that you have "
     about.cause += "reached, and do not visit a type again."
     about.read = "the docstring of endless_types"
     leaves = {i: [i + 2 - i % 2, i + 3 - i % 2] for i in range(60)}
@@ -101,7 +101,7 @@ def test_your_types_are_10_and_11_and_one_leaves_something_behind() -> None:
     about("own_types(), types of their payloads", cause="Give one of your types a payload.")
     left = [type for rule in rules for type, _ in rule[-1]]
     expect_exactly(len(left) > 0, True, then=", any at all")
-    about.cause = "A payload needs a type that has a rule, from 1 to 11."
+    about.cause = "A payload needs a type that has a rule, which is a type from 1 to 11."
     unknown = [type for type in left if not 1 <= type <= 11]
     expect_exactly(unknown, [], then=", others than 1 to 11")
 
@@ -109,7 +109,10 @@ def test_your_types_are_10_and_11_and_one_leaves_something_behind() -> None:
 @pytest.mark.exercise("4.2")
 def test_your_types_are_like_no_other() -> None:
     about.call = "own_types() and FIREWORK_TYPES: pairs of rules that differ only in their type"
-    about.cause = "This is a copy with another number. Change its ages, velocities or payloads."
+    about.cause = (
+        "This rule is a copy of another one with a new type. Change its ages, velocities or "
+        "payloads."
+    )
     about.read = READ
     own, nine = probes.own_rules(), probes.nine_rules()
     expect_exactly(len(own), 2, call="own_types(), how many")
@@ -140,7 +143,7 @@ def test_your_types_burn_and_come_to_an_end() -> None:
     seed = 5
     about.read = READ
     about.call = "own_types(): the types that lead back to themselves by their payloads"
-    about.cause = "A type that leads back to itself never ends. Remove that payload."
+    about.cause = "A type that leads back to itself never ends. Remove the payload that leads back."
     expect_exactly(own_endless_types(), [])
     for type in (10, 11):
         about.call = f"own_types(), a show of all eleven with the seed {seed}; type {type} is lit "

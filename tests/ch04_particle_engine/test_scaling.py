@@ -17,8 +17,8 @@ def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
     about("muzzle_energy(0.005, 500)", cause="m v^2 / 2", read="book 4.1.1; errata.md")
     got = scaling.muzzle_energy(0.005, 500)
     mistakes = [
-        (1250.0, "This is m v^2. The kinetic energy is half of that."),
-        (1.25, "This is m v / 2. Square the speed."),
+        (1250.0, "The result is m v^2. The kinetic energy is half of that."),
+        (1.25, "The result is m v / 2. Square the speed."),
     ]
     expect_close(got, 625.0, cause=cause_of(got, mistakes, about.cause))
     mass, speed = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 90.0), 3)
@@ -40,13 +40,16 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
         (round(rng.uniform(2.0, 90.0), 3), 0.25),
     ):
         about.call = f"slowed_mass({mass}, {factor}); m v^2 / 2 with that and {500.0 / factor} m/s"
-        about.cause = "The energy has the speed squared, so the mass grows by the factor squared."
+        about.cause = (
+            "The energy contains the square of the speed, so multiply the mass by the factor "
+            "squared."
+        )
         slow = scaling.slowed_mass(mass, factor)
         mistakes = [
             (
                 mass * factor,
                 (
-                    "The mass is multiplied by the factor, which keeps the momentum. To keep the "
+                    "The mass was multiplied by the factor, which keeps the momentum. To keep the "
                     "energy, square the factor."
                 ),
             ),
@@ -54,12 +57,15 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
                 mass / factor**2,
                 (
                     "The mass gets smaller. The factor is the real speed divided by the speed in "
-                    "the game, as in the book's text and not its footnote (E-19)."
+                    "the game, as in the book's text. Its footnote divides the other way (E-19)."
                 ),
             ),
             (
                 mass,
-                ("The mass stays the same, so the energy shrinks. Square the factor."),
+                (
+                    "The mass stays the same, so the energy gets smaller. Multiply the mass by "
+                    "the factor squared."
+                ),
             ),
         ]
         blame(slow, mistakes)
@@ -84,13 +90,13 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
             "The same distance takes factor times as long, and the drop grows with the square of "
             "the time. So divide gravity by factor^2."
         )
-        stronger = "Gravity must get weaker, not stronger."
+        stronger = "Gravity must get weaker. Divide by factor^2."
         mistakes = [
             (gravity / factor, f"The book divides by the factor only once (E-2). {longer}"),
             (gravity * factor, f"{stronger} {longer}"),
             (
                 gravity * factor**2,
-                f"{stronger} The factor is not that of the footnote (E-19). {longer}",
+                f"{stronger} The footnote of the book uses the inverse factor (E-19). {longer}",
             ),
         ]
         about.cause = cause_of(weak, mistakes, longer)

@@ -23,16 +23,17 @@ def test_the_angle_grows_by_the_rate(rng: Random) -> None:
     for turning in (rate, -rate):
         about.call = f"screen_angle({start}, {turning}, 2.5)"
         about.cause = (
-            "The result is the angle start + rate x time in the range from -pi to pi. A backward "
+            "The result is start + rate x time, reduced to the range from -pi to pi. A backward "
             "rotation makes it negative."
         )
         got = screen_rotation.screen_angle(start, turning, 2.5)
         angle = start + 2.5 * turning
         mistakes = [
-            (2.5 * turning, "The start is missing. Add it."),
+            (2.5 * turning, "The start is missing. Add start to rate x time."),
             (
                 angle + 2.0 * math.pi,
-                "This angle is in the range from 0 to 2 pi. The result must be from -pi to pi.",
+                "The result is in the range from 0 to 2 pi. It must be in the range from -pi to "
+                "pi.",
             ),
             (angle + math.pi, "Half a turn was added. Remove only whole turns of 2 pi."),
             (angle - math.pi, "Half a turn was subtracted. Remove only whole turns of 2 pi."),
@@ -53,22 +54,22 @@ def test_whole_turns_are_left_out(rng: Random) -> None:
         got = screen_rotation.screen_angle(0.5, rate, 20.0)
         angle, turn = 0.5 + 20.0 * rate, 2.0 * math.pi
         mistakes = [
-            (angle, "This is start + rate x time. Remove the whole turns of 2 pi from it."),
+            (angle, "The result is start + rate x time. Remove the whole turns of 2 pi from it."),
             (
                 math.fmod(angle, turn),
-                "This angle is more than half a turn. Removing whole turns left a result between "
+                "The result is more than half a turn. Removing whole turns left a result between "
                 "-2 pi and 2 pi. Remove one more turn to bring it into the range from -pi to pi.",
             ),
             (
                 angle % turn,
-                "This angle is in the range from 0 to 2 pi. If it is above pi, "
-                "subtract one more turn of 2 pi.",
+                "The result is in the range from 0 to 2 pi. If it is above pi, subtract one more "
+                "turn of 2 pi.",
             ),
         ]
         blame(got, mistakes)
         expect_between(got, -math.pi, math.pi, tolerance=1e-9)
         about.cause = (
-            "Remove only whole turns, so that the direction is that of start + rate x time."
+            "Remove only whole turns, so that the direction stays that of start + rate x time."
         )
         direction = (math.cos(got), math.sin(got))
         wanted = (math.cos(angle), math.sin(angle))
@@ -105,8 +106,8 @@ def test_the_corners_of_a_square(rng: Random) -> None:
     for turned, cause in (
         (
             0.0,
-            "The first corner is half a side to the right of the center and half a side up. Go "
-            "on in the direction from X toward Y.",
+            "The first corner is half a side to the right of the center and half a side above it. "
+            "Continue in the direction from X toward Y.",
         ),
         (math.pi / 2.0, "After a quarter turn, each corner is where the next one was."),
         (angle, "Rotate each corner about the center: (a cos t - b sin t, a sin t + b cos t)."),

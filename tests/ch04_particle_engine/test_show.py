@@ -61,7 +61,7 @@ def test_every_firework_moves_by_a_step_and_its_fuse_gets_shorter(rng: Random) -
         got = xyz(firework.particle.velocity)
         wanted = (v[0], v[1] - 9.81 * h, v[2])
         expect_close(got, wanted, then=", a velocity", read=READ, tolerance=1e-13)
-        about.cause = "The age is the fuse that is left. It shrinks by the duration."
+        about.cause = "The age is the fuse that is left. Subtract the duration from it."
         age = firework.age
         expect_close(age, 3.0 - h, then=", an age", read=READ, tolerance=1e-13)
 
@@ -111,7 +111,7 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
     a_show = show_with(rules, [(1, 1, at((1.0, 0.5, 2.0)))])
     a_show.update(0.0625)
     name = f"{start}, to y = 0; types"
-    on_ground = "At y = 0 it is on the ground, not below it."
+    on_ground = "At y = 0 the firework is on the ground. Only y < 0 is below it."
     expect_exactly(types(a_show), [1], call=name, cause=on_ground, read=READ)
     a_show.update(0.001)
     left = types(a_show)
@@ -129,8 +129,8 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
         )
     expect_exactly(left, [2, 2, 2], then="; types", read=READ)
     about.cause = (
-        "The payload starts at the position of the burnt-out firework, although that is below the "
-        "ground."
+        "The payload starts at the position of the burnt-out firework, even if this position is "
+        "below the ground."
     )
     height = a_show.fireworks[0].particle.position.y
     wanted = (-8.0 - 9.81 * 0.0625) * 0.001
@@ -166,7 +166,9 @@ def test_the_payload_starts_where_the_burnt_out_one_is_with_its_velocity(rng: Ra
         wanted = (v[0] + own[0], v[1] - 9.81 * 0.25 + own[1], v[2] + own[2])
         got = xyz(firework.particle.velocity)
         expect_close(got, wanted, then=", a velocity", read=READ, tolerance=1e-13)
-        about.cause = "The payload's fuse is still whole, because it burns from the next step on."
+        about.cause = (
+            "The payload's fuse is still whole, because the fuse burns from the next step on."
+        )
         expect_close(firework.age, 1.5, then=", an age", read=READ)
 
 
@@ -175,7 +177,7 @@ def test_neighbors_that_burn_out_together_are_all_removed() -> None:
     rules = [fixed(1, 0.1), fixed(2, 5.0)]
     about.call = "types 1 1 2 1 1 2 1, type 1 with 0.1 s of fuse; show.update(0.25)"
     about.cause = (
-        "Removing from a list while a loop runs over it skips the next item. Make a new list of "
+        "If a loop removes an item from its own list, it skips the next item. Build a new list of "
         "those that still burn."
     )
     a_show = show_with(
@@ -195,7 +197,8 @@ def test_the_burnt_out_make_room_before_any_payload_is_lit() -> None:
         'capacity 3, "keep_old"; types 1 2 2 burn out together, payloads (3, 2) and (4, 2); types'
     )
     about.cause = (
-        "Remove all that have burnt out before you light anything. Then three slots are free."
+        "Remove all fireworks that have burnt out before you light new ones. Then three slots are "
+        "free."
     )
     a_show = show_with(rules, [(1, 1, at((0, 20, 0))), (2, 2, at((0, 20, 0)))], 3)
     a_show.update(0.25)
@@ -229,16 +232,11 @@ def test_the_oldest_comes_first_from_generation_to_generation() -> None:
     ]
     about.call = "launch 1, 2, 1; show.update(0.25) 4 times; the types after each"
     about.cause = (
-        "Light the payloads of the oldest first, each in the order of its rule, and all of them "
-        "behind those that burn already."
+        "Light the payloads of the oldest firework first, each in the order of its rule, and "
+        "place all of them behind those that burn already."
     )
     seen = probes.sparks(rules, [1, 2, 1], 50, "keep_old", 1, 0.25, 4)
-    wanted = [
-        "1 1 5",
-        "5 3 3 4 3 3 4",
-        "5 3 3 4 3 3 4",
-        "5 3 3 3 3 6 6",
-    ]
+    wanted = ["1 1 5", "5 3 3 4 3 3 4", "5 3 3 4 3 3 4", "5 3 3 3 3 6 6"]
     got = [" ".join(str(type) for type in types) for types in seen]
     expect_exactly(got, wanted, read=READ)
 
@@ -253,7 +251,7 @@ def test_the_count_of_sparks_is_that_of_the_rules(rng: Random) -> None:
     ]
     about.call = f"type 1 leaves {many} of 3 and 2 of 5, type 3 leaves 3 of 5; launch 1 twice; "
     about.call += "show.update(0.05) 80 times; how many of each type burn"
-    about.cause = "Light every payload of every firework that burns out, and none of them twice."
+    about.cause = "Light every payload of every firework that burns out exactly once."
     seen = probes.sparks(rules, [1, 1], 500, "keep_old", rng.randrange(10**6), 0.05, 80)
     last = seen[-1]
     got = {type: last.count(type) for type in (1, 3, 5)}
@@ -265,7 +263,7 @@ def test_the_count_of_sparks_is_that_of_the_rules(rng: Random) -> None:
 def test_rules_without_an_end_stay_within_the_capacity() -> None:
     rules = [fixed(1, 0.1, UP, (1, 10))]
     about.cause = (
-        "Each firework leaves ten of its own type. Use light(), which keeps their number within "
+        "Each firework leaves ten of its own type. Call light(), which keeps their number within "
         "the capacity."
     )
     about.read = "the docstring of FireworksShow"
@@ -298,7 +296,7 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
     expect_exactly(many, True, then="; something burns")
     differ = abs(len(once) - len(again)) + sum(a != b for a, b in zip(once, again, strict=False))
     expect_exactly(differ, 0, then=": how many fireworks differ")
-    about.cause = "Another seed must give another show."
+    about.cause = "A different seed must give a different show."
     same = sum(firework in once for firework in other)
     about.call = f"shows with the seeds {seed} and {seed + 1}: fireworks that agree"
     expect_exactly(same, 0)

@@ -45,7 +45,7 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
     got = targets.hit_fraction(Vector3(0.0, 1.0, 10.0), Vector3(0.1, 1.1, 11.67), block)
     expect_exactly(got is None, False, then=" is None", read=READ)
     wanted = (z - 0.005 - 10.0) / 1.67
-    about.cause = "Return the fraction at which the near face is crossed."
+    about.cause = "Return the fraction at which the path crosses the near face."
     whole = "size holds the lengths of whole sides. Half of each is on either side of the center."
     blame(got, [((z - 0.01 - 10.0) / 1.67, whole)])
     expect_close(got, wanted, read=READ, tolerance=ROUNDED)
@@ -206,10 +206,7 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
     # A rounding or two of numbers up to 20.
     gained = tuple(mass * n / block_mass for n in v)
     mistakes = [
-        (
-            (gained[0], 0.0, gained[2]),
-            "The velocity was replaced. Add to it.",
-        ),
+        ((gained[0], 0.0, gained[2]), "The velocity was replaced. Add to it."),
         (
             tuple(before[i] + gained[i] for i in range(3)),
             "The ground absorbs the part along Y. Change only X and Z.",
@@ -248,7 +245,7 @@ def test_a_block_that_nothing_moves_is_hit_and_stays(rng: Random) -> None:
 def test_only_the_first_block_on_the_way_is_hit() -> None:
     about.call = "strike_first(Vector3(0, 1, 0), p at z = 20, blocks at z = 15, 5 and 10), their "
     about.call += "hits"
-    about.cause = "Hit the block with the smallest fraction, and no other one."
+    about.cause = "Hit only the block with the smallest fraction."
     blocks = [
         TargetBlock(Vector3(0.0, 1.0, z), (2.0, 2.0, 1.0), mass=5.0) for z in (15.0, 5.0, 10.0)
     ]
@@ -264,8 +261,8 @@ def test_only_the_first_block_on_the_way_is_hit() -> None:
 @pytest.mark.exercise("4.3c")
 def test_first_is_who_is_touched_first_and_not_who_is_nearer() -> None:
     about.cause = (
-        "Compare the results of hit_fraction, which say how far along the path each block is "
-        "touched. The distances of the blocks do not show that."
+        "Compare the results of hit_fraction, which say how far along the path each block is hit. "
+        "The distances of the blocks do not show that."
     )
     about.read = STRIKE
     about.call = "strike_first(Vector3(0, 1, 0), p at z = 20, a block from z = 4 to 16 and a thin "

@@ -12,15 +12,7 @@ from ch02_vectors.vector import Vector3
 from ch04_particle_engine import probes
 from ch04_particle_engine.catherine_wheel import CatherineWheel
 from draw import Components, components
-from expect import (
-    about,
-    blame,
-    expect_close,
-    expect_error,
-    expect_exactly,
-    expect_unchanged,
-    xyz,
-)
+from expect import about, blame, expect_close, expect_error, expect_exactly, expect_unchanged, xyz
 
 STILL = (0.0, 0.0, 0.0)
 SPARK: probes.RuleData = (7, 9.0, 9.0, STILL, STILL, 1.0, ())
@@ -53,13 +45,14 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
         nozzle = wheel.nozzle()
         x, y = math.cos(angle), math.sin(angle)
         about.cause = (
-            "The nozzle is at center + radius (cos, sin, 0). The angle is measured from the X axis."
+            "The nozzle is at center + radius (cos, sin, 0), where the angle is measured from the "
+            "X axis."
         )
         wanted = (center[0] + radius * x, center[1] + radius * y, center[2])
         got = xyz(nozzle.position)
         expect_close(got, wanted, then=".position", tolerance=1e-13)
         about.cause = (
-            "The velocity is at a right angle to the spoke, with the speed rate x radius, from X "
+            "The velocity is perpendicular to the spoke, with the speed rate x radius, from X "
             "toward Y."
         )
         speed = rate * radius
@@ -72,17 +65,17 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
             ),
             (
                 (speed * y, 0.0 - speed * x, 0.0),
-                "The rim rotates the other way. It moves from X toward Y.",
+                "The rim rotates in the opposite direction. It moves from X toward Y.",
             ),
             (
                 (0.0 - rate * y, rate * x, 0.0),
-                "This is the rate, in rad/s. The speed of the rim is rate x radius.",
+                "The result is the rate, in rad/s. The speed of the rim is rate x radius.",
             ),
         ]
         blame(got, mistakes)
         expect_close(got, wanted, then=".velocity", tolerance=ROUNDED)
     about.call = "one = wheel.nozzle(); other = wheel.nozzle(); one.position.x = 99; other.position"
-    about.cause = "Return a new particle each time."
+    about.cause = "Return a new particle in every call."
     one, other = wheel.nozzle(), wheel.nozzle()
     before = xyz(other.position)
     one.position.x = 99.0
@@ -140,12 +133,12 @@ def test_sparks_are_due_by_the_time_and_not_by_the_frame(rng: Random) -> None:
         )
         if counts[-1] == frames:
             about.cause = (
-                "This is one spark per step. The number depends on the time: sparks_per_second x "
+                "One spark left per step. The number must depend on the time: sparks_per_second x "
                 "time."
             )
         if counts[-1] == 0:
             about.cause = (
-                "No sparks left the wheel. Fractions of a spark must add up from step to step."
+                "No sparks left the wheel. Add up the fractions of a spark from step to step."
             )
         expect_exactly(counts[-1], math.floor(per_second * 2.0))
         about.cause = "Fractions of a spark must not be lost from one step to the next."
@@ -197,7 +190,7 @@ def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
     about.call += "; show.update(10), so that all go out; wheel.update(0.5)"
     about.cause = "15 sparks are due after 1.5 s, and 10 of them count as thrown already."
     expect_exactly(wheel.thrown, 15, then="; wheel.thrown")
-    about.cause = "7 of the first 10 sparks and 2 of the last 5 find no slot. Light 5 in the end."
+    about.cause = "7 of the first 10 sparks and 2 of the last 5 have no slot. Light 5 at the end."
     expect_exactly(show.dropped, 7 + 2, then="; show.dropped")
 
 
@@ -205,7 +198,7 @@ def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_wheel_turns_for_a_positive_and_finite_time(bad: float) -> None:
-    about(f"wheel.update({bad})", cause="Check the duration first.")
+    about(f"wheel.update({bad})", cause="Check the duration before you change anything.")
     about.read = "the docstring of update"
     _, wheel = wheel_of((0.0, 5.0, 0.0))
     expect_error(

@@ -10,13 +10,7 @@ from random import Random
 from typing import Any
 
 from ch02_vectors.vector import Vector3
-from ch05_forces.forces import (
-    Airbrake,
-    Drag,
-    ForceRegistry,
-    Gravity,
-    InverseSquareGravity,
-)
+from ch05_forces.forces import Airbrake, Drag, ForceRegistry, Gravity, InverseSquareGravity
 from ch05_forces.particle import Particle
 from ch05_forces.sniper import SniperRange
 

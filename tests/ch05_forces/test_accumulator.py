@@ -49,7 +49,9 @@ def test_forces_add_up(rng: Random) -> None:
     p = Particle(Vector3(1, 2, 3), Vector3(4, 5, 6), Vector3(7, 8, 9), mass=4.0)
     total = [0.0, 0.0, 0.0]
     for force in forces:
-        about.cause = "Add each force to the sum, component by component. Do not use the mass yet."
+        about.cause = (
+            "Add each force to the sum, component by component. The mass does not matter yet."
+        )
         about.call += f"; p.add_force(Vector3{force})"
         p.add_force(Vector3(*force))
         total = [total[i] + force[i] for i in range(3)]
@@ -57,14 +59,15 @@ def test_forces_add_up(rng: Random) -> None:
         cause = "force_accumulator returns the sum as a new Vector3."
         got = expect_vector(p.force_accumulator, call=name, cause=cause)
         slips = {
-            "This is the newest force. Add it to the sum instead of replacing the sum.": force,
-            "This is the sum divided by the mass. The sum is in N.": [t / 4.0 for t in total],
-            "This is the sum with the opposite sign.": [-part for part in total],
+            "The result is the newest force. Add each force to the sum instead of replacing the "
+            "sum.": force,
+            "The result is the sum divided by the mass. The sum is in N.": [t / 4.0 for t in total],
+            "The result is the sum with the opposite sign.": [-part for part in total],
             "The sum is still zero. Store it in self._forces[0], and read it there.": ZERO,
         }
         blame(got, slips)
         expect_close(got, total, then="; p.force_accumulator", tolerance=ROUNDED)
-        expect_unmoved(p, "A force has no effect before the next step. Only change the sum.")
+        expect_unmoved(p, "A force has no effect before the next step. Change only the sum.")
 
 
 @pytest.mark.exercise("B5.1")
@@ -77,7 +80,9 @@ def test_without_forces_the_sum_is_zero(rng: Random) -> None:
     p = Particle(acceleration=Vector3(0, -10, 0))
     expect_close(xyz(p.force_accumulator), ZERO)
     about.call = f"p.add_force(Vector3{force}); p.add_force(Vector3{opposite}); p.force_accumulator"
-    about.cause = "Two opposite forces add up to zero. Each particle has its own sum, in self."
+    about.cause = (
+        "Two opposite forces add up to zero. Each particle has its own sum, stored in self."
+    )
     p.add_force(Vector3(*force))
     first = xyz(p.force_accumulator)
     p.add_force(Vector3(*opposite))
@@ -117,7 +122,10 @@ def test_the_sum_is_a_vector_of_its_own(rng: Random) -> None:
     p.add_force(Vector3(*force))
     total = p.force_accumulator
     expect_close(
-        xyz(total), force, call="p.force_accumulator", cause="This is the sum before the change."
+        xyz(total),
+        force,
+        call="p.force_accumulator",
+        cause="The result is the sum before the change.",
     )
     total.x = 99.0
     expect_close(xyz(p.force_accumulator), force, then="; p.force_accumulator")
@@ -127,7 +135,7 @@ def test_the_sum_is_a_vector_of_its_own(rng: Random) -> None:
 def test_two_particles_have_forces_of_their_own(rng: Random) -> None:
     first, second = components(rng), components(rng)
     about.call = f"p.add_force(Vector3{first}); q.add_force(Vector3{second})"
-    about.cause = "Each particle has a sum of its own. Store it in self."
+    about.cause = "Each particle has its own sum. Store the sum in self."
     about.read = "the docstring of Particle"
     p, q = Particle(), Particle()
     p.add_force(Vector3(*first))
@@ -155,7 +163,7 @@ def test_forces_can_be_dropped(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     expect_close(got, second, then="; p.force_accumulator")
     name = f"p.add_force(Vector3{first}); p.force_accumulator"
-    expect_close(before, first, call=name, cause="This is the sum before it was cleared.")
+    expect_close(before, first, call=name, cause="The result is the sum before it was cleared.")
     expect_unmoved(p, "Clear the forces and change nothing else.")
 
 
@@ -203,7 +211,7 @@ def test_the_sum_must_be_finite() -> None:
 @pytest.mark.exercise("B5.1")
 @pytest.mark.robust
 def test_a_force_must_be_a_vector() -> None:
-    about.cause = "Refuse it with TypeError. finite_vector of arguments.py does that."
+    about.cause = "Refuse this argument with TypeError. finite_vector of arguments.py does that."
     for bad in (3.0, (1.0, 2.0, 3.0), None, "up"):
         expect_refusal((4.0, 5.0, 6.0), f"p.add_force({bad!r})", bad, TypeError)
 

@@ -44,7 +44,12 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
     p, brake = Particle(velocity=Vector3(*v), mass=2.0), Airbrake(k)
     for on, wanted, cause in (
         (None, ZERO, "A new brake is off and adds no force."),
-        (True, pulled, "A brake that is on adds -k v. A full stop would take more: m / h is 4."),
+        (
+            True,
+            pulled,
+            "A brake that is on adds -k v. Here a full stop would take a larger force, because m "
+            "/ h is 4.",
+        ),
         (None, pulled, "The brake stays on until it is switched off."),
         (False, ZERO, "A brake that is off adds no force. Check self.on in every call."),
         (True, pulled, "A brake that is on adds -k v."),
@@ -59,13 +64,13 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         if wanted is pulled:
             slips = {
-                "This pushes in the direction of the motion. The minus sign is missing.": [
+                "The force points in the direction of the motion. The minus sign is missing.": [
                     -part for part in pulled
                 ],
-                "This is -v m / h, a full stop. Use the smaller of the two forces.": [
+                "The force is -v m / h, a full stop. Use the smaller of the two forces.": [
                     -4.0 * part for part in v
                 ],
-                "This is -k |v| v, which is quadratic drag.": [
+                "The force is -k |v| v, which is quadratic drag.": [
                     part * math.hypot(*v) for part in pulled
                 ],
             }
@@ -92,14 +97,18 @@ def test_a_gentle_brake_is_linear_drag(rng: Random) -> None:
         wanted = tuple(f[i] - k * v[i] for i in range(3))
         got = xyz(p.force_accumulator)
         slips = {
-            "This limit is -v / h. The mass is missing.": [f[i] - v[i] / h for i in range(3)],
-            "This limit is -v m. Divide it by the duration.": [
+            "The limit used here is -v / h. The mass is missing.": [
+                f[i] - v[i] / h for i in range(3)
+            ],
+            "The limit used here is -v m. Divide it by the duration.": [
                 f[i] - v[i] * mass for i in range(3)
             ],
-            "This limit is -v m h. Divide by the duration instead of multiplying.": [
+            "The limit used here is -v m h. Divide by the duration instead of multiplying.": [
                 f[i] - v[i] * mass * h for i in range(3)
             ],
-            "This limit is half of a full stop.": [f[i] - 0.5 * v[i] * mass / h for i in range(3)],
+            "The limit used here is half of a full stop.": [
+                f[i] - 0.5 * v[i] * mass / h for i in range(3)
+            ],
         }
         why = named(got, about.cause, slips)
         # A few roundings of numbers up to 900.
@@ -124,8 +133,9 @@ def test_a_hard_brake_stops_the_motion_and_does_not_turn_it_round(rng: Random) -
         p.integrate(h)
         got = xyz(p.velocity)
         slips = {
-            "The brake has reversed the motion. Limit the force. It may not exceed a full stop, "
-            "-v m / h.": [part * (1.0 - share) for part in v],
+            "The brake has reversed the motion. Limit the force to a full stop, -v m / h.": [
+                part * (1.0 - share) for part in v
+            ],
             "The velocity has not changed. A brake that is too strong must stop the motion.": v,
         }
         why = named(got, about.cause, slips)
@@ -150,7 +160,7 @@ def test_a_hard_brake_leaves_other_forces_and_itself_alone(rng: Random) -> None:
         wanted = tuple(f[i] - v[i] * mass / h for i in range(3))
         # Up to a part in 1e12 of 400 N, as FULL says.
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-9)
-        about.cause = "Do not change brake.on or brake.k. They belong to the player."
+        about.cause = "Do not change brake.on or brake.k, because only the player sets them."
         expect_exactly((brake.on, brake.k), (True, 1e6), then="; (brake.on, brake.k)")
         about.call += "; in another frame, brake.update_force(p, 0.25)"
     about.call = f"p = Particle(velocity=Vector3{v}, mass=math.inf); brake.update_force(p, 0.5); "
@@ -165,7 +175,7 @@ def test_a_hard_brake_leaves_other_forces_and_itself_alone(rng: Random) -> None:
 @pytest.mark.exercise("5.2")
 def test_no_brake_turns_any_motion_round(rng: Random) -> None:
     about.read = READ
-    about.cause = "Rounding can make -v m / h slightly too large. Stay below it by the factor FULL."
+    about.cause = "Rounding can make -v m / h slightly too large. Multiply the limit by FULL."
     tries = 400
     about.call = f"brake.update_force(p, h) in {tries} steps with k above m / h, each with "
     about.call += "another k, mass, h and speed: the smallest fraction of the velocity that is "

@@ -29,15 +29,18 @@ def test_at_the_terminal_speed_the_drag_is_the_weight(rng: Random) -> None:
     got = terminal_speed(2 * 9.81, 0.3, 0.05)
     root, without_4 = math.sqrt(0.09 + 0.2 * 19.62), math.sqrt(0.09 + 0.05 * 19.62)
     slips = {
-        "This is the negative root. Use the positive root of the quadratic equation.": (-0.3 - root)
+        "The result is the negative root. Use the positive root of the quadratic equation.": (
+            -0.3 - root
+        )
         / 0.1,
-        "The denominator is k2. It must be 2 k2.": (-0.3 + root) / 0.05,
-        "The square root lacks a factor of 4. It is sqrt(k1^2 + 4 k2 W).": (-0.3 + without_4) / 0.1,
+        "The denominator is k2, but it must be 2 k2.": (-0.3 + root) / 0.05,
+        "The square root lacks a factor of 4. It must be sqrt(k1^2 + 4 k2 W).": (-0.3 + without_4)
+        / 0.1,
         "The square root in 2 W / (k1 + sqrt(k1^2 + 4 k2 W)) lacks its factor of 4.": 39.24
         / (0.3 + without_4),
         "k1 and k2 are swapped.": 39.24 / (0.05 + math.sqrt(0.0025 + 1.2 * 19.62)),
-        "This is sqrt(W / k2), which ignores k1.": math.sqrt(19.62 / 0.05),
-        "This is W / k1, which ignores k2.": 19.62 / 0.3,
+        "The result is sqrt(W / k2), which ignores k1.": math.sqrt(19.62 / 0.05),
+        "The result is W / k1, which ignores k2.": 19.62 / 0.3,
     }
     blame(got, slips)
     # The reference value has seven decimals.
@@ -111,7 +114,7 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
     u, light = math.sqrt(2.0 * 9.81 / 0.05), math.sqrt(9.81 / 0.05)
     angle = 9.81 * 3.0 / light
     slips = {
-        "Return the speed first, then the distance.": (x, v),
+        "Return the speed first and the distance second.": (x, v),
         "The distance is u t, as if the fall began at the terminal speed.": (v, u * 3.0),
         "The distance is g t^2 / 2, as in a free fall.": (v, 9.81 * 4.5),
         "The speed is g t, as in a free fall.": (9.81 * 3.0, x),
@@ -147,10 +150,7 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
         )
         left = distance - u * u / g * (math.log1p(e) + g * time / u - math.log(2.0))
         expect_close(
-            left,
-            0.0,
-            then=", the error of the distance",
-            tolerance=ROUNDED * (distance + u),
+            left, 0.0, then=", the error of the distance", tolerance=ROUNDED * (distance + u)
         )
 
 
@@ -199,7 +199,7 @@ def test_a_long_fall_goes_at_the_terminal_speed(rng: Random) -> None:
 @pytest.mark.exercise("B5.7")
 @pytest.mark.robust
 def test_a_fall_without_an_end_fits_in_a_float(rng: Random) -> None:
-    about.cause = "cosh(x) overflows for a large x. Its logarithm is x - ln 2 there."
+    about.cause = "cosh(x) overflows for a large x. There, ln cosh x is x - ln 2."
     expect_terminal_speed(rng, (800.0, 1e6))
 
 
@@ -208,7 +208,7 @@ def test_a_fall_of_any_length_keeps_its_digits() -> None:
     # 2 kg, g = 8 and k2 = 1/4: the terminal speed u is 8 m/s, and g t / u is the time.
     about.read = FALL
     about.cause = (
-        "Check where you switch between forms of ln cosh x. Near that point each form must be "
+        "Check where you switch between forms of ln cosh x. Near that point, both forms must be "
         "accurate."
     )
     for text in ("0.001", "0.01", "0.05", "0.2", "1", "5", "12", "16", "20", "39", "41"):
@@ -251,8 +251,8 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
         got = coasting_speed(v, k1, k2, mass, time)
         s = k1 * time / mass
         slips = {
-            "This is v e^-s, which ignores k2.": v * math.exp(-s),
-            "This applies k1 first and then k2. They act at the same time.": (
+            "The result is v e^-s, which ignores k2.": v * math.exp(-s),
+            "The result applies k1 first and then k2. The two act at the same time.": (
                 v * math.exp(-s) / (1.0 + k2 * v * time / mass)
             ),
             "The mass is missing from s.": (
@@ -287,7 +287,7 @@ def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
             v / (1.0 + k * v * time / mass),
             "For k1 near 0, 1 - e^-s loses digits. -math.expm1(-s) keeps them.",
         ),
-        (0.0, 0.0, v, "Without drag the speed does not change."),
+        (0.0, 0.0, v, "Without drag, the speed does not change."),
     ):
         about(f"coasting_speed({v}, {k1}, {k2}, {mass}, {time})", cause=cause)
         got = coasting_speed(v, k1, k2, mass, time)
@@ -313,7 +313,7 @@ def test_coasting_begins_with_its_speed_and_rest_stays_rest(rng: Random) -> None
     about.read = COAST
     v, k1, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
     for speed, time, wanted, cause in (
-        (v, 0.0, v, "At time 0 the speed is the initial speed."),
+        (v, 0.0, v, "At time 0, the speed is the initial speed."),
         (0.0, 2.0, 0.0, "A particle at rest stays at rest."),
     ):
         about(f"coasting_speed({speed}, {k1}, {k2}, 2.0, {time})", cause=cause)

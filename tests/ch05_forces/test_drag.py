@@ -31,18 +31,18 @@ def drag_slips(v: Components, k1: float, k2: float) -> dict[str, Components]:
 
     x, y, z = (-part * (k1 + k2 * abs(part)) for part in v)
     return {
-        "This pushes in the direction of the motion. The minus sign is missing.": along(
+        "The force points in the direction of the motion. The minus sign is missing.": along(
             k1 + k2 * speed
         ),
         "k1 and k2 are swapped.": along(-(k2 + k1 * speed)),
         "The force uses v in place of the unit vector v^, so it is |v| times too large.": along(
             -speed * (k1 + k2 * speed)
         ),
-        "The part with k2 is missing.": along(-k1),
-        "The part with k1 is missing.": along(-k2 * speed),
-        "This is -v (k1 + k2). Multiply k2 by the speed.": along(-(k1 + k2)),
-        "This is -v^ (k1 + k2). The speed is missing.": along(-(k1 + k2) / speed),
-        "This is a separate drag for each axis. Use the speed |v| for all three.": (x, y, z),
+        "The part with k2 is missing. Add k2 |v| to k1.": along(-k1),
+        "The part with k1 is missing. Add k1 to k2 |v|.": along(-k2 * speed),
+        "The force is -v (k1 + k2). Multiply k2 by the speed.": along(-(k1 + k2)),
+        "The force is -v^ (k1 + k2). The speed is missing.": along(-(k1 + k2) / speed),
+        "Each axis has a separate drag here. Use the speed |v| for all three.": (x, y, z),
     }
 
 
@@ -109,7 +109,7 @@ def test_at_rest_there_is_no_drag(rng: Random) -> None:
     force = drag_force(v, k1, k2)
     expect_close(xyz(force), ZERO)
     force.x = 99.0
-    about.cause = "Return a new vector, also at rest."
+    about.cause = "Return a new vector, even for a particle at rest."
     expect_unchanged("v", xyz(v), ZERO, then="; f.x = 99.0")
     about.call = f"drag_force(Vector3(0, 1e-9, 0), {k1}, {k2})"
     about.cause = "At a low speed the drag is small, but not zero."
@@ -127,7 +127,7 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     about.read = "the docstring of Drag"
     about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); p.add_force(Vector3{f}); drag = "
     about.call += f"Drag({k1}, {k2}); drag.update_force(p, {h}); p.force_accumulator"
-    about.cause = "Add the drag with add_force. It is a force and does not depend on the mass."
+    about.cause = "Add the drag with add_force. Drag is a force and does not depend on the mass."
     p, drag = Particle(velocity=Vector3(*v), mass=mass), Drag(k1, k2)
     p.add_force(Vector3(*f))
     drag.update_force(p, h)
@@ -136,9 +136,8 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     slips = {
         "The drag is divided by the mass. Add a force.": [f[i] + force[i] / mass for i in range(3)],
-        "The drag is multiplied by the duration. The step does that.": [
-            f[i] + force[i] * h for i in range(3)
-        ],
+        "The drag is multiplied by the duration. Add the force alone, because the step multiplies "
+        "it.": [f[i] + force[i] * h for i in range(3)],
         "k1 and k2 are swapped.": [f[i] - v[i] * (k2 + k1 * speed) for i in range(3)],
         "The other force is gone. Use add_force, which keeps it.": force,
         "The drag is missing. Compute it from p.velocity.": f,
@@ -147,7 +146,7 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     # A few roundings of numbers up to 150.
     expect_close(got, wanted, tolerance=1e-12)
     about.call += f"; p.clear_forces(); drag.k1 = {k2}; drag.k2 = {k1}; drag.update_force(p, {h})"
-    about.cause = "Read self.k1 and self.k2 in every call. They may change."
+    about.cause = "Read self.k1 and self.k2 in every call, because they may change."
     p.clear_forces()
     drag.k1, drag.k2 = k2, k1
     drag.update_force(p, h)
@@ -212,7 +211,7 @@ def test_linear_drag_in_frames_just_inside_and_just_outside_its_limits() -> None
     about.read = READ
     k1, mass, frames = 8.0, 2.0, 40
     about.cause = "Each step multiplies v by 1 - k1 h / m, even if that is negative. Drag does not "
-    about.cause += "limit its force. The Airbrake does."
+    about.cause += "limit its force, unlike the Airbrake."
     # The rounding of each step, which the factor below enlarges at most 1.02^40 = 2.2 times.
     for share in (0.98, 1.02, 1.98, 2.02):
         h = share * mass / k1

@@ -34,22 +34,25 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         about.call = f"drag_limits({one}, {two}, {mass}, {speed})"
         got = drag_limits(one, two, mass, speed)
         wrong = {  # other ways to (k1 + k2 |v|) / m
-            "The mass is missing.": rate * mass,
-            "The mass is on the wrong side of the fraction.": rate * mass**2,
-            "This uses k1 + k2. Multiply k2 by the speed.": (one + two) / mass,
-            "Multiply only k2 by the speed, not k1.": (one + two) * speed / mass,
-            "This uses k1 + 2 k2 |v|, the slope of the drag.": (one + 2.0 * two * speed) / mass,
+            "The mass is missing. Multiply by it.": rate * mass,
+            "The mass is on the wrong side of the fraction. Multiply by it.": rate * mass**2,
+            "The result uses k1 + k2. Multiply k2 by the speed.": (one + two) / mass,
+            "Multiply only k2 by the speed, and not k1.": (one + two) * speed / mass,
+            "The result uses k1 + 2 k2 |v|, which is the slope of the drag.": (
+                one + 2.0 * two * speed
+            )
+            / mass,
         }
         slips = {name: (1.0 / a, 2.0 / a) for name, a in wrong.items()}
         slips["The two limits are in the wrong order."] = (2.0 / rate, 1.0 / rate)
-        slips["This is the first limit twice."] = (1.0 / rate, 1.0 / rate)
+        slips["Both results are the first limit."] = (1.0 / rate, 1.0 / rate)
         slips["The second limit is twice the first, not its square."] = (1.0 / rate, rate**-2)
         why = named(got, about.cause, slips)
         expect_close(got, (1.0 / rate, 2.0 / rate), cause=why)
     about.cause = "Even a small drag has finite limits."
     got = drag_limits(1e-12, 0.0, 1.0, 1.0)
     expect_close(got, (1e12, 2e12), call="drag_limits(1e-12, 0.0, 1.0, 1.0)")
-    about(f"drag_limits({k1}, {k2}, {mass}, 0.0)", cause="At speed 0 only k1 counts.")
+    about(f"drag_limits({k1}, {k2}, {mass}, 0.0)", cause="At speed 0, only k1 has an effect.")
     got = drag_limits(k1, k2, mass, 0.0)
     expect_close(got, (mass / k1, 2.0 * mass / k1))
 
@@ -57,7 +60,7 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
 @pytest.mark.exercise("B5.8")
 def test_without_drag_no_frame_is_too_long() -> None:
     about.read = LIMITS
-    about.cause = "Without drag there is no limit. Return math.inf twice. Do not divide by 0."
+    about.cause = "Without drag, there is no limit. Return math.inf twice instead of dividing by 0."
     for arguments in ((0.0, 0.0, 2.0, 5.0), (0.0, 0.5, 2.0, 0.0)):
         about.call = f"[*drag_limits{arguments}]"
         got = [*drag_limits(*arguments)]

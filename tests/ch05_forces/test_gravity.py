@@ -31,25 +31,28 @@ def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
         gravity.update_force(p, 0.5)
         wanted = tuple(mass * g[i] for i in range(3))
         slips = {
-            "This is g, an acceleration. Multiply it by the mass.": g,
-            "This is g / m. Multiply by the mass instead.": [g[i] / mass for i in range(3)],
-            "This is m g times the duration. The step multiplies by the duration.": [
-                mass * g[i] * 0.5 for i in range(3)
-            ],
+            "The force is g, which is an acceleration. Multiply it by the mass.": g,
+            "The force is g / m. Multiply by the mass instead.": [g[i] / mass for i in range(3)],
+            "The force is m g times the duration. Add m g alone, because the step multiplies by "
+            "the duration.": [mass * g[i] * 0.5 for i in range(3)],
             "The sign is wrong. g already points down.": [-mass * g[i] for i in range(3)],
-            "This is only the y component. g may point in any direction.": (0.0, mass * g[1], 0.0),
+            "The force has only a y component. g may point in any direction.": (
+                0.0,
+                mass * g[1],
+                0.0,
+            ),
             "No force was added. Call particle.add_force.": ZERO,
         }
         got = xyz(p.force_accumulator)
         blame(got, slips)
         expect_close(got, wanted)
-        about.cause = "A generator only adds a force. It changes nothing else."
+        about.cause = "A generator must change nothing but the sum of the forces."
         got = xyz(p.acceleration)
         expect_unchanged("p.acceleration", got, (1, 2, 3))
         got = xyz(p.velocity)
         expect_unchanged("p.velocity", got, (5, 6, 7))
         got = xyz(gravity.acceleration)
-        about.cause = "Do not change g. The operator *= works in place, so use *."
+        about.cause = "Do not change g. The operator *= works in place, so use * instead."
         expect_unchanged("gravity.acceleration", got, g)
 
 
@@ -75,7 +78,10 @@ def test_a_new_gravity_counts_from_the_next_frame_on(rng: Random) -> None:
     first, second = components(rng), components(rng)
     about.call = f"gravity = Gravity(Vector3{first}); gravity.acceleration = Vector3{second}; "
     about.call += "gravity.update_force(Particle(mass=2.0), 0.5)"
-    about(cause="Read self.acceleration in every call.", read="the docstring of Gravity")
+    about(
+        cause="Read self.acceleration in every call, because it may change.",
+        read="the docstring of Gravity",
+    )
     p, gravity = Particle(mass=2.0), Gravity(Vector3(*first))
     gravity.acceleration = Vector3(*second)
     gravity.update_force(p, 0.5)
@@ -111,7 +117,7 @@ def test_the_generator_does_what_the_constant_acceleration_does(rng: Random) -> 
     h, frames = 1.0 / 64.0, 192
     about.call = f"a fall of 3 s with g = {g}, mass {mass}, damping {damping}, by "
     about.call += "gravity.update_force()"
-    about.cause = "m g / m is g, so the steps are those with Particle.acceleration."
+    about.cause = "m g / m is g, so the steps must equal those with Particle.acceleration."
     about.read = "book 5.3"
     (by_force, velocity), (built_in, built_in_velocity) = fall(g, mass, damping, h, frames)
     # The sum of the geometric series of v' = (v + g h) D, D = d^h.

@@ -43,15 +43,16 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
         x, y, z = xyz(place)
         reach = math.hypot(x, y, z)
         slips = {
-            "This decreases with r, not r^2. Check the power, and normalize the direction.": [
-                part * distance for part in wanted
+            "The force decreases with r, but it must decrease with r^2. Check the power, and "
+            "normalize the direction.": [part * distance for part in wanted],
+            "The force decreases with r^3, but it must decrease with r^2.": [
+                part / distance for part in wanted
             ],
-            "This force decreases with r^3, not with r^2.": [part / distance for part in wanted],
-            "This pushes away from the center. Reverse the direction of the force.": [
+            "The force pushes away from the center. Reverse its direction.": [
                 -part for part in wanted
             ],
-            "The mass is missing.": [part / mass for part in wanted],
-            "This pulls toward (0, 0, 0) instead of the center. Use self.center.": [
+            "The mass is missing. Multiply by particle.mass.": [part / mass for part in wanted],
+            "The force pulls toward (0, 0, 0) instead of the center. Use self.center.": [
                 -mass * mu * part / reach**3 for part in (x, y, z)
             ],
         }
@@ -122,7 +123,7 @@ def test_inverse_square_gravity_leaves_an_immovable_particle_alone() -> None:
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), ZERO)
     p.position = Vector3()
-    about.cause = "Skip an immovable particle at the center too. Check the mass first."
+    about.cause = "Skip an immovable particle at the center, too. Check the mass first."
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
     name = about.call.replace("(0, 2, 0)", "()")
     expect_close(xyz(p.force_accumulator), ZERO, call=name)
@@ -139,7 +140,7 @@ def test_inverse_square_gravity_may_push_and_its_center_may_move(rng: Random) ->
     force = components(rng)
     about.call = f"p = Particle(Vector3(2, 0, 0), mass=2.0); p.add_force(Vector3{force}); gravity "
     about.call += "= InverseSquareGravity(Vector3(), -6.0); gravity.update_force(p, 0.5)"
-    about.cause = "A negative mu pushes away. Add the force to the other forces."
+    about.cause = "A negative mu pushes away from the center. Add the force to the other forces."
     p, gravity = Particle(Vector3(2, 0, 0), mass=2.0), InverseSquareGravity(Vector3(), -6.0)
     p.add_force(Vector3(*force))
     gravity.update_force(p, 0.5)
@@ -151,7 +152,7 @@ def test_inverse_square_gravity_may_push_and_its_center_may_move(rng: Random) ->
     expect_unchanged("p.position", xyz(p.position), (2, 0, 0))
     about.call += "; gravity.center = Vector3(6, 0, 0); gravity.mu = 4.0; p.clear_forces(); "
     about.call += "gravity.update_force(p, 0.5)"
-    about.cause = "Read self.center and self.mu in every call."
+    about.cause = "Read self.center and self.mu in every call, because they may change."
     gravity.center, gravity.mu = Vector3(6, 0, 0), 4.0
     p.clear_forces()
     gravity.update_force(p, 0.5)
@@ -165,7 +166,7 @@ def test_kepler_s_ellipse_is_met_the_better_the_shorter_the_frames(rng: Random) 
     mass, center = round(rng.uniform(2.0, 9.0), 3), components(rng)
     about.call = "p at (0.4, 0, 0) from the center with (0, 2, 0) m/s, mu = 1; a second of "
     about.call += "gravity.update_force(), p.integrate()"
-    about.cause = "With the force m mu / r^2 toward the center every mass follows Kepler's "
+    about.cause = "If the force is m mu / r^2 toward the center, every mass follows Kepler's "
     about.cause += "ellipse. Fix the force first if another check of it fails too."
     exact = (-0.62894818, 0.79966473, 0.0)
     ends = [orbit(ELLIPSE, 1.0, mass, 1.0 / n, n, center)[0] for n in (1000, 2000)]

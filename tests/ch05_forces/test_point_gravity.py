@@ -39,16 +39,16 @@ def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> N
         got = xyz(p.force_accumulator)
         reach = math.hypot(*xyz(place))
         slips = {
-            "This pushes away from the center. Reverse the direction of the force.": [
+            "The force pushes away from the center. Reverse its direction.": [
                 -part for part in wanted
             ],
-            "This force grows with the distance. Normalize the vector to the center.": [
+            "The force grows with the distance. Normalize the vector to the center.": [
                 part * distance for part in wanted
             ],
-            "The mass is missing.": [part / mass for part in wanted],
-            "This force decreases with r^2, as in exercise 5.4. Here the strength does not "
-            "depend on the distance.": [part / distance**2 for part in wanted],
-            "This pulls toward (0, 0, 0) instead of the center. Use self.center.": [
+            "The mass is missing. Multiply by particle.mass.": [part / mass for part in wanted],
+            "The force decreases with r^2, as in exercise 5.4. Here the strength does not depend "
+            "on the distance.": [part / distance**2 for part in wanted],
+            "The force pulls toward (0, 0, 0) instead of the center. Use self.center.": [
                 -mass * strength * part / reach for part in xyz(place)
             ],
         }
@@ -81,7 +81,7 @@ def test_at_the_center_point_gravity_has_no_direction(rng: Random) -> None:
     PointGravity(Vector3(*center), 10.0).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
     expect_close(got, ZERO, then="; p.force_accumulator")
-    expect_full_strength(1e-9, "The force has its full strength near the center too.")
+    expect_full_strength(1e-9, "The force has its full strength near the center, too.")
 
 
 @pytest.mark.exercise("5.3")
@@ -115,7 +115,9 @@ def test_point_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
     force, center = components(rng), (7.0, 0.0, 0.0)
     about.call = f"p = Particle(Vector3(3, 0, 0), mass=2.0); p.add_force(Vector3{force}); gravity "
     about.call += "= PointGravity(Vector3(), -5.0); gravity.update_force(p, 0.5)"
-    about.cause = "A negative strength pushes away. Add the force to the other forces."
+    about.cause = (
+        "A negative strength pushes away from the center. Add the force to the other forces."
+    )
     p, gravity = Particle(Vector3(3, 0, 0), mass=2.0), PointGravity(Vector3(), -5.0)
     p.add_force(Vector3(*force))
     gravity.update_force(p, 0.5)
@@ -127,7 +129,7 @@ def test_point_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
     expect_unchanged("p.position", xyz(p.position), (3, 0, 0))
     about.call += f"; gravity.center = Vector3{center}; gravity.strength = 1.5; p.clear_forces(); "
     about.call += "gravity.update_force(p, 0.5)"
-    about.cause = "Read self.center and self.strength in every call."
+    about.cause = "Read self.center and self.strength in every call, because they may change."
     gravity.center, gravity.strength = Vector3(*center), 1.5
     p.clear_forces()
     gravity.update_force(p, 0.5)

@@ -66,13 +66,13 @@ def test_every_pair_is_asked_once_a_frame(rng: Random) -> None:
     acts = [("add", 0, 1), ("add", 2, 0), ("add", 0, 2), ("update", h), ("update", k)]
     wanted = [(0, 1, h), (2, 0, h), (0, 2, h), (0, 1, k), (2, 0, k), (0, 2, k)]
     slips = {
-        "Only the first update called the generators. A pair stays registered until remove "
-        "or clear takes it out.": wanted[:3],
+        "Only the first update called the generators. A pair stays registered until remove or "
+        "clear removes it.": wanted[:3],
         "The newest pair was called first. Call the pairs in the order in which they were added.": [
             *wanted[2::-1],
             *wanted[:2:-1],
         ],
-        "Only one generator per particle was called. Every call of add makes another pair.": [
+        "Only one generator per particle was called. Every call of add registers another pair.": [
             one for one in wanted if one[:2] != (0, 1)
         ],
         "A pair is missing. Do not compare generators with ==, because two different generators "
@@ -97,7 +97,7 @@ def test_one_generator_may_serve_many_particles() -> None:
 def test_a_pair_that_is_added_twice_acts_twice() -> None:
     about.cause = (
         "Every call of add registers another pair, even an equal one. Do not check whether the "
-        "pair is already there."
+        "pair is already registered."
     )
     about.read = "the docstring of add"
     about.call = "registry.add(p, generator) twice; registry.update_forces(0.5); number of calls"
@@ -108,7 +108,7 @@ def test_a_pair_that_is_added_twice_acts_twice() -> None:
 @pytest.mark.exercise("B5.3")
 def test_remove_takes_back_one_call_of_add() -> None:
     about.read = "the docstring of remove"
-    about.cause = "Each call of remove takes out one pair. All other pairs stay."
+    about.cause = "Each call of remove must remove exactly one pair. All other pairs stay."
     adds = [("add", 0, 0), ("add", 1, 1), ("add", 0, 0), ("add", 0, 0)]
     everyone = [(0, 0, 0.5), (1, 1, 0.5), (0, 0, 0.5), (0, 0, 0.5)]
     expect_asked(
@@ -128,7 +128,9 @@ def test_remove_takes_back_one_call_of_add() -> None:
 @pytest.mark.exercise("B5.3")
 def test_remove_looks_for_both_the_particle_and_the_generator() -> None:
     about.read = "the docstring of remove"
-    about.cause = "Remove the pair whose particle and generator are both the same objects (`is`)."
+    about.cause = (
+        "Remove the pair whose particle and generator are the same objects as the arguments (`is`)."
+    )
     pairs = [("add", 0, 0), ("add", 0, 1), ("add", 1, 0), ("add", 1, 1)]
     everyone = [(0, 0, 0.5), (0, 1, 0.5), (1, 0, 0.5), (1, 1, 0.5)]
     for i, (_, particle, generator) in enumerate(pairs):
@@ -139,7 +141,9 @@ def test_remove_looks_for_both_the_particle_and_the_generator() -> None:
 @pytest.mark.exercise("B5.3")
 def test_remove_of_what_is_absent_changes_nothing() -> None:
     about.read = "the docstring of remove"
-    about.cause = "If the pair is not there, do nothing. Do not remove another pair."
+    about.cause = (
+        "If the pair is not registered, do nothing. In particular, do not remove another pair."
+    )
     acts = [("remove", 0, 0), ("add", 0, 1), ("add", 1, 0), ("remove", 0, 0), ("update", 0.5)]
     expect_asked(acts, [(0, 1, 0.5), (1, 0, 0.5)], cause=about.cause)
 
@@ -147,7 +151,9 @@ def test_remove_of_what_is_absent_changes_nothing() -> None:
 @pytest.mark.exercise("B5.3")
 def test_clear_takes_back_everything() -> None:
     about.read = "the docstring of clear"
-    about.cause = "After clear the registry is empty. Only pairs that are added later act."
+    about.cause = (
+        "After clear the registry is empty. Only pairs that are added later have an effect."
+    )
     acts = [("add", 0, 0), ("add", 1, 1), ("update", 0.5), ("clear",), ("update", 0.5)]
     acts += [("clear",), ("add", 2, 1), ("update", 0.25)]
     expect_asked(acts, [(0, 0, 0.5), (1, 1, 0.5), (2, 1, 0.25)], cause=about.cause)
@@ -177,7 +183,7 @@ def test_an_update_adds_to_the_forces_that_are_there(rng: Random) -> None:
     wanted = tuple(by_hand[i] + first[i] + second[i] for i in range(3))
     # Two roundings of numbers up to 30.
     expect_close(after, wanted, tolerance=1e-13)
-    about.cause = "add, remove and clear change the registry only. They do not change any forces."
+    about.cause = "add, remove and clear change only the registry. They do not change any forces."
     name = f"p.add_force(Vector3{by_hand}); p in registry.add(); p.force_accumulator"
     expect_close(before, by_hand, call=name, read="the docstring of add")
     about.read = "the docstring of clear"
@@ -188,8 +194,8 @@ def test_an_update_adds_to_the_forces_that_are_there(rng: Random) -> None:
 def test_a_generator_may_change_the_registry_meanwhile() -> None:
     about.read = "the docstring of update_forces"
     about.cause = (
-        "Pairs that are added or removed during an update count from the next update on. Loop over "
-        "a copy of the list."
+        "Pairs that are added or removed during an update take effect in the next update. Loop "
+        "over a copy of the list."
     )
     for what, second in (("remove", 2), ("add", 4), ("remove the second", 2), ("clear", 0)):
         about.call = f"three pairs, the first generator changes the registry ({what}); "
@@ -220,7 +226,7 @@ def test_an_update_takes_a_positive_and_finite_duration(duration: float) -> None
 @pytest.mark.robust
 def test_what_a_generator_raises_comes_out() -> None:
     about.call = "a generator raises ArithmeticError; registry.update_forces(0.5)"
-    about.cause = "Let an error of a generator pass through. Do not catch it here."
+    about.cause = "Do not catch an error of a generator here, so that the caller sees it."
     about.read = "the docstring of update_forces"
     registry = failing()
     expect_error(

@@ -47,7 +47,7 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
     for azimuth, elevation in ((0.0, 0.0), (a, e), (-a, -e)):
         about.call = f"range = SniperRange(1); range.shoot({azimuth}, {elevation})"
         at = SniperRange(1)
-        about.cause = "Return True when a bullet was fired."
+        about.cause = "A bullet was fired, so return True."
         fired = at.shoot(azimuth, elevation)
         expect_exactly(fired, True)
         expect_exactly(at.bullet is None, False, then="; range.bullet is None")
@@ -67,9 +67,12 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
                 120.0 * math.sin(azimuth),
                 wanted[2],
             ),
-            "The azimuth turns the shot the wrong way, away from X.": (-wanted[0], *wanted[1:]),
+            "The azimuth rotates the shot in the wrong direction, away from X.": (
+                -wanted[0],
+                *wanted[1:],
+            ),
             "The sine and the cosine of the azimuth are swapped.": wanted[::-1],
-            "The horizontal part is not multiplied by cos(elevation).": (
+            "The horizontal part was not multiplied by cos(elevation).": (
                 120.0 * math.sin(azimuth),
                 wanted[1],
                 120.0 * math.cos(azimuth),
@@ -89,7 +92,7 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
         expect_close(got, (0, -2, 0), then="; range.bullet.acceleration")
         numbers = (bullet.mass, bullet.damping)
         expect_close(numbers, (1.0, 1.0), then="; mass and damping of range.bullet")
-        about.cause = "Each shot reduces shots_left by 1."
+        about.cause = "Each shot must reduce shots_left by 1."
         expect_exactly(at.shots_left, 9, then="; range.shots_left")
 
 
@@ -169,7 +172,9 @@ def test_the_rifle_turns_only_so_far(bad: float) -> None:
         expect_exactly(at.shots_left, 10, then="; range.shots_left")
         expect_exactly(at.bullet is None, True, then="; range.bullet is None")
         at.shoot(0.0, 0.0)
-        about.cause = "Check the angles first, so that a bad angle is rejected during a flight too."
+        about.cause = (
+            "Check the angles first, so that an invalid angle is rejected during a flight, too."
+        )
         expect_error(
             lambda at=at, angles=angles: at.shoot(*angles),
             ValueError,
@@ -192,8 +197,8 @@ def test_the_innermost_ring_counts(rng: Random) -> None:
     for x, y, points, slip, gives in (
         (0.0, 0.3, 2, "Here x alone decides.", 10),
         (0.3, 0.0, 2, "Here y alone decides.", 10),
-        (0.08, -0.08, 5, "Here x and y are added.", 10),
-        (0.2, 0.2, 2, "Here the rings are square, because the larger of x and y decides.", 5),
+        (0.08, -0.08, 5, "The distance used here is x + y.", 10),
+        (0.2, 0.2, 2, "The rings are square here, because only the larger of x and y is used.", 5),
     ):
         about.call = f"ring_points({x}, {y}), {math.hypot(x, y):.4f} m from the center"
         got = ring_points(x, y)
@@ -213,10 +218,10 @@ def test_the_innermost_ring_counts(rng: Random) -> None:
             about.call = f"ring_points({x!r}, {y!r}), {away} m from the center"
             got = ring_points(x, y)
             slips = {
-                "This adds the points of all rings. Only the smallest ring counts.": sum(
+                "These are the points of all rings. Only the smallest ring counts.": sum(
                     points for radius, points in RINGS if away <= radius
                 ),
-                "These are the points of the largest ring. Check the smallest first.": RINGS[-1][1],
+                "These points belong to the largest ring. Check the smallest first.": RINGS[-1][1],
             }
             why = named(got, about.cause, slips)
             expect_exactly(got, points, cause=why)
@@ -262,13 +267,13 @@ def expect_hole(
     x, y, points = hole
     middle, height, _, factor = TARGETS[distance]
     slips = {
-        "The points are not multiplied by the target's factor.": (
+        "The points were not multiplied by the target's factor.": (
             *TARGETS[distance],
             x,
             y,
             points / factor,
         ),
-        "This is the hole's position in the world. Subtract the target's center.": (
+        "The result is the hole's position in the world. Subtract the target's center.": (
             *TARGETS[distance],
             x + middle,
             y + height,
@@ -304,7 +309,10 @@ def test_a_hole_is_where_the_way_passes_the_plane_of_the_target(rng: Random) -> 
             start = (middle + x, height + y, distance - 1.0)
             end = (middle + x, height + y, distance + 1.0)
             expect_hole(start, end, (distance, x, y, 10 * factor))
-    about.cause = "This path is oblique. Interpolate x and y at the plane, here a quarter along."
+    about.cause = (
+        "This path is oblique. Interpolate x and y at the plane, which is crossed here at a "
+        "quarter of the path."
+    )
     start, end = (0.5, 0.5, 99.0), (-3.5, 4.5, 103.0)
     expect_hole(start, end, (100.0, 0.0, 0.0, 20))
     start, end = (0.5, 0.8, 99.0), (-3.5, 4.8, 103.0)
@@ -342,17 +350,17 @@ def test_a_way_beside_the_target_or_short_of_it_makes_no_hole() -> None:
         (
             (3.5, 1.5, 49.0),
             (-1.5, 1.5, 51.0),
-            "At the plane x is 1. It is -1.5 only at the end of the path.",
+            "At the plane, x is 1. It is -1.5 only at the end of the path.",
         ),
         (
             (-1.5, 1.5, 50.0),
             (-1.5, 1.5, 52.0),
-            "The step before has already passed this plane. Use start.z < distance.",
+            "The step before has already passed this plane. Test start.z < distance.",
         ),
     ):
         about.cause = cause
         expect_no_hole(start, end)
-    about.cause = "A path that ends on the plane hits it. Use distance <= end.z."
+    about.cause = "A path that ends on the plane hits it. Test distance <= end.z."
     expect_hole((-1.5, 1.5, 48.0), (-1.5, 1.5, 50.0), (50.0, 0.0, 0.0, 10))
 
 
@@ -360,6 +368,6 @@ def test_a_way_beside_the_target_or_short_of_it_makes_no_hole() -> None:
 def test_a_long_way_hits_the_first_target_that_it_meets() -> None:
     about.cause = "The nearer of two targets stops the bullet."
     expect_hole((-2.0, 1.5, 25.0), (0.0, 1.5, 125.0), (50.0, 0.0, 0.0, 10))
-    about.cause = "The path misses the nearer target. Continue with the next one."
+    about.cause = "The path misses the nearer target. Continue with the next target."
     expect_hole((-0.5, 1.5, 25.0), (-0.5, 1.5, 125.0), (100.0, 0.0, 0.0, 20))
     expect_hole((2.0, 1.5, 25.0), (2.0, 1.5, 175.0), (150.0, 0.0, 0.0, 30))

@@ -13,15 +13,7 @@ from ch05_forces.forces import Drag
 from ch05_forces.probes import play, winds
 from ch05_forces.sniper import SniperRange
 from draw import Components
-from expect import (
-    about,
-    blame,
-    expect_close,
-    expect_error,
-    expect_exactly,
-    expect_unchanged,
-    xyz,
-)
+from expect import about, blame, expect_close, expect_error, expect_exactly, expect_unchanged, xyz
 
 UPDATE = "the docstring of update"
 FRAME = 1.0 / 60.0
@@ -51,7 +43,7 @@ def thrown(at: SniperRange, position: Components, velocity: Components) -> Any:
 def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
     about.read = UPDATE
     about.cause = (
-        "In each step: copy the position, update the forces, integrate, and check what the "
+        "In each step, copy the position, update the forces, integrate, and check which target the "
     )
     about.cause += "path from the copy to the new position has hit."
     for x, distance, factor in ((-1.5, 50.0, 1), (2.0, 150.0, 3)):
@@ -85,7 +77,7 @@ def test_the_wind_carries_the_bullet_away() -> None:
     blown = play([(0.0, 0.02)], FRAME, wind=(10.0, 0.0, 0.0), k1=0.05)["positions"]
     frames = (len(blown), len(still))
     # With k1 alone a cross wind changes nothing along Z, and both pass 210 m in step 109.
-    blame(frames, {"This is a flight without drag.": (105, 105)})
+    blame(frames, {"The result is a flight without drag.": (105, 105)})
     expect_exactly(frames, (109, 109), then=": steps in flight, and in still air")
     # x' of the book's step with dv/dt = (w - v) k: in units of w, the velocity is 1 - (1 - k h)^n.
     keep = 1.0 - 0.05 * FRAME
@@ -128,7 +120,7 @@ def test_a_frame_lasts_as_long_as_it_is_told(rng: Random) -> None:
 def test_what_is_exactly_at_the_edge_flies_on() -> None:
     about("a bullet without forces from (20, 1, 178) with (0, -2, 64) m/s; ", read=UPDATE)
     about.call += "range.update(0.5): the bullet is at (20, 0, 210); range.bullet is None"
-    about.cause = "A shot has landed where y < 0 or z > 210. Use < and >, not <= and >=."
+    about.cause = "A shot has landed if y < 0 or z > 210. Use < and > instead of <= and >=."
     at = SniperRange(1)
     bullet = thrown(at, (20.0, 1.0, 178.0), (0.0, -2.0, 64.0))
     at.update(0.5)
@@ -163,7 +155,7 @@ def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
         came = play([(azimuth, elevation)], FRAME)
         expect_exactly(len(came["positions"]), n, then="; steps in flight")
         got = (len(came["holes"]), came["score"], came["shots_left"])
-        about.cause = "A miss makes no hole and scores nothing."
+        about.cause = "A miss makes no hole and earns no points."
         expect_exactly(got, (0, 0, 9), then="; holes, score and shots left")
 
 
@@ -181,7 +173,7 @@ def test_the_wind_changes_when_a_shot_has_landed_and_not_before() -> None:
         blown = [tuple(one) for one in came["winds"]]
         during = [*dict.fromkeys(blown[:-1])]
         expect_exactly(during, [wind], then="; winds during the flight")
-        about.cause = "Call change_wind() once after every shot, hit or miss."
+        about.cause = "Call change_wind() once after every shot, whether it hits or misses."
         expect_exactly(blown[-1], drawn, then="; the wind afterwards")
 
 
@@ -208,7 +200,7 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
     place, wind = xyz(bullet.position), xyz(at.wind.velocity)
     at.update(FRAME)
     expect_unchanged("bullet.position", xyz(bullet.position), place, call="range.update(1/60)")
-    about.cause = "While no bullet is in flight, update must change nothing, not even the wind."
+    about.cause = "While no bullet is in flight, update must change nothing, including the wind."
     got = xyz(at.wind.velocity)
     expect_unchanged("the wind", got, wind, call="range.update(1/60)")
     about.cause = "The next shot can be fired as soon as this one has landed."

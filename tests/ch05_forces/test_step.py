@@ -51,11 +51,13 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     slips = {
         "The velocity did not change. Either the kick does not use the force, or it clears the sum "
         "first. Move the sum to self._forces[1] before you use last_acceleration.": v,
-        "This is v + f h. Divide the force by the mass.": [v[i] + f[i] * h for i in range(3)],
-        "This is v + f m h. Divide by the mass instead of multiplying.": [
+        "The result is v + f h. Divide the force by the mass.": [v[i] + f[i] * h for i in range(3)],
+        "The result is v + f m h. Divide by the mass instead of multiplying.": [
             v[i] + f[i] * mass * h for i in range(3)
         ],
-        "This is v + f / m. Multiply by the duration.": [v[i] + f[i] / mass for i in range(3)],
+        "The result is v + f / m. Multiply by the duration.": [
+            v[i] + f[i] / mass for i in range(3)
+        ],
     }
     blame(got, slips)
     expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
@@ -65,7 +67,7 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
         "The position moved with the new velocity. Drift before you kick.": [
             wanted[i] * h for i in range(3)
         ],
-        "This is v h + a h^2 / 2. The book's step leaves out the second term.": [
+        "The position moved by v h + a h^2 / 2. The book's step leaves out the second term.": [
             (v[i] + wanted[i]) / 2.0 * h for i in range(3)
         ],
     }
@@ -93,7 +95,7 @@ def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) 
         "The constant acceleration is missing. Add it to f / m.": [
             v[i] + sums[i] * h for i in range(3)
         ],
-        "This is v + a h. The forces are missing.": [v[i] + a[i] * h for i in range(3)],
+        "The result is v + a h. The forces are missing.": [v[i] + a[i] * h for i in range(3)],
     }
     blame(got, slips)
     expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
@@ -120,14 +122,16 @@ def test_what_a_force_adds_is_damped_too(rng: Random) -> None:
     keep, gained = damping**h, [(a[i] + f[i] / mass) * h for i in range(3)]
     wanted = tuple((v[i] + gained[i]) * keep for i in range(3))
     slips = {
-        "This is v d^h + a h, as in Eq. 3.6. The book's listing damps at the end (E-16).": [
+        "The result is v d^h + a h, as in Eq. 3.6. The book's listing damps at the end (E-16).": [
             v[i] * keep + gained[i] for i in range(3)
         ],
         "The velocity from the force is not damped. Add f / m before you damp.": [
             (v[i] + a[i] * h) * keep + f[i] / mass * h for i in range(3)
         ],
         "The damping is missing. Multiply by d^h.": [v[i] + gained[i] for i in range(3)],
-        "This multiplies by d. Multiply by d^h.": [(v[i] + gained[i]) * damping for i in range(3)],
+        "The velocity was multiplied by d. Multiply by d^h.": [
+            (v[i] + gained[i]) * damping for i in range(3)
+        ],
     }
     got = xyz(p.velocity)
     blame(got, slips)
@@ -250,23 +254,25 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
     slips = {
         "This is the constant acceleration only. The kick must store the forces that it uses in "
         "self._forces[1], where last_acceleration reads them.": a,
-        "This is a + f. Divide the force by the mass.": [a[i] + f[i] for i in range(3)],
-        "This is a + f m. Divide by the mass instead.": [a[i] + f[i] * mass for i in range(3)],
-        "This is f / m. Add the constant acceleration.": [f[i] / mass for i in range(3)],
+        "The result is a + f. Divide the force by the mass.": [a[i] + f[i] for i in range(3)],
+        "The result is a + f m. Divide by the mass instead.": [
+            a[i] + f[i] * mass for i in range(3)
+        ],
+        "The result is f / m. Add the constant acceleration.": [f[i] / mass for i in range(3)],
     }
     blame(got, slips)
     expect_close(got, wanted, then="; p.last_acceleration", tolerance=ROUNDED)
-    about.cause = "Forces for the next step do not belong to the last one."
+    about.cause = "Forces for the next step must not change the acceleration of the last one."
     p.add_force(Vector3(*g))
     got = xyz(p.last_acceleration)
     expect_close(
         got, wanted, then=f"; p.add_force(Vector3{g}); p.last_acceleration", tolerance=ROUNDED
     )
-    about.cause = "clear_forces only clears the forces for the next step."
+    about.cause = "clear_forces clears only the forces for the next step."
     p.clear_forces()
     got = xyz(p.last_acceleration)
     expect_close(got, wanted, then="; p.clear_forces(); p.last_acceleration", tolerance=ROUNDED)
-    about.cause = "After a step without forces, this is the constant acceleration."
+    about.cause = "After a step without forces, the result is the constant acceleration."
     p.integrate(0.5)
     expect_close(
         xyz(p.last_acceleration),
@@ -311,16 +317,18 @@ def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
     p.integrate(h)
     expect_unchanged("p.position", xyz(p.position), x)
     expect_unchanged("p.velocity", xyz(p.velocity), v)
-    about.cause = "Clear its forces too. Otherwise they add up until it becomes movable."
+    about.cause = "Clear its forces, too. Otherwise they add up until the particle becomes movable."
     got = xyz(p.force_accumulator)
     expect_close(got, ZERO, then="; p.force_accumulator")
-    about.cause = "Forces do not accelerate it, so only the constant acceleration is left."
+    about.cause = (
+        "Forces do not accelerate an immovable particle, so only the constant acceleration is left."
+    )
     expect_close(xyz(p.last_acceleration), a, then="; p.last_acceleration")
     p.mass = mass
     p.add_force(Vector3(*f))
     p.integrate(h)
     about.call += f"; p.mass = {mass}; p.add_force(Vector3{f}); p.integrate({h}); p.velocity"
-    about.cause = "Now the mass is finite, and only the new force acts."
+    about.cause = "The mass is finite now, and only the new force acts."
     wanted = tuple(v[i] + (a[i] + f[i] / mass) * h for i in range(3))
     expect_close(xyz(p.velocity), wanted, tolerance=ROUNDED)
 
@@ -333,14 +341,14 @@ def test_a_drift_leaves_the_forces_to_the_kick(rng: Random) -> None:
     about(f"{words}; p.add_force(Vector3{f}); p.drift({h} / 2)", read="the docstring of kick")
     p.add_force(Vector3(*f))
     p.drift(h / 2.0)
-    about.cause = "A drift moves the position only. The forces wait for the kick."
+    about.cause = "A drift changes only the position. The forces wait for the kick."
     expect_unchanged("p.velocity", xyz(p.velocity), v)
     got = xyz(p.force_accumulator)
     expect_close(got, f, then="; p.force_accumulator")
     about.call += f"; p.kick({h})"
     before = xyz(p.position)
     p.kick(h)
-    about.cause = "A kick changes the velocity only: v' = (v + (a + f / m) h) d^h."
+    about.cause = "A kick changes only the velocity: v' = (v + (a + f / m) h) d^h."
     expect_unchanged("p.position", xyz(p.position), before)
     total = [a[i] + f[i] / mass for i in range(3)]
     wanted = tuple(v[i] + total[i] * h for i in range(3))

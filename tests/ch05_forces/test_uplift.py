@@ -45,17 +45,17 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
     ]
     inside = [math.hypot(dx, dz) <= radius for dx, dz in ways]
     rules = {
-        "This column stands at (0, 0). Measure from self.origin.": [
+        "The column is at (0, 0). Measure the distance from self.origin.": [
             math.hypot(origin[0] + dx, origin[2] + dz) <= radius for dx, dz in ways
         ],
-        "This is the distance in X and Y. Use X and Z.": [abs(dx) <= radius for dx, _ in ways],
-        "This column is square: dx and dz are each compared with the radius.": [
+        "The distance is measured in X and Y. Use X and Z.": [abs(dx) <= radius for dx, _ in ways],
+        "The column is square, because dx and dz are each compared with the radius.": [
             max(abs(dx), abs(dz)) <= radius for dx, dz in ways
         ],
-        "This compares |dx| + |dz| with the radius.": [
+        "|dx| + |dz| is compared with the radius. Use the distance sqrt(dx^2 + dz^2).": [
             abs(dx) + abs(dz) <= radius for dx, dz in ways
         ],
-        "This compares the squared distance with the radius. Square the radius too.": [
+        "The squared distance is compared with the radius. Square the radius, too.": [
             dx * dx + dz * dz <= radius for dx, dz in ways
         ],
         "The force acts outside the column instead of inside.": [not acts for acts in inside],
@@ -65,15 +65,14 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
     acted = [got != ZERO for _, got in came]
     if acted != inside:
         about.cause = next(
-            (f"{rule} {about.cause}" for rule in rules if rules[rule] == acted),
-            about.cause,
+            (f"{rule} {about.cause}" for rule in rules if rules[rule] == acted), about.cause
         )
     for (call, got), acts in zip(came, inside, strict=True):
         about.call = call
         x, y, z = force
         slips = {
             "The force is multiplied by the mass of 4 kg.": (4.0 * x, 4.0 * y, 4.0 * z),
-            "This force points straight up. Keep the direction of self.force.": (
+            "The force points straight up. Keep the direction of self.force.": (
                 0.0,
                 math.hypot(x, y, z),
                 0.0,
@@ -103,7 +102,7 @@ def test_the_column_has_no_end_upwards_or_downwards(rng: Random) -> None:
 def test_the_edge_belongs_to_the_column(rng: Random) -> None:
     about.read = READ
     force = components(rng)
-    about.cause = "A particle at exactly the radius is still in the column. Use <=, not <."
+    about.cause = "A particle at exactly the radius is still in the column. Use <= instead of <."
     for place in ((4.0, 7.0, 6.0), (1.0, 7.0, -3.0), (-4.0, 7.0, 2.0)):  # 3, 4, 5 and along an axis
         about.call, got = lifted((1.0, 0.0, 2.0), 5.0, force, place)
         expect_close(got, force)
@@ -141,6 +140,6 @@ def test_the_uplift_adds_to_the_other_forces(rng: Random) -> None:
     expect_close(xyz(p.force_accumulator), ZERO, then="; the first force")
     uplift.radius, uplift.force = 20.0, Vector3(*moved)
     uplift.update_force(p, 0.5)
-    about.cause = "Read self.radius and self.force in every call."
+    about.cause = "Read self.radius and self.force in every call, because they may change."
     got = xyz(p.force_accumulator)
     expect_close(got, moved, then="; the second force")

@@ -57,18 +57,19 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
         wanted = drag(u, one, two)
         still, blown = drag(v, one, two), drag(w, one, two)
         slips = {
-            "This is the drag in still air. Subtract the velocity of the wind first.": still,
-            "This is the force on a particle at rest. Use its velocity too.": [
+            "The force is the drag in still air. Subtract the velocity of the wind first.": still,
+            "The force is the one on a particle at rest. Use the particle's velocity, too.": [
                 -part for part in blown
             ],
-            "This uses v + w. Subtract the wind instead.": drag(
+            "The force uses v + w. Subtract the wind instead.": drag(
                 [v[i] + w[i] for i in range(3)], one, two
             ),
-            "This uses w - v, so the force points the wrong way.": [-part for part in wanted],
-            "k1 and k2 are swapped.": drag(u, two, one),
-            "This adds two drags, one for v and one for w. Subtract first, then use |v - w|.": [
-                still[i] - blown[i] for i in range(3)
+            "The force uses w - v, so it points in the wrong direction.": [
+                -part for part in wanted
             ],
+            "k1 and k2 are swapped.": drag(u, two, one),
+            "The force is the sum of two drags, one for v and one for w. Subtract first, then use "
+            "|v - w|.": [still[i] - blown[i] for i in range(3)],
         }
         why = named(got, about.cause, slips)
         # A few roundings of numbers up to 700.
@@ -82,7 +83,7 @@ def test_what_moves_with_the_air_feels_nothing(rng: Random) -> None:
     about.cause = "A particle that moves with the wind feels no force, because v - w is 0."
     about.call, got = blow(v, v, 0.5, 0.25)
     expect_close(got, ZERO)
-    about.cause = "The wind pushes a particle at rest along w. Use v - w, not w - v."
+    about.cause = "The wind pushes a particle at rest along w. Use v - w instead of w - v."
     about.call, got = blow(ZERO, (2.0, 0.0, 0.0), 0.5, 0.25)
     expect_close(got, (2.0, 0.0, 0.0))
     about.cause = "In still air this is the usual drag on the bullet."
@@ -131,9 +132,9 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
         ):
             why = about.cause
             if abs(got) > 10.0:
-                why = f"This exceeds 10 m/s. Do not add the new wind to the old one. {why}"
+                why = f"The wind exceeds 10 m/s. Do not add the new wind to the old one. {why}"
             expect_between(got, low, high, then=f": the {what} {name}", cause=why)
-    about.cause = "Draw x and z independently, so that the wind is weak now and then."
+    about.cause = "Draw x and z independently, so that the wind is sometimes weak."
     # |w| < 5 for 0.196 of all: 79 of 401, and beyond these bounds once in 10^9 runs.
     weak = sum(math.hypot(x, z) < 5.0 for x, _, z in seen)
     expect_between(weak, 27, 131, then=": how often it is below 5 m/s")
@@ -150,7 +151,10 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
 def test_the_wind_stays_the_same_generator() -> None:
     about.read = CHANGE
     about.call = "range = SniperRange(1); wind = range.wind; wind.k1 = 0.5; range.change_wind()"
-    about.cause = "Change the velocity of self.wind. Keep the object: the registry holds it."
+    about.cause = (
+        "Change the velocity of self.wind instead of creating a new object, because the registry "
+        "holds the old one."
+    )
     at = SniperRange(1)
     wind = at.wind
     before = xyz(wind.velocity)

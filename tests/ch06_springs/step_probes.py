@@ -53,11 +53,7 @@ class Field:
 
 
 def stepped(
-    method: str,
-    bodies: Sequence[Body],
-    forces: tuple[float, ...],
-    duration: float,
-    frames: int,
+    method: str, bodies: Sequence[Body], forces: tuple[float, ...], duration: float, frames: int
 ) -> Numbers:
     """Make steps by an integrator of the chapter, in a Field of these coefficients.
 

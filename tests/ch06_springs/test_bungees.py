@@ -59,14 +59,14 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
             wanted = tuple(-k * extension * part for part in d)
             slips = {
                 (
-                    "This pushes. The printed form k (l0 - l) has the wrong sign (E-4). Check the "
-                    "direction of the offset too."
+                    "The force pushes. The printed form k (l0 - l) has the wrong sign (E-4). "
+                    "Check the direction of the offset, too."
                 ): [-part for part in wanted],
                 "There is no force although the rope is longer than its rest length.": ZERO,
-                "This is -k l d^. Subtract the rest length from the length.": [
+                "The force is -k l d^. Subtract the rest length from the length.": [
                     -k * (rest + extension) * part for part in d
                 ],
-                "The force is multiplied by the offset. Use the unit vector along it.": [
+                "The force is multiplied by the offset. Use the unit vector along the offset.": [
                     part * (rest + extension) for part in wanted
                 ],
             }
@@ -138,7 +138,8 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
             ),
             (
                 2.0,
-                "If the damping is larger than the pull, there is no force. A rope never pushes.",
+                "If the damping is larger than the pull, there is no force, because a rope never "
+                "pushes.",
             ),
             (
                 1.001,
@@ -162,8 +163,8 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
                     -k * extension * part for part in d
                 ],
                 (
-                    "The damping makes the rope push. A rope only pulls, so leave the force out "
-                    "in this case."
+                    "The damping makes the rope push. A rope can only pull, so add no force in "
+                    "this case."
                 ): [-k * extension * (1.0 - share) * part for part in d],
                 "The damping uses only p's velocity. Subtract q's velocity from it.": [
                     -(k * extension + c * own) * part for part in d
@@ -200,7 +201,7 @@ def test_a_rope_acts_on_its_particle_beside_other_forces(rng: Random) -> None:
         about.call += "; p.clear_forces(); b.stiffness, b.rest_length, b.damping = 3, 2, 0.5; p "
         about.call += "has "
         about.call += "(0, -1, 0) more velocity; b.update_force(p, 0.5)"
-        about.cause = "Read the attributes in each call. The pull is 3 (3 - 2) + 0.5 * 1."
+        about.cause = "Read the attributes in every call. The pull is now 3 (3 - 2) + 0.5 * 1."
         p.clear_forces()
         p.velocity = p.velocity + Vector3(0.0, -1.0, 0.0)
         bungee.stiffness, bungee.rest_length, bungee.damping = 3.0, 2.0, 0.5

@@ -24,7 +24,7 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
     full = density * volume * g
     about.cause = (
         "The lift is rho V g, upward, times the submerged fraction (y_w + s - y) / (2 s). Check "
-        "the brackets."
+        "the parentheses."
     )
     came = {}
     for share in (0.25, 0.75, 0.5, 0.01):
@@ -41,15 +41,17 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
             "There is no lift. The printed signs, (y - y_w - s), give a negative fraction (E-5). "
             "Use (y_w + s - y)."
         ): (0.0, 0.0),
-        "This pulls down. The printed signs, (y - y_w - s), are wrong (E-5). Use (y_w + s - y).": (
+        "The force points down. The printed signs, (y - y_w - s), are wrong (E-5). Use (y_w + s - "
+        "y).": (
             -0.25 * full,
             -0.75 * full,
         ),
-        "This is the printed listing, which has the wrong signs, / 2 * s, and no g (E-5).": (
+        "The force follows the printed listing, which has the wrong signs, / 2 * s, and no g "
+        "(E-5).": (
             -0.25 * pushed * unit,
             -0.75 * pushed * unit,
         ),
-        "Dividing by 2 * s needs brackets, which the listing lacks (E-5): / (2 * s).": (
+        "The listing lacks the parentheses around 2 * s (E-5). Divide by (2 * s).": (
             min(0.25 * pushed, 1.0) * full,
             min(0.75 * pushed, 1.0) * full,
         ),
@@ -65,17 +67,17 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
             0.75 * full,
             2.25 * full,
         ),
-        "This uses g = 9.81. Use self.gravity.": (0.25 * unit * 9.81, 0.75 * unit * 9.81),
-        "This uses the density of water. Use self.liquid_density.": (
+        "The lift uses g = 9.81. Use self.gravity.": (0.25 * unit * 9.81, 0.75 * unit * 9.81),
+        "The lift uses the density of water. Use self.liquid_density.": (
             250.0 * volume * g,
             750.0 * volume * g,
         ),
-        "This divides by s. max_depth is half of the height, so divide by 2 s.": (
+        "The fraction is divided by s. max_depth is half of the height, so divide by 2 s.": (
             0.5 * full,
             full,
         ),
-        "The depth is counted from the surface, y_w - y. Add max_depth to it.": (0.0, 0.25 * full),
-        "This gives either the whole lift or none. The lift grows with the submerged fraction.": (
+        "The depth is measured from the surface, y_w - y. Add max_depth to it.": (0.0, 0.25 * full),
+        "The lift is either complete or zero. It must grow with the submerged fraction.": (
             0.0,
             full,
         ),
@@ -97,13 +99,13 @@ def test_out_of_the_water_there_is_no_lift_and_deep_in_it_no_more(rng: Random) -
         (
             surface + 1.5 * s,
             0.0,
-            "Above the water there is no lift, and no downward force either.",
+            "Above the water there is neither a lift nor a downward force.",
         ),
         (surface + 50.0, 0.0, "High above the water there is no lift."),
         (
             surface - 1.5 * s,
             1.0,
-            "Deep under water the whole body is submerged, so the lift is rho V g and not more.",
+            "Deep under water the whole body is submerged, so the lift is rho V g.",
         ),
         (
             surface - 50.0,

@@ -48,29 +48,29 @@ def test_a_connection_serves_both_ends(rng: Random) -> None:
         b = Particle(Vector3(*there), Vector3(*w), mass=5.0)
         name = f"{about.call}.update_force({end}, 0.5)"
         about.cause = (
-            "The force on a is the spring_force with a's position and velocity relative to b. It "
-            f"does not matter which end the call is for (here {end})."
+            "The force on a is the spring_force with a's position and velocity relative to b, "
+            f"whichever end the registry passes (here {end})."
         )
         Connection(a, b, *numbers).update_force(a if end == "a" else b, 0.5)
         on_a, on_b = xyz(a.force_accumulator), xyz(b.force_accumulator)
         k, rest, _ = numbers
         both = tuple(p + q for p, q in zip(v, w, strict=True))
         slips = {
-            "This is half of the force. Apply the whole spring_force to each end.": [
+            "The force is half of the right one. Apply the whole spring_force to each end.": [
                 0.5 * part for part in wanted
             ],
             "The damping is missing. Add -c l' along the spring.": tension(
                 here, v, there, w, (k, rest, 0.0)
             ),
-            "The velocities are added. Use the difference, a's velocity minus b's.": tension(
+            "The velocities are added. Subtract b's velocity from a's.": tension(
                 here, both, there, ZERO, numbers
             ),
             "The offset is b's position minus a's. Use a's position minus b's.": tension(
                 there, v, here, w, numbers
             ),
             (
-                "This is the force on b. The force on a does not depend on the particle that "
-                "update_force gets."
+                "The result is the force on b. The force on a does not depend on the particle "
+                "that update_force gets."
             ): [-part for part in wanted],
             "no force on a": ZERO,
         }
@@ -83,7 +83,7 @@ def test_a_connection_serves_both_ends(rng: Random) -> None:
         blame(
             on_b,
             {
-                "b gets the same force as a. Give it the opposite one.": on_a,
+                "b gets the same force as a. Add the opposite force to b.": on_a,
                 "no force on b": ZERO,
             },
         )
@@ -107,7 +107,10 @@ def test_a_compressed_connection_pushes_its_ends_apart(rng: Random) -> None:
     wanted = tuple(g + 0.6 * k * rest * part for g, part in zip((1, 2, 3), d, strict=True))
     got = xyz(a.force_accumulator)
     pulled = [g - 0.6 * k * rest * part for g, part in zip((1, 2, 3), d, strict=True)]
-    blame(got, {"This uses abs(l - l0), so a compressed spring pulls. Remove abs (E-3).": pulled})
+    blame(
+        got,
+        {"With abs(l - l0), a compressed spring pulls. Remove abs (E-3).": pulled},
+    )
     expect_close(got, wanted, then="; a.force_accumulator", tolerance=1e-12)
     wanted = tuple(g - 0.6 * k * rest * part for g, part in zip(f, d, strict=True))
     got = xyz(b.force_accumulator)
@@ -194,7 +197,7 @@ def test_connect_lets_the_registry_ask_once(rng: Random) -> None:
                         "The force is twice as large as it should be. Is the spring registered "
                         "under both ends? Register it once."
                     ): [2.0 * part for part in force],
-                    "The stiffness and the rest length are exchanged.": [
+                    "The stiffness and the rest length are swapped.": [
                         sign * part for part in swapped
                     ],
                 }
@@ -290,7 +293,8 @@ def test_two_immovable_ends_may_be_connected() -> None:
 def test_connect_refuses_what_means_nothing() -> None:
     about.read = CONNECT
     about.cause = (
-        "Make the Connection before you register it, because its constructor checks the arguments."
+        "Create the Connection before you register it, because its constructor checks the "
+        "arguments."
     )
     a, b, registry = Particle(), Particle(Vector3(1.0, 0.0, 0.0)), ForceRegistry()
     for bad in ((-1.0, 1.0, 0.0), (1.0, -1.0, 0.0), (1.0, 1.0, -1.0), (math.nan, 1.0, 0.0)):

@@ -61,25 +61,27 @@ def test_the_three_cases_by_known_values() -> None:
     about.read = READ
     damped, late = math.sqrt(99.0), math.sqrt(96.0)  # gamma, and that of a c / m not halved
     slips = {
-        "The exponent has the damping c / m. Use half of it.": math.exp(-1.0)
+        "The exponent uses the damping c / m. Use half of it.": math.exp(-1.0)
         * (math.cos(0.5 * late) + 2.0 / late * math.sin(0.5 * late)),
-        "This is e^(-half t) cos(gamma t) alone. Add half sin(gamma t) / gamma.": math.exp(-0.5)
+        "The position is e^(-half t) cos(gamma t) alone. Add half sin(gamma t) / gamma.": math.exp(
+            -0.5
+        )
         * math.cos(0.5 * damped),
-        "This oscillates with sqrt(k / m). Use gamma, which is smaller.": math.exp(-0.5)
+        "The oscillation has the frequency sqrt(k / m). Use gamma, which is smaller.": math.exp(
+            -0.5
+        )
         * (math.cos(5.0) + 0.1 * math.sin(5.0)),
-        "This is e^(-half t) alone. Add half t e^(-half t).": math.exp(-5.0),
+        "The position is e^(-half t) alone. Add half t e^(-half t).": math.exp(-5.0),
     }
     over = math.sqrt(300.0)  # gamma for c = 40
     slips |= {
-        "This uses sinh for both terms. The first one needs cosh(gamma t), half of the sum "
-        "e^(gamma t) + e^(-gamma t).": math.exp(-1.0)
-        * (1.0 + 20.0 / over)
-        * math.sinh(0.05 * over),
-        "This is e^(-half t) cosh(gamma t) alone. Add half sinh(gamma t) / gamma.": math.exp(-1.0)
-        * math.cosh(0.05 * over),
-        "This uses cos and sin of gamma t. An over-damped spring needs cosh and sinh.": math.exp(
+        "Both terms use sinh. The first one needs cosh(gamma t), half of the sum e^(gamma t) + "
+        "e^(-gamma t).": math.exp(-1.0) * (1.0 + 20.0 / over) * math.sinh(0.05 * over),
+        "Half sinh(gamma t) / gamma is missing. Add it to e^(-half t) cosh(gamma t).": math.exp(
             -1.0
         )
+        * math.cosh(0.05 * over),
+        "These are cos and sin. An over-damped spring needs cosh and sinh.": math.exp(-1.0)
         * (math.cos(0.05 * over) + 20.0 / over * math.sin(0.05 * over)),
     }
     for c, t, x, cause in (
@@ -153,7 +155,7 @@ def test_any_start_any_mass(share: float, name: str, rng: Random) -> None:
                 x,
                 by_roots(0.0, v0, k, c, m, t)[1],
             ),
-            "This treats the spring as critically damped although c^2 is not 4 k m. Compare them "
+            "The spring was treated as critically damped although c^2 is not 4 k m. Compare them "
             "exactly.": (
                 (x0 + (v0 + half * x0) * t) * fade,
                 (v0 - (half * v0 + k / m * x0) * t) * fade,
@@ -176,31 +178,20 @@ def test_the_critical_case_has_no_gap_on_either_side(rng: Random) -> None:
         half = math.sqrt(k / m)
         critical = 2.0 * m * half
         fade = math.exp(-half * t)
-        wanted = (
-            (x0 + (v0 + half * x0) * t) * fade,
-            (v0 - half * (v0 + half * x0) * t) * fade,
-        )
+        wanted = ((x0 + (v0 + half * x0) * t) * fade, (v0 - half * (v0 + half * x0) * t) * fade)
         # A share e of more damping changes the motion by some e times numbers up to 100.
         for share, tolerance, cause in (
             (
                 0.0,
                 1e-12,
-                "At the critical damping the position is (x0 + (v0 + half x0) t) e^(-half t).",
+                "At the critical damping, the position is (x0 + (v0 + half x0) t) e^(-half t).",
             ),
-            (
-                -1e-9,
-                1e-7,
-                "Slightly below the critical damping, sin(gamma t) / gamma is nearly t.",
-            ),
-            (
-                1e-9,
-                1e-7,
-                "Slightly above the critical damping, sinh(gamma t) / gamma is nearly t.",
-            ),
+            (-1e-9, 1e-7, "Slightly below the critical damping, sin(gamma t) / gamma is nearly t."),
+            (1e-9, 1e-7, "Slightly above the critical damping, sinh(gamma t) / gamma is nearly t."),
             (
                 -1e-15,
                 1e-8,
-                "Close to the critical damping gamma may be 0. Do not divide by it there.",
+                "Close to the critical damping, gamma may be 0. Do not divide by gamma there.",
             ),
             (
                 1e-15,
@@ -228,11 +219,11 @@ def test_the_start_and_a_spring_that_is_none(rng: Random) -> None:
     x0, v0, t = draw_number(rng), draw_number(rng), positive_number(rng)
     c, m = positive_number(rng), positive_number(rng)
     about.call = f"damped_spring_state({x0}, {v0}, 3.0, {c}, {m}, 0.0)"
-    about.cause = "At time 0 position and velocity are x0 and v0."
+    about.cause = "At time 0, position and velocity are x0 and v0."
     got = damped_spring_state(x0, v0, 3.0, c, m, 0.0)
     expect_close(got, (x0, v0))
     about.call = f"damped_spring_state({x0}, {v0}, 0.0, 0.0, {m}, {t})"
-    about.cause = "Without stiffness and damping the body coasts: x0 + v0 t."
+    about.cause = "Without stiffness and damping, the body moves at constant velocity: x0 + v0 t."
     got = damped_spring_state(x0, v0, 0.0, 0.0, m, t)
     expect_close(got, (x0 + v0 * t, v0))
     about.call = f"damped_spring_state({x0}, {v0}, 0.0, {c}, {m}, {t})"
@@ -255,13 +246,13 @@ def test_soft_and_stiff_springs_swing_alike() -> None:
             (1.0, 1.0, 1e12, 1e3, 1.0, 100.0),
             0.0,
             1e-12,
-            "By then the spring has been at rest for a long time.",
+            "At that time the spring has been at rest for long.",
         ),
         (
             (1.0, 0.0, 1e-8, 0.0, 1.0, 1e4),
             math.cos(1.0),
             1e-12,
-            "A very soft spring oscillates too.",
+            "A very soft spring oscillates, too.",
         ),
         ((1.0, 0.0, 1e-18, 0.0, 1.0, 1e9), math.cos(1.0), 1e-12, "Compare half with chi exactly."),
         (
@@ -283,7 +274,7 @@ def test_no_number_is_too_large_for_the_formula() -> None:
             (1.0, 0.0, 1.0, 1000.0, 1.0, 5000.0),
             math.exp(-5.0),
             1e-5,
-            "cosh overflows. Write it with e^(-(half - gamma) t) and e^(-(half + gamma) t).",
+            "cosh overflows. Write cosh with e^(-(half - gamma) t) and e^(-(half + gamma) t).",
         ),
         (
             (1.0, 0.0, 1.0, 1e9, 1.0, 1e9),
@@ -296,7 +287,7 @@ def test_no_number_is_too_large_for_the_formula() -> None:
             (0.0, 1.0, 1.0, 1e9, 1.0, 1.0),
             1e-9,
             1e-17,
-            "With strong damping the body travels v0 m / c in all.",
+            "With strong damping, the body travels v0 m / c in total.",
         ),
     ):
         about.cause = cause

@@ -25,10 +25,9 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
     for share, cause in (
         (
             1.9,
-            "A stretched spring pulls, and up to its limit it does so like any other: -k (l - "
-            "l0) d^.",
+            "Up to its limit, a stretched spring pulls like any other spring: -k (l - l0) d^.",
         ),
-        (0.5, "A compressed spring pushes like any other: -k (l - l0) d^."),
+        (0.5, "A compressed spring pushes like any other spring: -k (l - l0) d^."),
         (
             0.1,
             (
@@ -46,11 +45,11 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
         wanted = tuple(-k * (share - 1.0) * rest * part for part in d)
         got = xyz(p.force_accumulator)
         opposite = [-part for part in wanted]
-        slips = {"no force": ZERO, "This pushes along the offset. Reverse the sign.": opposite}
+        slips = {"no force": ZERO, "The force points along the offset. Reverse the sign.": opposite}
         if share < 1.0:
             slips = {
                 "no force": ZERO,
-                "This uses abs(l - l0), so a compressed spring pulls. Remove abs (E-3).": opposite,
+                "With abs(l - l0), a compressed spring pulls. Remove abs (E-3).": opposite,
             }
         blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-12)
@@ -101,9 +100,8 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
             "there.": length - rest,
             "Only the part beyond the limit counts here. Add the part up to the limit.": share
             * beyond,
-            "The limit is counted from the rest length. It is a length, not an extension.": (
-                min(length, late) - rest + share * max(length - late, 0.0)
-            ),
+            "The limit is measured from the rest length. It must be compared with the length, not "
+            "the extension.": (min(length, late) - rest + share * max(length - late, 0.0)),
         }
         got = xyz(p.force_accumulator)
         slips = {slip: [-k * size * part for part in d] for slip, size in sizes.items()}

@@ -47,11 +47,10 @@ def test_the_force_by_its_formula() -> None:
     got = xyz(p.force_accumulator)
     wanted = (-198.15499326694427, 0.0, 0.0)
     sizes = {
-        "This is the printed listing. Its 1 / h * h does not divide by h^2 (E-6).": wanted[0]
-        / 3600.0,
-        "This is the force of a real spring, -k x, which is too large for such a step.": -400.0,
-        "This force is for a step that moves p by a h^2 / 2, but semi-implicit Euler moves "
-        "it by a h^2.": 2.0 * wanted[0],
+        "In the printed listing, 1 / h * h does not divide by h^2 (E-6).": wanted[0] / 3600.0,
+        "The force is that of a real spring, -k x, which is too large for such a step.": -400.0,
+        "The force is for a step that moves p by a h^2 / 2, but semi-implicit Euler moves it by a "
+        "h^2.": 2.0 * wanted[0],
     }
     blame(got, {slip: (size, 0.0, 0.0) for slip, size in sizes.items()})
     # 1 - cos(1/3) loses a digit, and is multiplied by 3600.
@@ -66,8 +65,8 @@ def test_the_force_by_its_formula() -> None:
     wanted = (0.0, (2.0 * math.sin(1.0 / 3.0) / 20.0 * 60.0 - 2.0) * 60.0, 0.0)
     got = xyz(p.force_accumulator)
     sizes = {
-        "This is the printed (T - x) / h^2 - v (E-6). Use v / h.": wanted[1] + 120.0 - 2.0,
-        "This is (T - x) / h^2. Subtract v / h too.": wanted[1] + 120.0,
+        "The force is the printed (T - x) / h^2 - v (E-6). Use v / h.": wanted[1] + 120.0 - 2.0,
+        "The force is (T - x) / h^2. Subtract v / h, too.": wanted[1] + 120.0,
         "There is no force, although p moves along y. The offset from the anchor is 0, so it has "
         "no direction: compute x, y and z separately, not the distance as a whole.": 0.0,
     }
@@ -86,7 +85,7 @@ def test_a_soft_spring_is_faked_too() -> None:
     FakeStiffSpring(Vector3(), 0.5, 0.0).update_force(p, 0.1)
     wanted = (0.0, 0.0, (math.cos(0.1 * math.sqrt(0.5)) - 1.0) * 100.0)
     got = xyz(p.force_accumulator)
-    only = "There is no force along z. Compute it for x, y and z alike."
+    only = "There is no force along z. Compute x, y and z in the same way."
     blame(got, [(ZERO, only)])
     # cos loses three digits, and is multiplied by 100.
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
@@ -112,7 +111,7 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         )
         axes = list(zip(anchor, place, v, wanted, strict=True))
         slips = {
-            "The force is not multiplied by the mass.": [
+            "The force is not multiplied by the mass. It must be m times the acceleration.": [
                 x + u * h + (end - x - u * h) / m for _, x, u, end in axes
             ],
             "T is computed for 1 kg. Use the particle's mass.": [
@@ -172,8 +171,8 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     about.call = f"s.anchor = Vector3(); s.stiffness = 0.0; s.damping = 0.0; p at {place}, "
     about.call += f"velocity {f}; s.update_force(p, 0.5)"
     about.cause = (
-        "Without stiffness and damping the particle coasts, so there is no force. Read the "
-        "attributes in each call."
+        "Without stiffness and damping, the particle moves at constant velocity, so there is no "
+        "force. Read the attributes in every call."
     )
     s.anchor, s.stiffness, s.damping = Vector3(), 0.0, 0.0
     p = Particle(Vector3(*place), Vector3(*f))

@@ -24,12 +24,16 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
     here, v, there, w, f = (components(rng) for _ in range(5))
     k, ahead = positive_number(rng), positive_number(rng)
     for time, cause in (
-        (0.0, "Without a look-ahead it pulls toward the target's current position: k (q - p)."),
+        (
+            0.0,
+            "Without a look-ahead, the force pulls toward the target's current position: k (q - "
+            "p).",
+        ),
         (
             ahead,
             (
-                "The force is k times the displacement from p + v T to q + w T. Both move on "
-                "straight, without damping, acceleration or mass."
+                "The force is k times the displacement from p + v T to q + w T. Both predictions "
+                "are straight lines, without damping, acceleration or mass."
             ),
         ),
     ):
@@ -48,25 +52,24 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
         closing = [w[i] - v[i] for i in range(3)]
         way = [now[i] + closing[i] * time for i in range(3)]
         pulls = {
-            "This pushes away from the target. Subtract in the other order.": [
+            "The force pushes away from the target. Subtract in the opposite order.": [
                 -k * part for part in way
             ],
             "The stiffness is missing. Multiply the displacement by it.": way,
-            "This is k times a unit vector. Use the whole displacement.": [
+            "The force is k times a unit vector. Use the whole displacement.": [
                 k * part / math.hypot(*way) for part in way
             ],
             (
-                "This pulls toward the target's current position. Use the position after "
+                "The force pulls toward the target's current position. Use the position after "
                 "look_ahead."
             ): [k * part for part in now],
             (
-                "This leaves out the bullet's own velocity. The bullet moves on during look_ahead "
-                "too."
+                "The prediction leaves out the bullet's own velocity. The bullet also moves "
+                "during look_ahead."
             ): [k * (now[i] + w[i] * time) for i in range(3)],
-            "This leaves out the target's velocity. The target moves on during look_ahead.": [
-                k * (now[i] - v[i] * time) for i in range(3)
-            ],
-            "This uses the duration of the step. Use self.look_ahead.": [
+            "The prediction leaves out the target's velocity. The target also moves during "
+            "look_ahead.": [k * (now[i] - v[i] * time) for i in range(3)],
+            "The prediction uses the duration of the step. Use self.look_ahead.": [
                 k * (now[i] + closing[i] * 0.5) for i in range(3)
             ],
         }
@@ -108,7 +111,7 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
         f"p at {here}, velocity {v}; b.stiffness 4, b.look_ahead 1, b.target changed to an "
     )
     about.call += f"immovable particle at {w}; b.update_force(p, 0.5)"
-    about.cause = "Read self.target in each call. An immovable particle can be a target too."
+    about.cause = "Read self.target in every call. An immovable particle can also be a target."
     p.clear_forces()
     b.target = Particle(Vector3(*w), mass=math.inf)
     b.update_force(p, 0.5)

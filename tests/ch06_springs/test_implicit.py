@@ -45,26 +45,30 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
         other = "trapezoidal" if method == "backward_euler" else "backward_euler"
         u = v + (-stiffness * x - damping * v) / m * h
         slips = {
-            "This is the step of explicit Euler.": (x + v * h, u),
-            "This is the step of semi-implicit Euler.": (x + u * h, u),
+            "The result is the step of explicit Euler.": (x + v * h, u),
+            "The result is the step of semi-implicit Euler.": (x + u * h, u),
         }
         fits = {
-            "v' and x' are in the wrong order.": off(
+            "The results are in the wrong order. Return x' first.": off(
                 method, x, v, stiffness, damping, m, h, (new[1], new[0])
             ),
-            f"This is the result of {other}.": off(other, x, v, stiffness, damping, m, h, new),
-            "The damping is missing.": off(method, x, v, stiffness, 0.0, m, h, new),
-            "The stiffness is missing.": off(method, x, v, 0.0, damping, m, h, new),
-            "k and c are not divided by the mass.": off(
+            f"The result is that of {other}.": off(other, x, v, stiffness, damping, m, h, new),
+            "The damping is missing. Include c in m a = -k x - c v.": off(
+                method, x, v, stiffness, 0.0, m, h, new
+            ),
+            "The stiffness is missing. Include k in m a = -k x - c v.": off(
+                method, x, v, 0.0, damping, m, h, new
+            ),
+            "k and c are not divided by the mass. Divide both by m.": off(
                 method, x, v, stiffness, damping, 1.0, h, new
             ),
         }
         # Where the equations of a mistake are met, it was made.
         slip = next((slip for slip in fits if max(map(abs, fits[slip])) < 1e-10), "")
         if not slip and abs(new[0] - x - v * h) < 1e-10:
-            slip = "This is x' = x + v h, with the old velocity alone."
+            slip = "The position is x' = x + v h, with the old velocity alone."
         if not slip and abs(new[0] - x - new[1] * h) < 1e-10 and left[0] != 0.0:
-            slip = "This is x' = x + v' h, with the new velocity alone."
+            slip = "The position is x' = x + v' h, with the new velocity alone."
         known = named(new, about.cause, slips)
         if slip and known == about.cause:
             about.cause = f"{slip} The method is {about.cause}"
@@ -143,7 +147,7 @@ def test_an_implicit_step_needs_numbers_that_mean_something(method: str) -> None
     expect_finite_numbers(method, step, (1, 2, 3, 4, 5, 6), bad)
     about(
         f"{method}(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)",
-        cause=("Without a force the body coasts: x + v h."),
+        cause=("Without a force, the body moves at constant velocity: x + v h."),
     )
     got = step(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)
     expect_close(got, (11.0, 3.0))

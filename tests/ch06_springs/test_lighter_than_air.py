@@ -36,12 +36,12 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         lift = most * math.exp(-share)
         lifts = {
-            "This is F H / y, which is infinite at the ground. Use F e^(-y / H).": most / share,
-            "This is F (1 - y / H), a straight line. Use F e^(-y / H).": most * (1.0 - share),
-            "This is F e^-y. Divide the height by H.": most * math.exp(-y),
-            "This is F 2^(-y / H). Use e instead of 2.": most * 0.5**share,
+            "The lift is F H / y, which is infinite at the ground. Use F e^(-y / H).": most / share,
+            "The lift is F (1 - y / H), a straight line. Use F e^(-y / H).": most * (1.0 - share),
+            "The lift is F e^-y. Divide the height by H.": most * math.exp(-y),
+            "The lift is F 2^(-y / H). Use e instead of 2.": most * 0.5**share,
             "This is F / (1 + y / H). Use F e^(-y / H).": most / (1.0 + share),
-            "This is F e^(y / H). The exponent needs a minus sign.": most * math.exp(share),
+            "The lift is F e^(y / H). The exponent needs a minus sign.": most * math.exp(share),
             "The lift points down. It must point up.": -lift,
             "The lift is multiplied by the mass of 7 kg. It does not depend on the mass.": 7.0
             * lift,
@@ -67,7 +67,7 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
         ),
         (
             -1e6,
-            "Below the ground the lift is the same as at the ground. Do not compute e^1000000.",
+            "Below the ground, the lift is the same as at the ground. Do not compute e^1000000.",
         ),
     ):
         about.cause = cause
@@ -80,7 +80,7 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
     about.call = f"balloon = LighterThanAir({most}, {scale}); balloon.max_lift = {2 * most}; "
     about.call += f"balloon.scale_height = {3 * scale}; p at (0, {3 * scale}, 0); "
     about.call += "balloon.update_force(p, 0.5)"
-    about.cause = "Read the attributes in each call."
+    about.cause = "Read the attributes in every call."
     balloon.max_lift, balloon.scale_height = 2.0 * most, 3.0 * scale
     p = Particle(Vector3(0.0, 3.0 * scale, 0.0))
     balloon.update_force(p, 0.5)

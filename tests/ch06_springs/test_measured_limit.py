@@ -35,17 +35,18 @@ def test_how_the_particle_is_released() -> None:
     about("swings_wider(integrator, 7.0, 0.25, 0.125): what the integrator gets", read=WIDER)
     seen = released()
     name = "swings_wider(integrator, 7.0, 0.25, 0.125): is the integrator called"
-    calls = "The integrator that is passed must make the steps. A formula cannot know it."
+    calls = "The integrator that is passed must make the steps, because no formula covers it."
     expect_exactly(len(seen) > 0, True, call=name, cause=calls)
     count, place, velocity, mass, damping, before, force, h, drift = seen[0]
     about.cause = "Pass one particle to the integrator, in a list."
     expect_exactly(count, 1, then=": how many particles")
     about.cause = "The particle has a mass of 1 kg."
     expect_close(mass, 1.0, then=": its mass")
-    about.cause = "Make the particle with this damping."
+    about.cause = "Create the particle with this damping."
     if damping == 1.0:
         about.cause = (
-            "The particle has no damping. The damping is the particle's, not the spring's."
+            "The particle has no damping. The damping belongs to the particle and not to the "
+            "spring."
         )
     expect_close(damping, 0.25, then=": its damping")
     about.cause = "Pass the duration on to the integrator."
@@ -84,7 +85,7 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
         (
             0.98,
             False,
-            "At 2 % below the limit the oscillations die out, so they do not get wider.",
+            "At 2 % below the limit the oscillations die out, so they do not grow.",
         ),
         (
             1.02,
@@ -119,9 +120,9 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
 def test_swings_that_stay_as_they_are_are_not_wider() -> None:
     about.read = WIDER
     about.cause = (
-        "Without damping, semi-implicit Euler keeps the size of the oscillations, although some "
-        "are seen nearer to their ends than others. Compare the maximum of many late ones with "
-        "that of many early ones."
+        "Without damping, semi-implicit Euler keeps the amplitude, although some oscillations are "
+        "sampled closer to their extremes than others. Compare the maximum of many late "
+        "oscillations with that of many early ones."
     )
     for share in (0.1, 0.9, 0.97, 0.98):
         k = share * 14_400.0
@@ -129,7 +130,7 @@ def test_swings_that_stay_as_they_are_are_not_wider() -> None:
         got = wider(1.0, False, k, 1.0, 1.0 / 60.0)
         expect_exactly(got, False)
     about.call = "swings_wider(integrator, 14700, 1.0, 1/60), a step that is stable up to 14400 N/m"
-    about.cause = "At 2 % above the limit they grow."
+    about.cause = "At 2 % above the limit, the oscillations grow."
     got = wider(1.0, False, 14_700.0, 1.0, 1.0 / 60.0)
     expect_exactly(got, True)
 
@@ -154,15 +155,15 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
     slips = {
         f"SOFTEST {begun} a middle that is safe is the new low end": 1e-7 / h**2,
         f"STIFFEST {begun} one that is not safe is the new high end": 16.0 / h**2,
-        "This is max_stable_stiffness, the formula for the book's step. The integrator here is "
-        "another one, so measure with swings_wider.": limit_of(1.0, True, damping, h),
-        "This is STIFFEST / h. The bounds of the search are divided by h^2.": 16.0 / h,
+        "The result is max_stable_stiffness, the formula for the book's step. The integrator here "
+        "is another one, so measure with swings_wider.": limit_of(1.0, True, damping, h),
+        "The result is STIFFEST / h. The bounds of the search are divided by h^2.": 16.0 / h,
     }
     blame(got, slips)
     if isinstance(got, float) and 0.02 < abs(got / wanted - 1.0) < 0.3:
         about.cause = (
-            f"This is {abs(got / wanted - 1.0):.1%} off. Go on halving the interval until its ends "
-            "differ by less than 1 %."
+            f"The result is {abs(got / wanted - 1.0):.1%} off. Continue to halve the interval "
+            "until its ends differ by less than 1 %."
         )
     # 1 % is promised; as much again for those who measure in another way.
     expect_close(got, wanted, tolerance=0.02 * wanted)
@@ -185,9 +186,10 @@ def test_the_ends_of_what_is_measured() -> None:
     got = never_safe(h)
     expect_between(got, -0.36, 0.36)
     about.cause = (
-        "Do not try any stiffness above STIFFEST / h^2. If even that one is stable, return it."
+        "Do not try any stiffness above STIFFEST / h^2. If even this stiffness is stable, return "
+        "it."
     )
-    for rate in (60.0, 30.0, 1.25):
+    for rate in (60.0, 1.25):
         about.call = f"largest_stable_stiffness(integrator, 0.5, 1/{rate:g}), a step stable up to "
         about.call += "400 / h^2"
         most = 16.0 * rate**2
@@ -227,7 +229,7 @@ def test_measuring_needs_numbers_that_mean_something() -> None:
             lambda bad=bad: swings_wider(step, *bad),
             ValueError,
             call="swings_wider(integrator, {}, {}, {})".format(*bad),
-            allowed=lambda: wider(1.0, True, 1.0, 0.5, 0.25),
+            allowed=lambda: wider(1.0, True, 1e6, 0.5, 0.25),  # it soon stops
         )
     about.read = LARGEST
     for damping, duration in ((-0.5, 0.25), (math.nan, 0.25), (0.5, 0.0), (0.5, math.inf)):
@@ -237,7 +239,7 @@ def test_measuring_needs_numbers_that_mean_something() -> None:
             ),
             ValueError,
             call=f"largest_stable_stiffness(integrator, {damping}, {duration})",
-            allowed=lambda: wider(1.0, True, 1.0, 0.5, 0.25),
+            allowed=lambda: wider(1.0, True, 1e6, 0.5, 0.25),  # it soon stops
         )
     about.call = "swings_wider(integrator, 10.0, 0.5, 1/60), the book's step"
     about.cause = (

@@ -51,11 +51,12 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         near = share * distance
         pushes = {
-            "This pulls toward the other particle. It must push away from it.": -push,
+            "The force pulls toward the other particle, but it must push away.": -push,
             "There is no push. The search may stop at p itself, which is in the list.": 0.0,
-            "The push is k at any distance. It is k times (distance - l).": k,
-            "The push is multiplied by the offset. Use the unit vector along it.": push * near,
-            "This uses the square of the distance. Use the distance.": k * (distance - near**2),
+            "The push is k at any distance. It must be k times (distance - l).": k,
+            "The push is multiplied by the offset. Use the unit vector along the offset.": push
+            * near,
+            "The push uses the square of the distance. Use the distance.": k * (distance - near**2),
         }
         if share < 1.0:
             slips = {
@@ -65,7 +66,7 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
             blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
         about.cause = (
-            "Push only the particle of this call. The other one is pushed in its own call."
+            "Push only the particle of this call. The other particle is pushed in its own call."
         )
         expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
 

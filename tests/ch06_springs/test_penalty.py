@@ -33,8 +33,8 @@ def test_the_ground_pushes_out_what_has_sunk_in(rng: Random) -> None:
         wanted = (f[0], f[1] + k * depth, f[2])
         got = xyz(p.force_accumulator)
         pushes = {
-            "This pushes down. It must push up.": -k * depth,
-            "This measures the depth from height 0. Use self.height.": k * (depth - height),
+            "The force pushes down, but it must push up.": -k * depth,
+            "The depth is measured from height 0. Use self.height.": k * (depth - height),
             "The push is multiplied by the mass. It does not depend on the mass.": 2.0 * k * depth,
             "There is no push although p is below the ground.": 0.0,
         }
@@ -106,14 +106,14 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         slips = {
             "The damping is missing. Subtract c v_y.": (0.0, push, 0.0),
-            "This is k depth + c v_y. The damping must act against the motion.": (
+            "The force is k depth + c v_y. The damping must act against the motion.": (
                 0.0,
                 max(push * (1.0 + share), 0.0),
                 0.0,
             ),
             "The damping also acts along the ground. It must depend on v_y only and act upward "
             "or not at all.": (-4.0 * c, wanted[1], -4.0 * c),
-            "This pulls down. The ground only pushes.": (0.0, push * (1.0 - share), 0.0),
+            "The force pulls down. The ground can only push.": (0.0, push * (1.0 - share), 0.0),
         }
         blame(got, slips)
         if got[0] or got[2]:
@@ -139,7 +139,7 @@ def test_a_body_comes_to_rest_in_the_sponge() -> None:
     about.call = "PenaltyGround(0, 400, 0) with height, stiffness and damping changed to 1, 3 and "
     about.call += "0.5; p at (0, 0, 0), velocity (0, 2, 0); update_force(p, 0.5); "
     about.call += "p.force_accumulator"
-    about.cause = "Read the attributes in each call: 3 N minus 0.5 times 2."
+    about.cause = "Read the attributes in every call: 3 N minus 0.5 times 2."
     ground, p = PenaltyGround(0.0, 400.0), Particle(velocity=Vector3(0.0, 2.0, 0.0))
     ground.height, ground.stiffness, ground.damping = 1.0, 3.0, 0.5
     ground.update_force(p, 0.5)

@@ -62,7 +62,7 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
         blame(force, [((0.0, k * height, 0.0), slack)])
         expect_close(force, ZERO, then=f"; planks[{i}].force_accumulator", tolerance=1e-12)
     about.call += ", the first plank 0.5 m lower"
-    about.cause = "A plank that is moved is pulled back."
+    about.cause = "A plank that was moved is pulled back."
     x, y, z = places[0]
     got = hung_bridge(places[:1], [((x, y - 0.5, z), ZERO)], numbers)
     wanted = (0.0, 0.5 * numbers[1], 0.0)
@@ -101,7 +101,7 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
                 total - hanger + part
                 for total, hanger, part in zip(wanted, parts[0], below, strict=True)
             ],
-            "Only the hangers act. Connect the planks to each other too.": parts[0],
+            "Only the hangers act. Connect the planks to each other, too.": parts[0],
             "Each spring between two planks acts twice. Connect each pair once.": [
                 2.0 * total - hanger for total, hanger in zip(wanted, parts[0], strict=True)
             ],
@@ -110,7 +110,7 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
         expect_close(
             forces[i], wanted, then=f"; planks[{i}].force_accumulator", cause=why, tolerance=1e-11
         )
-    about.cause = "Leave the pairs that the registry already has."
+    about.cause = "Keep the pairs that the registry already has."
     expect_close(
         forces[-1],
         (0.0, -2.0, 0.0),
@@ -129,11 +129,7 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
             (0.75, 0.25, 0.0),
             "The nearer plank carries more. The two fractions of the weight are 1 - s and s.",
         ),
-        (
-            1.0,
-            (0.0, 0.25, 0.75),
-            "s goes from 0 at one plank to 1 at the next. Divide by the gap.",
-        ),
+        (1.0, (0.0, 0.25, 0.75), "s goes from 0 at one plank to 1 at the next. Divide by the gap."),
         (-0.5, (0.0, 1.0, 0.0), "A walker directly above a plank is carried by that plank alone."),
         (-7.0, (1.0, 0.0, 0.0), "A walker before the first plank is carried by that plank alone."),
         (9.0, (0.0, 0.0, 1.0), "A walker beyond the last plank is carried by that plank alone."),
@@ -154,7 +150,7 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         wanted = [-weight * share for share in shares]
         beside = max(shares) < 1.0
         slips = {
-            "The fractions s and 1 - s are exchanged.": [
+            "The fractions s and 1 - s are swapped.": [
                 -weight * (1.0 - share) if share else 0.0 for share in shares
             ],
             "Each plank carries half. The nearer one must carry more.": [
@@ -238,8 +234,8 @@ def test_a_bridge_needs_numbers_that_mean_something() -> None:
     expect_close(got, ZERO, then="; its force_accumulator")
     about.read = LOAD
     about.cause = (
-        "Refuse it with ValueError. The functions of arguments.py do that. There must be at least "
-        "one plank."
+        "Refuse this argument with ValueError. The functions of arguments.py do that. There must "
+        "be at least one plank."
     )
     for count, x, weight in (
         (0, 1.0, 1.0),

@@ -40,19 +40,21 @@ def spring_slips(
         return [size * part for part in d]
 
     return {
-        "This uses abs(l - l0), so a compressed spring pulls. Remove abs (E-3), because a "
+        "The extension is abs(l - l0), so a compressed spring pulls. Remove abs (E-3), because a "
         "compressed spring pushes this end away, along the offset.": along(-abs(pull) - c * rate),
         "The damping pushes along the motion. Check its sign.": along(c * rate - pull),
-        "This force points along the offset. The minus sign is missing.": along(pull + c * rate),
-        "This is -k l d^. Subtract the rest length from the length.": along(-k * length - c * rate),
-        "This is multiplied by the offset. Normalize the offset first.": along(
+        "The force points along the offset. The minus sign is missing.": along(pull + c * rate),
+        "The force is -k l d^. Subtract the rest length from the length.": along(
+            -k * length - c * rate
+        ),
+        "The force is multiplied by the offset. Normalize the offset first.": along(
             -(pull + c * rate) * length
         ),
-        "This uses the squared length. Take the magnitude.": along(
+        "The force uses the squared length. Take the magnitude.": along(
             -k * (length**2 - rest) - c * rate
         ),
-        "The damping is missing.": along(-pull),
-        "There is no force, as if this were a slack rope.": along(0.0 * pull),
+        "The damping is missing. Add -c (v . d^) d^.": along(-pull),
+        "There is no force, as if the spring were a slack rope.": along(0.0 * pull),
         "The damping is -c v. Use only the part of v along the spring.": [
             a - c * v for a, v in zip(along(-pull), velocity, strict=True)
         ],
@@ -136,7 +138,7 @@ def test_ends_at_one_place_have_no_direction(rng: Random) -> None:
     about.cause = (
         "The offset is p.position minus the anchor. Here it is zero, so there is no force."
     )
-    slips = {"This spring hangs at (0, 0, 0). Subtract self.anchor.": hooke(v, v, 100.0, 2.0, 3.0)}
+    slips = {"The other end is at (0, 0, 0). Subtract self.anchor.": hooke(v, v, 100.0, 2.0, 3.0)}
     expect_close(got, ZERO, cause=named(got, about.cause, slips))
     about.call = "spring_force(Vector3(2, 0, 0), Vector3(), 100.0, 1.0)"
     about.cause = "This offset has a direction, so there is a force."
@@ -216,14 +218,14 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
         "The velocity is p's alone. Subtract q's position and velocity from p's.": hooke(
             offset, v, k, rest, c
         ),
-        "The damping is missing.": hooke(offset, relative, k, rest, 0.0),
-        "The force points the wrong way.": tuple(-part for part in pull),
+        "The damping is missing. Add -c (v . d^) d^.": hooke(offset, relative, k, rest, 0.0),
+        "The force points in the wrong direction.": tuple(-part for part in pull),
         "The force is divided by the mass of p.": tuple(part / 2.0 for part in pull),
         "The force is divided by the mass of q.": tuple(part / 3.0 for part in pull),
         "There is no force on p, the particle that was passed.": ZERO,
     }
     slips = {name: [a + b for a, b in zip(f, force, strict=True)] for name, force in forces.items()}
-    slips["The other force on p is gone. Use add_force."] = [*pull]
+    slips["The other force on p is lost. Use add_force."] = [*pull]
     blame(got, slips)
     # A few roundings of numbers up to 600.
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
@@ -265,17 +267,17 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
         "The offset is anchor - position. Use position - anchor.": hooke(
             tuple(-part for part in offset), v, k, rest, c
         ),
-        "The damping is missing.": hooke(offset, v, k, rest, 0.0),
-        "This uses a rest length of 0.": hooke(offset, v, k, 0.0, c),
-        "This spring hangs at (0, 0, 0). Subtract self.anchor.": hooke(here, v, k, rest, c),
-        "The force points the wrong way.": tuple(-part for part in wanted),
+        "The damping is missing. Add -c (v . d^) d^.": hooke(offset, v, k, rest, 0.0),
+        "The force uses a rest length of 0.": hooke(offset, v, k, 0.0, c),
+        "The other end is at (0, 0, 0). Subtract self.anchor.": hooke(here, v, k, rest, c),
+        "The force points in the wrong direction.": tuple(-part for part in wanted),
     }
     blame(got, slips)
     expect_close(got, wanted, tolerance=1e-11)
     about.call += f"; p.clear_forces(); s.anchor = Vector3{second}; s.stiffness, s.rest_length, "
     about.call += "s.damping = "
     about.call += f"{2 * k}, {longer}, {4 * c}; s.update_force(p, 0.5)"
-    about.cause = "Read the attributes in every call. An anchor may move."
+    about.cause = "Read the attributes in every call, because an anchor may move."
     p.clear_forces()
     s.anchor, s.stiffness, s.rest_length, s.damping = Vector3(*second), 2 * k, longer, 4 * c
     s.update_force(p, 0.5)

@@ -31,17 +31,13 @@ def test_the_largest_stiffness_by_known_values() -> None:
         got = max_stable_stiffness(d, 1.0 / 60.0)
         keep = d ** (1.0 / 60.0)
         slips = {
-            "This is -m ln d / h, which is right only for short steps.": -math.log(d) * 60.0,
-            "This is m (d^-h - 1) / h. Divide by h^2.": wanted / 60.0,
-            "This is m (1 / d - 1) / h^2, with the damping per step. It is per second.": (
-                1.0 / d - 1.0
-            )
-            * 3600.0,
-            "This is m (1 - d^h) / h^2, which is right for Eq. 3.6 but not for the step (E-16).": (
-                1.0 - keep
-            )
-            * 3600.0,
-            "This is the limit of semi-implicit Euler.": 2.0 * (1.0 + keep) / keep * 3600.0,
+            "The result is -m ln d / h, which is right only for short steps.": -math.log(d) * 60.0,
+            "The result is m (d^-h - 1) / h. Divide by h^2.": wanted / 60.0,
+            "The result is m (1 / d - 1) / h^2, with the damping per step. The damping is per "
+            "second.": (1.0 / d - 1.0) * 3600.0,
+            "The result is m (1 - d^h) / h^2, which is right for Eq. 3.6 but not for this step "
+            "(E-16).": (1.0 - keep) * 3600.0,
+            "The result is the limit of semi-implicit Euler.": 2.0 * (1.0 + keep) / keep * 3600.0,
         }
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=1e-10 * wanted)
@@ -53,8 +49,8 @@ def test_the_largest_stiffness_by_known_values() -> None:
         got = max_stable_stiffness(0.5, 1.0 / 60.0, mass)
         wanted = mass * 41.829985086921
         slips = {
-            "This is the stiffness for 1 kg. Multiply it by the mass.": 41.829985086921,
-            "This divides by the mass. Multiply by the mass.": 41.829985086921 / mass,
+            "The result is the stiffness for 1 kg. Multiply it by the mass.": 41.829985086921,
+            "The result is divided by the mass. Multiply by the mass.": 41.829985086921 / mass,
         }
         blame(got, slips)
         expect_close(got, wanted, tolerance=1e-10 * wanted)
@@ -93,15 +89,11 @@ def test_the_ends_of_the_damping() -> None:
             1.5,
             0.0,
             (
-                "If the velocity grows by itself, no spring is stable. Return 0, not a "
+                "If the velocity grows by itself, no spring is stable. Return 0 instead of a "
                 "negative number."
             ),
         ),
-        (
-            0.0,
-            math.inf,
-            "A damping of 0 stops everything in each step, so every spring is stable.",
-        ),
+        (0.0, math.inf, "A damping of 0 stops everything in each step, so every spring is stable."),
     ):
         about(f"max_stable_stiffness({d}, 0.25)", cause=cause)
         got = max_stable_stiffness(d, 0.25)

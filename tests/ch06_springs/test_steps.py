@@ -64,14 +64,16 @@ def slips_of(
     """Return what likely mistakes make of what walk returns."""
     p, v, a, mass, d, hand = body
     bodies: dict[str, Body] = {
-        "This leaves out p.acceleration.": (p, v, ZERO, mass, d, hand),
-        "This leaves out the force that was added by hand.": (p, v, a, mass, d, ZERO),
-        "The forces are not divided by the mass.": (p, v, a, 1.0, d, hand),
-        "The damping is missing.": (p, v, a, mass, 1.0, hand),
-        "This multiplies by d. Multiply by d^h.": (p, v, a, mass, d ** (1.0 / h), hand),
+        "The step leaves out p.acceleration.": (p, v, ZERO, mass, d, hand),
+        "The step leaves out the force that was added by hand.": (p, v, a, mass, d, ZERO),
+        "The forces are not divided by the mass. Add f / m.": (p, v, a, 1.0, d, hand),
+        "The damping is missing. Multiply the velocity by d^h once.": (p, v, a, mass, 1.0, hand),
+        "The velocity is multiplied by d. Multiply by d^h.": (p, v, a, mass, d ** (1.0 / h), hand),
     }
     slips = {slip: walk(method, wrong, k, c, h, frames) for slip, wrong in bodies.items()}
-    slips["This leaves out the forces of apply_forces."] = walk(method, body, 0.0, 0.0, h, frames)
+    slips[("The step leaves out the forces of apply_forces.")] = walk(
+        method, body, 0.0, 0.0, h, frames
+    )
     slips |= {
         f"This is {other}.": walk(other, body, k, c, h, frames)
         for other in EXERCISES
@@ -114,7 +116,7 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
             "one step",
             (*draw_body(rng)[:4], 0.0, ZERO),
             1,
-            "With d = 0 the whole velocity is lost.",
+            "With d = 0, the whole velocity is lost.",
         ),
     ):
         about.cause = cause
@@ -185,11 +187,11 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
         then=": the durations that apply_forces is called with",
     )
     about.cause = (
-        "Forces of an earlier evaluation are still there. Before each evaluation clear the "
-        "accumulators, and add again what was there before the step."
+        "Forces of an earlier evaluation are still in the accumulators. Before each evaluation, "
+        "clear the accumulators and add again the forces that were added before the step."
     )
     gone = (
-        "The force that was added by hand before the step is gone. Keep it, and add it again "
+        "The force that was added by hand before the step is lost. Store it, and add it again "
         "before each evaluation."
     )
     for number, (_, sums, _) in enumerate(asked, 1):
@@ -220,9 +222,9 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
             places.append(p[i] + v[i] * h + 0.5 * first * h * h)
         elif method == "runge_kutta_4":
             about.cause = (
-                "Evaluate the rates at four points: at the start, where the first rate leads in "
-                "half a step, where the second rate leads in half a step, and where the third rate "
-                "leads in a whole step."
+                "Evaluate the rates at four states: at the start, where the first rate leads in "
+                "half a step, where the second rate leads in half a step, and where the third "
+                "rate leads in a whole step."
             )
             places.append(p[i] + 0.5 * h * v[i])
             second = a[i] - k * places[1] / mass
@@ -275,12 +277,12 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
     ends = stepped(method, [still, other], (3.0, 0.5), 0.25, 2)
     expect_close(ends["positions"][0], place, then=": its position", tolerance=0.0)
     expect_close(ends["velocities"][0], velocity, then=": its velocity", tolerance=0.0)
-    about.cause = "Its accumulator must be empty after the step, like all others."
+    about.cause = "The accumulator of an immovable particle must be empty after the step, too."
     expect_close(ends["forces"][0], ZERO, then=": its force_accumulator")
     x, v = 1.0, 0.0
     for _ in range(2):
         x, v, _ = one_step(method, x, v, 0.0, 1.5, 0.25, 1.0, 0.25)
-    about.cause = "The other particles must move all the same."
+    about.cause = "The other particles must still move."
     got = ends["positions"][1][0]
     expect_close(got, x, then=": the position of the other one, x", tolerance=1e-12)
 
@@ -292,7 +294,7 @@ def test_a_step_needs_a_duration(method: str) -> None:
     body: Body = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), ZERO, 1.0, 1.0, ZERO)
     refuse = "Refuse it with ValueError. positive() does that."
     late = (
-        "The step is refused, but only after something has changed. Check the duration before you "
+        "The step is refused only after something has changed. Check the duration before you "
         "change anything."
     )
     for bad in (0.0, -1.0, math.inf, math.nan):

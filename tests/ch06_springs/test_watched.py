@@ -59,15 +59,15 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         got = (math.nan,) * 4 if error is None else tuple(error)
         size = 1.25 * limit
         slips = {
-            "This is the number of the step before. The first step has the number 1.": (
+            "The number of the step is one too small. The first step has the number 1.": (
                 fast,
                 number - 1,
                 size,
                 limit,
             ),
-            "Here the first particle has the number 1. Number the particles from 0, as in the "
+            "The index of the particle is one too large. Number the particles from 0, as in the "
             "list.": (fast + 1, number, size, limit),
-            "This is the last particle that is too fast. Report the first one.": (
+            "The error reports the last particle that is too fast. Report the first one.": (
                 3,
                 number,
                 2.0 * limit,
@@ -85,8 +85,8 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
             about.cause = f"Nothing was raised. {about.cause}"
         elif got[1] > number:
             about.cause = (
-                "This is a later step. Check right after each step, and let each watch count its "
-                "own steps, from 1."
+                "The error was raised in a later step. Check right after each step, and let each "
+                "watched integrator count its own steps, from 1."
             )
         expect_close(
             got,
@@ -123,8 +123,8 @@ def test_a_speed_that_is_no_number_is_over_every_limit() -> None:
         about.call = f"{CALL.format(1e300)}; the velocity of particle 1 has {what} along y after "
         about.call += "step 2"
         about.cause = (
-            "Every comparison with NaN is false, so `speed > speed_limit` misses it. Test `not "
-            "speed <= speed_limit`."
+            "Every comparison with NaN is False, so `speed > speed_limit` does not catch NaN. "
+            "Test `not speed <= speed_limit`."
         )
         _, error = watching(1e300, [[1.0, 1.0], [1.0, speed], [1.0, 1.0]])
         got = (math.nan, math.nan) if error is None else tuple(error[:2])
@@ -176,8 +176,8 @@ def test_a_watch_goes_on_after_an_error(rng: Random) -> None:
     about.call = f"{CALL.format(limit)}; the first step raises ValueError, the third and the fifth "
     about.call += "call end too fast; of each error its step, or -1 for the ValueError"
     about.cause = (
-        "Let exceptions of the integrator pass through, and do not count such a step. After an "
-        "alarm the watch goes on counting."
+        "Pass on the exceptions of the integrator, and do not count a step that raised one. After "
+        "an alarm, continue to count."
     )
     got = watching_on(limit)
     expect_close(got, (-1.0, 2.0, 4.0))
@@ -187,7 +187,8 @@ def test_a_watch_goes_on_after_an_error(rng: Random) -> None:
 @pytest.mark.robust
 def test_a_watch_needs_a_limit() -> None:
     about(
-        cause=("Refuse it with ValueError when the watch is made. positive() does that."), read=READ
+        cause=("Refuse the limit with ValueError when watched() is called. positive() does that."),
+        read=READ,
     )
     for bad in (0.0, -1.0, math.inf, math.nan):
         expect_error(

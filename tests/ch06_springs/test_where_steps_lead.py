@@ -41,7 +41,7 @@ def test_semi_implicit_euler_keeps_energy_near_its_start() -> None:
         # chi h / 2 is 1/12; its square comes on top.
         expect_close(got, 1.0, tolerance=0.1)
     about.call = "semi_implicit_euler([p], apply_forces, h) with the same spring, 1 step: energy"
-    about.cause = "From rest at 1 m the step leads to 1 - k h^2 / m with the velocity -k h / m."
+    about.cause = "From rest at 1 m, the step leads to 1 - k h^2 / m with the velocity -k h / m."
     kappa = 100.0 / 3600.0
     wanted = (1.0 - kappa) ** 2 + kappa
     got = energy_left("semi_implicit_euler", 100.0, 1.0 / 60.0, 1)
@@ -80,7 +80,7 @@ def test_damping_saves_explicit_euler_up_to_a_stiffness() -> None:
         about.call += "= 0.5, h = 1/60: the farthest in frames 1500 to 2000, over that in frames 0 "
         about.call += "to 500"
         about.cause = (
-            "A step multiplies the size of an oscillation by the root of d^h (1 + k h^2 / m)."
+            "A step multiplies the amplitude of an oscillation by the root of d^h (1 + k h^2 / m)."
         )
         wanted = (keep * (1.0 + k * h * h)) ** 750
         near = growth("explicit_euler", k, d, h, 500)

@@ -46,9 +46,10 @@ def test_restitution_is_a_root(rng: Random) -> None:
         about.cause += "sqrt(bounce_height / initial_height)."
         got = restitution_of_drop(initial, bounce)
         mistakes = [
-            (wanted * wanted, "This is the ratio of the heights. Restitution is the ratio of the "
-             "speeds, the square root of that."),
-            (1.0 / wanted, "The ratio is upside down. Divide bounce_height by initial_height."),
+            (wanted * wanted,
+             "The result is the ratio of the heights. Take its square root, which is the ratio "
+             "of the speeds."),
+            (1.0 / wanted, "The ratio is inverted. Divide bounce_height by initial_height."),
         ]  # fmt: skip
         blame(got, mistakes)
         expect_close(got, wanted)
@@ -105,11 +106,12 @@ def test_each_material_has_its_row(rng: Random) -> None:
     errors = (math.sqrt(spread / 3.0 / 4.0), abs(b[0] - b[1]) / 2.0)
     seen = [row[3] for row in got[:2]]
     mistakes = [
-        ((2.0 * errors[0], math.sqrt(2.0) * errors[1]), "This is the standard deviation s. Divide "
-         "it by sqrt(n)."),
+        ((2.0 * errors[0], math.sqrt(2.0) * errors[1]),
+         "The result is the standard deviation s. Divide it by sqrt(n)."),
         ((math.sqrt(0.75) * errors[0], errors[1] / math.sqrt(2.0)), "This standard deviation "
          "divides by n. Divide by n - 1, as statistics.stdev does."),
-        ((0.5 * errors[0], errors[1] / math.sqrt(2.0)), "This is s / n. Divide s by sqrt(n)."),
+        ((0.5 * errors[0], errors[1] / math.sqrt(2.0)),
+         "The result is s / n. Divide s by sqrt(n)."),
     ]  # fmt: skip
     blame(seen, mistakes)
     expect_close(seen, errors, then=": standard errors", tolerance=1e-14)
@@ -162,10 +164,12 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
     got = top_ball_speed(1.0, 9.0, 1.0, 0.5, 0.75)
     v = math.sqrt(20.0)
     mistakes = [
-        (0.575 * v, "The lower ball was taken to be at rest. After its bounce it rises at 0.5 v."),
+        (0.575 * v,
+         "The lower ball was treated as being at rest. After its bounce it rises at 0.5 v."),
         (-0.7375 * v, "The masses are swapped. The change is multiplied by lower_mass / total."),
-        (2.3625 * v, "This is the change of the upper ball's velocity. Before the impact it fell "
-         "at v, so subtract v."),
+        (2.3625 * v,
+         "The result is the change of the upper ball's velocity. Before the impact this ball "
+         "fell at v, so subtract v."),
         (2.625 * v - v, "The upper ball got the whole change of the relative velocity. Its part "
                         "is lower_mass / total, here 0.9."),
     ]  # fmt: skip
@@ -177,8 +181,9 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
         (m, 1.0, 1.0, v, "Equal masses exchange their velocities at restitution 1."),
         (m, 0.0, 1.0, 0.0, "The lower ball stays on the ground. The upper one hits it and, having "
          "the same mass, stops."),
-        (3.0 * m, 1.0, 1.0, 2.0 * v, "With three times the mass below and no loss, the upper ball "
-         "leaves at twice its speed."),
+        (3.0 * m, 1.0, 1.0, 2.0 * v,
+         "With three times the mass below and no loss, the upper ball leaves at twice its "
+         "speed."),
         (m, 1.0, 0.0, 0.0, "The momenta cancel, and at restitution 0 the balls stick together."),
         (3.0 * m, 0.0, 0.0, -0.25 * v, "At restitution 0 the balls stick together and move down "
          "with the upper one's momentum."),
@@ -187,7 +192,7 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
         got = top_ball_speed(h, lower, m, ground, pair, g)
         ten = wanted * math.sqrt(10.0 / g)
         if wanted:
-            blame(got, [(ten, "This is the result for 10 m/s^2. Use the gravity argument.")])
+            blame(got, [(ten, "The result is right only for 10 m/s^2. Use the gravity argument.")])
         expect_close(got, wanted, tolerance=1e-13)
 
 
@@ -220,7 +225,7 @@ def test_without_height_or_gravity_no_ball_flies_off() -> None:
     got = top_ball_speed(0.0, 2.0, 3.0, 0.5, 0.5, 10.0)
     expect_close(got, 0.0)
     about.call = "top_ball_speed(1.0, 2.0, 3.0, 0.5, 0.5, 0.0)"
-    about.cause = "Without gravity nothing falls. Return 0, and do not raise an error."
+    about.cause = "Without gravity, nothing falls. Return 0 instead of raising an error."
     got = top_ball_speed(1.0, 2.0, 3.0, 0.5, 0.5, 0.0)
     expect_close(got, 0.0)
 
@@ -247,12 +252,12 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
         got = expect_vector(force_for_frame(force, share * frame, frame))
         wanted = tuple(share * part for part in f)
         impulse = tuple(share * frame * part for part in f)
-        why = "This is the impulse in N s. Divide it by the frame to get a force."
+        why = "The result is the impulse in N s. Divide it by the frame to get a force."
         mistakes = [(impulse, why)]
         if share:
             longer = tuple(part / share for part in f)
             name = (
-                "The ratio is upside down. Spread over a whole frame, a short push needs a smaller "
+                "The ratio is inverted. Spread over a whole frame, a short push needs a smaller "
                 "force."
             )
             mistakes.append((longer, name))
@@ -288,7 +293,9 @@ def test_a_push_is_not_longer_than_its_frame() -> None:
         if isinstance(contact, str) or isinstance(frame, str):
             about.cause = "A string is not a number. Raise TypeError."
         elif not 0.0 < frame < math.inf:
-            about.cause = "Refuse a frame that is not positive and finite. Call positive."
+            about.cause = (
+                "Refuse a frame that is not positive and finite. Call positive from arguments.py."
+            )
         expect_error(
             lambda numbers=numbers: force_for_frame(Vector3(1.0, 2.0, 3.0), *numbers),
             error,

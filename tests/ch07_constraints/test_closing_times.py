@@ -24,20 +24,21 @@ def test_when_a_gap_closes(rng: Random) -> None:
         (5.0, 0.0, -10.0, 1.0, rest),
         (15.0, 10.0, -10.0, 3.0, "The body first rises and then falls back: take the later "
                                  "solution."),
-        (40.0, -10.0, -10.0, 2.0, "One solution is negative, so it lies in the past. Take the "
-                                  "positive one."),
+        (40.0, -10.0, -10.0, 2.0,
+         "One solution is negative, so it lies in the past. Take the positive solution."),
         (6.0, -5.0, 2.0, 2.0, "The body slows down but still arrives: take the first of the two "
                               "solutions."),
         (0.5 * pull * t * t, 0.0, -pull, t, rest),
         (1e-6, -1e-6, 0.0, 1.0, "Even a slow approach closes the gap."),
         (5e-7, 0.0, -1e-6, 1.0, "Even a weak acceleration closes the gap."),
-        (0.0, 10.0, -10.0, 2.0, "The body leaves the ground now. The impact is when it comes "
-                                "back."),
-        (-0.01, 10.0, -10.0, 1.0 + math.sqrt(0.998), "The body starts a little inside the ground "
-                                                     "and leaves it. The impact is when it comes "
-                                                     "back."),
-        (-5.0, 3.0, -10.0, 0.3, "The body is too deep to get out. Its impact is when its "
-                                "velocity reverses and it starts to close."),
+        (0.0, 10.0, -10.0, 2.0,
+         "The body leaves the ground now. The impact is the moment when it returns."),
+        (-0.01, 10.0, -10.0, 1.0 + math.sqrt(0.998),
+         "The body starts slightly inside the ground and leaves it. The impact is the moment "
+         "when it returns."),
+        (-5.0, 3.0, -10.0, 0.3,
+         "The body is too deep to get out. Its impact is the moment when its velocity "
+         "reverses."),
     ):  # fmt: skip
         about(f"time_to_close({gap}, {v}, {a})", cause=cause)
         got = time_to_close(gap, v, a)
@@ -45,7 +46,7 @@ def test_when_a_gap_closes(rng: Random) -> None:
                               "and acceleration.")]  # fmt: skip
         if a:
             other = -2.0 * v / a - wanted  # the sum of both solutions is -2 v / a
-            mistakes.append((other, f"This is the other solution of the equation. {cause}"))
+            mistakes.append((other, f"The result is the other solution of the equation. {cause}"))
         if not v:
             half = wanted / math.sqrt(2.0)
             mistakes.append((half, "The factor 1/2 is missing: solve gap + v t + a t^2 / 2 = 0."))
@@ -58,7 +59,7 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
     about.read = CLOSE
     x = positive_number(rng)
     lies = "The body lies on the ground and is accelerated inward, so the time is 0."
-    slow = "A speed below VELOCITY_TOLERANCE is rounding. It does not close the gap."
+    slow = "A speed below VELOCITY_TOLERANCE is a rounding error and does not close the gap."
     for gap, v, a, wanted, cause in (
         (0.0, -x, 0.0, 0.0, "The body touches the ground and is closing, so the time is 0."),
         (-x, -x, 3.0, 0.0, "The body is inside the ground and moves farther in, so the time is 0."),

@@ -53,8 +53,8 @@ def test_two_part_as_one_sees_the_other(rng: Random) -> None:
             (-wanted, "The sign is wrong. Compute (va - vb) . n, the velocity of a relative to b."),
             (dot(v, n), "The velocity of b is missing. Compute (va - vb) . n."),
             (dot(v, n) + dot(w, n), "The velocities were added. Subtract the velocity of b."),
-            (over, "This is the velocity along the line between the two positions. Use the "
-             "contact's normal as the direction."),
+            (over, "The result is the velocity along the line between the two positions. Use the "
+                "contact's normal as the direction."),
         ]  # fmt: skip
         blame(got, mistakes)
         # A few roundings of numbers up to 20.
@@ -80,7 +80,7 @@ def test_to_ask_for_it_changes_nothing(rng: Random) -> None:
     about.call = f"a with velocity {v}, b with {w}; c = Contact(a, b, Vector3{n}); "
     about.call += "c.separating_velocity()"
     about.cause = (
-        "The operator -= changes a vector in place. Compute a - b, which makes a new vector."
+        "The operator -= changes a vector in place. Compute a - b, which creates a new vector."
     )
     a, b = Particle(velocity=Vector3(*v)), Particle(velocity=Vector3(*w))
     c = Contact(a, b, Vector3(*n))
@@ -119,15 +119,23 @@ def test_what_closes_bounces(rng: Random) -> None:
         about.call = f"a with velocity {v}, b with {w}; Contact(a, b, Vector3{n}, "
         about.call += f"{restitution}).velocity_after()"
         about.cause = f"They approach at {-closing} m/s and must separate at the restitution times "
-        about.cause += "that speed. This rule holds for slow contacts too."
+        about.cause += "that speed. This rule also holds for slow contacts."
         a, b = Particle(velocity=Vector3(*v)), Particle(velocity=Vector3(*w), mass=3.0)
         got = Contact(a, b, Vector3(*n), restitution).velocity_after()
         wanted = -restitution * closing
         mistakes = [
             (-wanted, "The sign is wrong. A bounce makes the contact separate: return -c v_s."),
             (-closing, "The restitution is missing. Return -c v_s."),
-            (closing, "This is the velocity before the bounce. Return -c v_s, the one after it."),
-            (wanted - closing, "This is the change of velocity. Return -c v_s, the result of it."),
+            (
+                closing,
+                "The result is the velocity before the bounce. Return -c v_s, the velocity after "
+                "it.",
+            ),
+            (
+                wanted - closing,
+                "The result is the change of velocity. Return -c v_s, the velocity after the "
+                "change.",
+            ),
         ]
         if closing < -1e-3:  # below, all of these are near 0
             blame(got, mistakes)
@@ -155,7 +163,7 @@ def test_what_parts_goes_on(rng: Random) -> None:
         expect_close(got, dot(v, n), tolerance=1e-12)
     about.call = "a at rest, pulled down; Contact(a, None, Vector3(0, 1, 0), "
     about.call += "0.5).velocity_after(0.5)"
-    about.cause = "The two neither approach nor separate. Their separating velocity of 0 stays."
+    about.cause = "The two neither approach nor separate. Their separating velocity stays 0."
     a = Particle(acceleration=Vector3(0.0, -G, 0.0))
     got = Contact(a, None, Vector3(*UP), 0.5).velocity_after(0.5)
     expect_close(got, 0.0)
@@ -171,8 +179,8 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
     for closing, wanted, cause in (
         (G * h, 0.0, "This body is at rest. It closes only with the velocity that this time step "
                      "has added, so it must not bounce."),
-        (0.4 * G * h, 0.0, "The time step added more than the whole closing speed. Return 0, never "
-         "less."),
+        (0.4 * G * h, 0.0,
+         "The time step added more than the whole closing speed. Return 0 and never less."),
         (5.0, c * (5.0 - G * h), "Of the 5 m/s the time step added 0.1962 m/s. Only the rest "
          "bounces: return c (-v_s + a . n h)."),
     ):  # fmt: skip
@@ -183,12 +191,13 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
                           "step has added, or a resting body jitters."),
             (c * closing - G * h, "Subtract the built-up velocity before you multiply by the "
              "restitution: c (-v_s + a . n h)."),
-            (c * (closing + G * h), "Here a . n is negative, so it makes the bounce smaller. Add "
-                                    "a . n h to -v_s."),
-            (c * (closing - size * h), "This uses the whole |a|. Only a . n, its component along "
-             "the normal, closes the contact."),
-            (0.0, "Nothing bounces here, but the time step added only 0.1962 of the 5 m/s. Did you "
-             "multiply a . n by the duration? Return c (-v_s + a . n h)."),
+            (c * (closing + G * h),
+             "Here a . n is negative, so it reduces the bounce. Add a . n h to -v_s."),
+            (c * (closing - size * h),
+             "The result uses the whole |a|. Only a . n, its component along the normal, "
+             "closes the contact."),
+            (0.0, "The contact does not bounce, although the time step added only 0.1962 of the 5 "
+                "m/s. Did you multiply a . n by the duration? Return c (-v_s + a . n h)."),
         ]  # fmt: skip
         v = along(n, -closing, rng)
         about.call = f"a of 3 kg with velocity {v}, acceleration {pull}, damping 0.25; Contact(a, "
@@ -244,7 +253,7 @@ def test_forces_build_up_as_well(rng: Random) -> None:
     expect_close(got, c * (1.0 - 9.0 * h), tolerance=1e-12)
     about.call = f"b of {mass} kg, pushed up by {7.0 * mass} N; b.integrate({h}); b.velocity.y = "
     about.call += f"1; Contact(a, b, Vector3(0, 1, 0), {c}).velocity_after({h}), a at rest"
-    about.cause = "Forces on the other particle can close the contact too. Use (aa - ab) . n."
+    about.cause = "Forces on the other particle can also close the contact. Use (aa - ab) . n."
     b = Particle(mass=mass)
     b.add_force(Vector3(0.0, 7.0 * mass, 0.0))
     b.integrate(h)
@@ -269,14 +278,14 @@ def test_two_that_fall_alike_build_up_nothing(rng: Random) -> None:
     c, h = round(rng.uniform(0.3, 0.9), 3), 0.02
     immovable = "An immovable particle does not accelerate. Ignore its last_acceleration."
     for pa, pb, mass_a, mass_b, wanted, cause in (
-        (pull, pull, 1.0, 2.0, c * 3.0, "Both particles accelerate alike, so a does not "
-                                        "accelerate relative to b. Use (aa - ab) . n."),
+        (pull, pull, 1.0, 2.0, c * 3.0,
+         "Both particles have the same acceleration, so a does not accelerate relative to b. "
+         "Use (aa - ab) . n."),
         (0.0, other, 1.0, 2.0, c * (3.0 - other * h), "Here b accelerates toward a, which closes "
          "the contact. Use (aa - ab) . n."),
         (0.0, other, 1.0, math.inf, c * 3.0, immovable),
-        (-other, 0.0, 1.0, math.inf, c * (3.0 - other * h), "When the other particle is "
-                                                            "immovable, the acceleration of a "
-                                                            "counts in full."),
+        (-other, 0.0, 1.0, math.inf, c * (3.0 - other * h),
+         "If the other particle is immovable, the whole acceleration of a counts."),
         (-other, 0.0, math.inf, 1.0, c * 3.0, immovable),
     ):  # fmt: skip
         about.cause = cause

@@ -60,7 +60,8 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
                     (wanted - 2.0 * radius, "The radius has the wrong sign. The lowest point is at "
                      "y - radius."),
                     (-wanted, "The sign is wrong. A penetration below the ground is positive."),
-                    (wanted - height, "The height of the ground is missing."),
+                    (wanted - height,
+                     "The height of the ground is missing. The depth is height + radius - y."),
                 ]  # fmt: skip
                 why = cause_of(depth, mistakes, about.cause)
                 expect_close(depth, wanted, call=shown, cause=why, tolerance=2e-14)
@@ -139,7 +140,9 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
     expect_pairs(got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.0)])
     about.call = f"a and b at {q}; ParticlePairs([a, b], 1.0).contacts()"
-    about.cause = "Spheres at the same position have no direction between them. Use +Y as normal."
+    about.cause = (
+        "The centers are at the same position, so there is no direction. Use +Y as the normal."
+    )
     pair = [Particle(Vector3(*q)), Particle(Vector3(*q))]
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
     expect_pairs(got, [(0, 1, UP, 0.0, 2.0)])
@@ -175,11 +178,13 @@ def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
         expect_close(restitution, right[3], then=": restitution")
         apart = size - right[4]
         mistakes = [
-            (size * size - apart * apart, "These are squares. Subtract the distance itself from "
-                                          "two radii, not its square."),
+            (size * size - apart * apart,
+             "The squares were subtracted. Subtract the distance itself from two radii."),
             (-right[4], "The sign is wrong. The penetration of overlapping spheres is positive."),
             (0.5 * size - apart, "Each sphere has a radius. Subtract the distance from two radii."),
-            (apart, "This is the distance of the centers. Subtract it from two radii."),
+            (apart,
+             "The penetration is the distance of the centers. Subtract this distance from two "
+             "radii."),
         ]  # fmt: skip
         otherwise = "The penetration is two radii minus the distance of the centers."
         about.cause = cause_of(depth, mistakes, otherwise)
@@ -222,7 +227,7 @@ def test_not_every_pair_is_looked_at() -> None:
     # A grid asks about 1,400 times, a sweep along an axis some 33,000 times.
     expect_between(asked, 0, 100_000)
     name = "the same: number of touching pairs"
-    expect_exactly(found, wanted, call=name, cause="A pair that touches is missing.")
+    expect_exactly(found, wanted, call=name, cause="A pair of touching spheres is missing.")
 
 
 @pytest.mark.exercise("B7.9")

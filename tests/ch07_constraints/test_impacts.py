@@ -60,8 +60,11 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     time, contact = impact[0], impact[1]
     whole = min((fall + radius) / speed for fall, speed in zip(falls, speeds, strict=True))
     mistakes = [
-        (max(times), "This is the last impact. Return the earliest one."),
-        (times[0], "This is the impact of the first particle in the list. Compare all of them."),
+        (max(times), "The result is the last impact. Return the earliest one."),
+        (
+            times[0],
+            "The result is the impact of the first particle in the list. Compare all particles.",
+        ),
         (whole, "The radius is missing. The lowest point of the sphere arrives first."),
     ]
     seen = cause_of(time, mistakes, about.cause)
@@ -88,7 +91,7 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     name = f"{about.call}; g.next_impact({0.999 * first}) is None"
     got = ground.next_impact(0.999 * first)
     expect_exactly(got is None, True, call=name)
-    about.cause = "An impact exactly at the end of the duration counts too."
+    about.cause = "An impact exactly at the end of the duration counts, too."
     got = ground.next_impact(float(time))
     name = f"{about.call}; g.next_impact({time!r}) is None"
     expect_exactly(got is None, False, call=name)
@@ -152,7 +155,7 @@ def test_the_ground_sees_accelerations_and_walls(rng: Random) -> None:
     seen = (impact[0], impact[1].penetration)
     expect_close(seen, (0.0, 0.0))
     about.call = "p immovable; GroundPlane([p]).next_impact(9) is None"
-    about.cause = "If nothing can move, return None and do not raise an error."
+    about.cause = "If nothing can move, return None instead of raising an error."
     impact = GroundPlane([Particle(mass=math.inf)]).next_impact(9.0)
     expect_exactly(impact is None, True)
 
@@ -211,11 +214,13 @@ def test_when_two_spheres_meet(rng: Random) -> None:
         impact = expect_impact(ParticlePairs(pair, radius, c).next_impact(10.0))
         if p == far:
             mistakes = [
-                (5.2, "This is the second solution, when the spheres separate. Take the first."),
-                (3.6 - math.sqrt(4.29) / 3.0, "This uses one radius. The spheres touch when their "
-                 "centers are two radii apart."),
-                (3.6, "This is when the centers are closest. The spheres touch earlier, when the "
-                 "centers are two radii apart."),
+                (5.2, "The result is the second solution, when the spheres separate. Return the "
+                    "first."),
+                (3.6 - math.sqrt(4.29) / 3.0,
+                 "The result uses one radius. The spheres touch when their centers are two "
+                 "radii apart."),
+                (3.6, "The result is the time when the centers are closest. The spheres touch "
+                    "earlier, when the centers are two radii apart."),
                 (3.0, "The velocity of b is missing. Use the relative velocity va - vb."),
                 (6.0, "The velocities were added. Use the relative velocity va - vb."),
             ]  # fmt: skip
@@ -249,7 +254,7 @@ def test_spheres_that_touch_or_never_meet() -> None:
         (1.5, 0.0, 3.0, None, "The spheres overlap, but they move apart. Return None."),
         (5.0, 0.0, 3.0, None, "The spheres move apart. Return None."),
         (5.0, 0.0, 0.0, None, "The spheres do not move relative to each other. Return None."),
-        (5.0, 2.5, -3.0, None, "The spheres miss: the number under the root is negative."),
+        (5.0, 2.5, -3.0, None, "The spheres miss, because the number under the root is negative."),
         (5.0, 2.000001, -3.0, None, "The spheres only just miss each other. Return None."),
         (5.0, 0.0, -3.0, 1.0, meet),
         (-5.0, 0.0, 3.0, 1.0, meet),
@@ -270,7 +275,7 @@ def test_spheres_that_touch_or_never_meet() -> None:
             got = impact[1].penetration
             expect_close(got, 0.0, then=": penetration")
     about.call = "ParticlePairs([a], 1.0).next_impact(10.0) is None"
-    about.cause = "A single particle has no pair. Return None and do not raise an error."
+    about.cause = "A single particle has no pair. Return None instead of raising an error."
     impact = ParticlePairs([Particle()], 1.0).next_impact(10.0)
     expect_exactly(impact is None, True)
     about.call = "a at (5, 0, 0), velocity (-3, 0, 0), b at (0, 0, 0); p = ParticlePairs([a, b], "

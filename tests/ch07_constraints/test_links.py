@@ -72,8 +72,7 @@ def expect_contacts(
         expect_close(restitution, right[3], then=": restitution", cause=why)
         depths = [
             (-right[4], "The sign is wrong. A penetration is positive when the limit is passed."),
-            (far, "This is the distance of the ends. The penetration is only the excess over the "
-             "limit."),
+            (far, "The penetration is the distance of the ends. Subtract the limit from it."),
         ]  # fmt: skip
         why = cause_of(depth, depths, about.cause)
         # Lengths of up to 20 m, rounded a few times.
@@ -195,12 +194,12 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
         (
             1023.0 / 1024.0 * length,
             [(0, other, n, 0.0, length / 1024.0)],
-            "A rod that is a little too long pulls.",
+            "A rod that is slightly too long pulls.",
         ),
         (
             1025.0 / 1024.0 * length,
             [(0, other, back, 0.0, length / 1024.0)],
-            "A rod that is a little too short pushes.",
+            "A rod that is slightly too short pushes.",
         ),
         (length, [], "A rod of exactly the right length has no contact."),
     ):
@@ -283,12 +282,14 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
     for low, high, wanted, cause in (
         (0.5, 1.5, [], "Between its two limits the link has no contact."),
         (1023.0 / 1024.0, 1025.0 / 1024.0, [], "Between its two limits the link has no contact."),
-        (0.25, 0.5, [(0, 1, n, c, 0.5 * length)], "Beyond max_length it is a cable: the normal "
-         "points to b."),
-        (0.5, 1.0, [(0, 1, n, c, 0.0)], "At max_length it is taut, with a penetration of 0."),
-        (1.5, 2.0, [(0, 1, back, c, 0.5 * length)], "Below min_length it pushes: the normal points "
-         "away from b and the penetration is min_length - length."),
-        (1.0, 2.0, [(0, 1, back, c, 0.0)], "At min_length it touches, with a penetration of 0."),
+        (0.25, 0.5, [(0, 1, n, c, 0.5 * length)],
+         "Beyond max_length the link acts like a cable: the normal points to b."),
+        (0.5, 1.0, [(0, 1, n, c, 0.0)], "At max_length the link is taut, with a penetration of 0."),
+        (1.5, 2.0, [(0, 1, back, c, 0.5 * length)],
+         "Below min_length the link pushes: the normal points away from b and the penetration "
+         "is min_length - length."),
+        (1.0, 2.0, [(0, 1, back, c, 0.0)],
+         "At min_length the link touches its limit, with a penetration of 0."),
         (0.0, 2.0, [], "A min_length of 0 means that there is no lower limit."),
     ):  # fmt: skip
         about.cause = cause

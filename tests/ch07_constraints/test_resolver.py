@@ -55,8 +55,9 @@ def test_what_closes_fastest_is_first() -> None:
         mistakes = [
             ((1.0, 0.0, -3.0), "Nothing was resolved. Contacts with a separating velocity below "
              "-VELOCITY_TOLERANCE are closing."),
-            ((0.25, 0.75, -3.0), "The first closing contact was resolved. Take the one with the "
-             "lowest separating velocity."),
+            ((0.25, 0.75, -3.0),
+             "The first closing contact was resolved. Choose the one with the lowest "
+             "separating velocity."),
             ((-1.4375, -0.515625, -0.046875), f"Three contacts were resolved. Stop at the limit, "
              f"{limit}."),
             ((-1.4375, 0.1875, -0.75), "The right pair closes again now. Keep resolving until none "
@@ -78,11 +79,7 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
         (ZERO, ZERO, 1.0),
         (ZERO, (0.0, 3.0, 0.0), math.inf),
     ]
-    contacts = [
-        (0, -1, UP, 1.0, 0.5),
-        (1, -1, UP, 1.0, 0.75),
-        (2, 3, UP, 0.0, -0.25),
-    ]
+    contacts = [(0, -1, UP, 1.0, 0.5), (1, -1, UP, 1.0, 0.75), (2, 3, UP, 0.0, -0.25)]
     about.call = f"a of 100 kg with (0, -2, 0) and b of 100 kg with ({side}, -1, {side}) hit the "
     about.call += "ground, restitution 1; c of 1 kg at rest, 0.25 m above a wall that moves with "
     about.call += "(0, 3, 0), restitution 0; resolve_velocities of the three contacts, limit 1"
@@ -160,13 +157,13 @@ def test_only_what_closes_is_resolved(rng: Random) -> None:
     about.read = FASTEST
     n = direction(rng)
     for closing, depth, wanted, cause in (
-        (1e-13, 0.0, 0, "A closing speed below VELOCITY_TOLERANCE is rounding error. Leave it."),
+        (1e-13, 0.0, 0, "A closing speed below VELOCITY_TOLERANCE is a rounding error. Ignore it."),
         (1e-11, 0.0, 1, "This contact closes faster than VELOCITY_TOLERANCE. Resolve it."),
         (0.5, -1.0, 1, "This contact is closing. Its penetration does not matter here."),
-        (-0.5, 1.0, 0, "This contact is separating. Leave it, however deep it is."),
+        (-0.5, 1.0, 0, "This contact is separating. Ignore it, however deep it is."),
         (0.0, 1.0, 0, "Deep contacts are left to resolve_penetrations, unlike in the book's "
          "listing."),
-        (1e-13, 1.0, 0, "A closing speed below VELOCITY_TOLERANCE is rounding error. Leave it."),
+        (1e-13, 1.0, 0, "A closing speed below VELOCITY_TOLERANCE is a rounding error. Ignore it."),
         (1e-11, 1.0, 1, "This contact closes faster than VELOCITY_TOLERANCE. Resolve it."),
     ):  # fmt: skip
         about.cause = cause
@@ -258,7 +255,7 @@ def test_what_is_deepest_is_first() -> None:
         used, after, got_depths = resolved(bodies, contacts, "resolve_penetrations", limit)
         got = tuple(place[0] for place, _ in after)
         mistakes = [
-            ((-0.25, 1.25, 2.0), "The left pair was resolved, but the right one is deeper.")
+            ((-0.25, 1.25, 2.0), "The left pair was resolved, but the right pair is deeper.")
         ]
         if isinstance(used, int) and used > limit:
             about.cause = f"{used} contacts were resolved. Stop at the limit, {limit}."
@@ -271,8 +268,9 @@ def test_what_is_deepest_is_first() -> None:
              "(E-8)."),
             ((0.125, 0.0), "The left contact became less deep, but the middle ball moved into it. "
              "Check the sign."),
-            ((0.875, -0.75), "The resolved contact was updated twice. resolve_penetration already "
-             "sets it to 0, so skip it in your loop."),
+            ((0.875, -0.75),
+             "The resolved contact was updated twice. resolve_penetration already sets it to "
+             "0, so skip it in your loop."),
             ((0.0, 0.0), "The right contact is still 0. There the middle ball is contact.other: "
                          "update contacts for that case too."),
             ((0.0, -0.4375), "The sign is wrong for a contact's other. When contact.other moves "
@@ -301,8 +299,8 @@ def test_one_contact_is_resolved_once(rng: Random) -> None:
         (depth, 1, "After one resolution the particle only touches the ground, so stop. The "
                    "book's listing moves it again (E-8)."),
         (2e-9, 1, "This contact is deeper than DEPTH_TOLERANCE. Resolve it."),
-        (5e-10, 0, "A depth below DEPTH_TOLERANCE counts as touching. Leave it."),
-        (-1.0, 0, "The particle is apart from the ground. Leave it."),
+        (5e-10, 0, "A depth below DEPTH_TOLERANCE counts as touching. Ignore it."),
+        (-1.0, 0, "The particle is apart from the ground. Ignore it."),
     ):  # fmt: skip
         about.cause = cause
         about.call = f"a of {mass} kg; resolve_penetrations([Contact(a, None, Vector3{n}, 0, "

@@ -42,12 +42,11 @@ def test_without_an_impact_the_flight_is_exact(rng: Random) -> None:
     wanted = (v[0] * h, 9.0 + v[1] * h - 5.0 * h * h, v[2] * h)
     without = (wanted[0], 9.0 + v[1] * h, wanted[2])
     mistakes = [
-        ((0.0, 9.0, 0.0), "It did not move. After the last impact, fly "
-                          "on to the end of the step."),
+        ((0.0, 9.0, 0.0),
+         "The particle did not move. After the last impact, fly to the end of the step."),
         (without, "The term a t^2 / 2 is missing, as in explicit Euler. Use p + v t + a t^2 / 2."),
-        ((wanted[0], 9.0 + v[1] * h - 10.0 * h * h, wanted[2]), "This adds a t^2 to the "
-                                                                "position. Add only half of it: "
-                                                                "p + v t + a t^2 / 2."),
+        ((wanted[0], 9.0 + v[1] * h - 10.0 * h * h, wanted[2]),
+         "The step adds a t^2 to the position. Add only half of it: p + v t + a t^2 / 2."),
     ]  # fmt: skip
     seen = cause_of(place, mistakes, about.cause)
     expect_close(place, wanted, then="position", cause=seen)
@@ -80,7 +79,10 @@ def test_a_ball_bounces_when_it_is_due(rng: Random) -> None:
             about.cause = "The impacts do not end. Ask the detector for the rest of the step, not "
             about.cause += "for all of it, and resolve each velocity with a duration of 0."
         if h > 1.0 and len(found) == 1:
-            about.cause = "You stopped after one impact. Ask again for the rest of the step."
+            about.cause = (
+                "The step stopped after one impact. Call next_impact again for the rest of the "
+                "step."
+            )
         expect_exactly(len(found), len(times), then="number of impacts")
         expect_exactly(len(found), len(times), then="impacts")
         last, bounces = times[-1], len(times)
@@ -93,7 +95,9 @@ def test_a_ball_bounces_when_it_is_due(rng: Random) -> None:
         # Some 200 flights, each with a few roundings of 10 m.
         name = f"{about.call}height and speed"
         expect_close((place[1], velocity[1]), wanted, call=name, tolerance=1e-11)
-        about.cause = "Ask the detector first for the whole step, then for the rest of it."
+        about.cause = (
+            "Call next_impact first for the whole step, and then for the rest of the step."
+        )
         name = f"{about.call}the longest duration that next_impact got"
         expect_close(max(asked), h, call=name)
         name = f"{about.call}number of calls of next_impact"
@@ -130,7 +134,7 @@ def test_rest_is_told_with_its_time() -> None:
     # The last bounces that floats can distinguish are 1e-9 s apart.
     ends = 1.8973666
     early = int(ends / FRAME) * FRAME
-    name = "This is the time left in the step. Pass the time since the start of the step."
+    name = "The error reports the time left in the step. Pass the time since the start of the step."
     mistakes = [(2.0 * early + FRAME - ends, name)]
     blame(got, mistakes, tolerance=1e-7)
     expect_close(got, ends, then="its time, s", tolerance=1e-7)
@@ -167,7 +171,10 @@ def test_rest_is_told_with_its_time() -> None:
         speed = -10.0 * 0.5**most
         about.cause = "When you raise, the particles are at the time of the next impact, before it "
         about.cause += "is resolved, and not yet damped."
-        early = "This is just after the last allowed impact. Fly to the next one, then raise."
+        early = (
+            "The particles are just after the last allowed impact. Fly to the next impact, and "
+            "then raise the error."
+        )
         blame((place[1], velocity[1]), [((0.0, -speed), early)])
         name = f"{about.call}{most}: height and velocity then"
         expect_close((place[1], velocity[1]), (0.0, speed), call=name, tolerance=1e-12)
@@ -261,8 +268,8 @@ def test_a_frame_uses_the_forces_up(rng: Random) -> None:
     name = f"{about.call}velocity"
     mistakes = [
         ((3.0, 2.0 * end, 0.0), "Damping is missing. Multiply by damping ** duration at the end."),
-        ((0.75, 0.5 * end, 0.0), "This is damped for a whole second. Multiply by damping ** "
-         "duration."),
+        ((0.75, 0.5 * end, 0.0),
+         "The velocity is damped for a whole second. Multiply by damping ** duration."),
     ]  # fmt: skip
     blame(bouncing[1], mistakes)
     expect_close(bouncing[1], (1.5, end, 0.0), call=name, tolerance=1e-13)
@@ -290,7 +297,7 @@ def test_a_frame_uses_the_forces_up(rng: Random) -> None:
     wanted = (9.0, 9.0, 9.0, 1.0, 2.0, 3.0, 0.0, 0.0, 0.0)
     expect_close(got, wanted, call=name)
     about.call += "a second step; "
-    about.cause = "In the next step the force is gone."
+    about.cause = "In the next step, the force no longer acts."
     wanted = (2.25, height + end * h + 0.125 * a * h * h, 0.0)
     name = f"{about.call}position"
     expect_close(bouncing[4], wanted, call=name, tolerance=1e-13)

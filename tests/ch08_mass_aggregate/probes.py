@@ -129,10 +129,7 @@ def frame(
         if late is not None:
             particle.add_force(Vector3(*late))
     getattr(world, method)(duration)
-    return {
-        "states": states(particles),
-        "diary": diary,
-    }
+    return {"states": states(particles), "diary": diary}
 
 
 def depths_of(count: int, floors: Sequence[float]) -> list[float]:

@@ -242,8 +242,7 @@ def driven(
 
 
 def spun(
-    hub: tuple[Components, Components],
-    rim: Sequence[tuple[Components, Components, float]],
+    hub: tuple[Components, Components], rim: Sequence[tuple[Components, Components, float]]
 ) -> Any:
     """Return the spin of a rim: place, velocity and mass of each; of the hub place and velocity.
 

@@ -30,7 +30,7 @@ def test_a_row_counts_once(rng: Random) -> None:
     got = [score for score, *_ in seen]
     mistakes = [
         ([10, 20, 30, 40, 50], "A row counts only once. Check whether it is in visited already."),
-        ([160] * 5, "The game is won after one row. It is won when all rows are visited."),
+        ([160] * 5, "The game was won after one row. It must be won when all rows are visited."),
     ]
     blame(got, mistakes)
     expect_exactly(got, [10, 10, 20, 20, 20])
@@ -71,9 +71,7 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     before = seen[rows + falls - 2]
     about.cause = "Before the last row is visited, the game is not won, so there is no bonus."
     expect_exactly(before[0], 10 * (rows - 1), then=": the score before the last row")
-    about.cause = (
-        "After the end of the game nothing counts, so landings and falls must not change anything."
-    )
+    about.cause = "After the end of the game, landings and falls must not change anything."
     got = list(seen[-1][:2])
     expect_exactly(got, [score, 3 - falls], then=": score and lives at the end")
 
@@ -84,7 +82,7 @@ def test_three_falls_are_the_end(rng: Random) -> None:
     events = [-1, a, -1, -1, -1, b]
     about(f"Rules(6); landings on these rows, and rules.fell() for each -1: {events}", read=RULES)
     about.cause = (
-        "A fall takes a life. After the last life nothing counts any more, so lives must stay at 0."
+        "A fall takes a life. After the last life the game is over, so lives must stay at 0."
     )
     seen = ruled(6, events)
     got = [lives for _, lives, *_ in seen]
@@ -95,7 +93,7 @@ def test_three_falls_are_the_end(rng: Random) -> None:
     about.cause = "A fall must not change the points or the visited rows."
     got = [seen[-1][0], *seen[-1][2]]
     if got[0] == 20:
-        about.cause = "A row counted after the end. Return from landed at once if self.over."
+        about.cause = "A row was counted after the end. Return from landed at once if self.over."
     expect_exactly(got, [10, a], then=": score and visited at the end")
 
 
@@ -127,7 +125,7 @@ def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
     for what, x, height, velocity, wanted, cause in (
         ("in the deck, falling", before, 4.5 - depth, -speed, (2, row), named),
         ("in the deck, falling slowly", beyond, 4.5 - depth, -0.01, (2, row), "A slow "
-         "ball lands as well. Any negative separating velocity counts."),
+         "ball also lands. Any negative separating velocity counts."),
         ("in the deck, on its way up", before, 4.5 - depth, speed, (2, -1), "A ball that moves up "
          "touches the deck but does not land. Set row to None."),
         ("in the deck, at rest", before, 4.5 - depth, 0.0, (2, -1), "A ball at rest does not land. "

@@ -147,11 +147,13 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     square = [(x + i, y + j, z) for i in (0.0, 2.0) for j in (0.0, 2.0)]
     got, after = spread_of(square, [3.0] * 4)
     mistakes = [
-        (2.0, "This is the mean of the squared distances. Take its square root."),
-        (math.sqrt(8.0), "This is the root of the sum. Divide the sum by the total mass first."),
-        (math.sqrt(24.0), "This is the root of the sum. Divide the sum by the total mass first."),
-        (math.sqrt(2.0 + math.hypot(x + 1.0, y + 1.0, z) ** 2), "These are the distances "
-         "from the origin. Use the distances from the center of mass."),
+        (2.0, "The result is the mean of the squared distances. Take its square root."),
+        (math.sqrt(8.0),
+         "The result is the root of the sum. Divide the sum by the total mass first."),
+        (math.sqrt(24.0),
+         "The result is the root of the sum. Divide the sum by the total mass first."),
+        (math.sqrt(2.0 + math.hypot(x + 1.0, y + 1.0, z) ** 2),
+         "The distances are those from the origin. Use the distances from the center of mass."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, math.sqrt(2.0), tolerance=1e-12)
@@ -169,9 +171,10 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     apart, total = math.dist(p, q), m + n
     ways = (n / total * apart, m / total * apart)  # of both from their center of mass
     mistakes = [
-        ((m * ways[0] + n * ways[1]) / total, "This is the mean of the distances. Take the root of "
-         "the mean of their squares."),
-        (0.5 * apart, "These distances are from the midpoint. The center of mass is nearer to the "
+        ((m * ways[0] + n * ways[1]) / total,
+         "The result is the mean of the distances. Take the root of the mean of their squares."),
+        (0.5 * apart,
+         "The distances are those from the midpoint. The center of mass is nearer to the "
          "heavier particle."),
         (math.hypot(*ways) / math.sqrt(2.0), "The masses do not count here. Weight each squared "
                                              "distance by the mass."),

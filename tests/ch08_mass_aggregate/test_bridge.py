@@ -70,7 +70,7 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
     got, wanted = picked(links), picked(wanted_links(places))
     ends, right = ([(i, j) for i, j, _ in some] for some in (got, wanted))
     wrong = [f"{pair} is missing" for pair in right if pair not in ends]
-    wrong += [f"{pair} is there twice" for i, pair in enumerate(ends) if pair in ends[:i]]
+    wrong += [f"{pair} is listed twice" for i, pair in enumerate(ends) if pair in ends[:i]]
     wrong += [f"{pair} should not be joined" for pair in ends if pair not in right]
     why = f"{wrong[0]}. {about.cause}" if wrong else about.cause
     expect_exactly(ends, right, then=": the ends of each by index (-1 is an anchor)", cause=why)
@@ -163,10 +163,13 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
             (_, one, _), (_, two, _) = (rows[n][0] for n in (i, i + 1))
             near = one + (at - rows[i][0][0]) / (rows[i + 1][0][0] - rows[i][0][0]) * (two - one)
             mistakes = [
-                ((row, points[int(row)][1]), "This is the height of the row. Interpolate between "
-                 "the midpoints of the two rows around the ball."),
-                ((float(i), height), "This is the row before the ball, not the nearest one."),
-                ((float(i + 1), height), "This is the row after the ball, not the nearest one."),
+                ((row, points[int(row)][1]),
+                 "The result is the height of the row. Interpolate between the midpoints of "
+                 "the two rows around the ball."),
+                ((float(i), height),
+                 "The result is the row before the ball, which is not the nearest one."),
+                ((float(i + 1), height),
+                 "The result is the row after the ball, which is not the nearest one."),
                 ((row, near), "This height was computed from one end of each row. Use the "
                  "midpoints of the rows."),
             ]  # fmt: skip
@@ -205,7 +208,7 @@ def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
         expect_close(got, (float(i), heights[i]), tolerance=1e-12)
     for x in (-0.5, 0.0, 0.5):
         about.call = f"a deck of the row at {points[0]} alone, the ball at x = {x}: nearest()"
-        about.cause = "A single row is both the first and the last one."
+        about.cause = "A single row is both the first row and the last row."
         got = deck((x, 9.0, 0.5), rows[:1], 0.5, 0.0)["nearest"]
         expect_close(got, (0.0, heights[0]), tolerance=1e-12)
 
@@ -267,7 +270,7 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
             about.cause = "particle and other are swapped. The ball is the particle, and the end "
             about.cause += "of the row is the other."
         elif len(ends) > 2:
-            about.cause = "Other rows have contacts too. Use only the two ends of the nearest row."
+            about.cause = "Other rows have contacts, too. Use only the two ends of the nearest row."
         expect_exactly(ends, [(0, 3), (0, 4)], then=": ends")
         for _, _, normal, restitution, penetration in list(got):
             about.cause = "The normal is +Y, since the deck pushes the ball up."
@@ -298,7 +301,7 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         expect_close(got, (4.5 - y,) * 2)
     for where, lift, ends, cause in (
         ("just above it", radius + 1e-6, 0, "A ball above the deck has no contact."),
-        ("whose top is just above it", 1e-6 - radius, 2, "The ball is still in the deck."),
+        ("whose top is just above it", 1e-6 - radius, 2, "The ball is still inside the deck."),
         ("whose top is just below it", -1e-6 - radius, 0, "A ball completely below the deck has "
          "fallen through, so it has no contact."),
     ):  # fmt: skip

@@ -40,11 +40,19 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
             mistakes = [
                 (
                     24,
-                    "These are all 24 degrees of freedom of the eight corners. A rigid body "
+                    "The result is all 24 degrees of freedom of the eight corners. A rigid body "
                     "keeps six of them.",
                 ),
-                (13, "This is 2 n - 3, which holds for a flat figure. In space it is 3 n - 6."),
-                (21, "This is 3 n - 3. A rigid body can move in three ways and rotate in three."),
+                (
+                    13,
+                    "The result is 2 n - 3, which holds for a flat figure. In space the number is "
+                    "3 n - 6.",
+                ),
+                (
+                    21,
+                    "The result is 3 n - 3. A rigid body can move in three ways and rotate in "
+                    "three.",
+                ),
             ]
             blame(got, mistakes)
         expect_exactly(got, wanted)
@@ -71,9 +79,7 @@ def test_a_number_of_particles_is_1_or_more() -> None:
 @pytest.mark.exercise("8.2", weight=2)
 def test_the_cube_is_rigid() -> None:
     about(
-        "cube_rods()",
-        cause="Each rod must be a pair of different indices from 0 to 7.",
-        read=CUBE,
+        "cube_rods()", cause="Each rod must be a pair of different indices from 0 to 7.", read=CUBE
     )
     rods = cube_rods()
     wrong = [
@@ -87,7 +93,7 @@ def test_the_cube_is_rigid() -> None:
     about.cause = f"You have {different} different rods, but only {18 - len(left)} of the 18 "
     about.cause += "internal motions are prevented."
     if left:
-        about.cause += f" This one is still possible: {told(left[0], 'corner')}."
+        about.cause += f" This motion is still possible: {told(left[0], 'corner')}."
     expect_exactly(
         len(left), 0, then=": the number of motions they allow, besides those of a rigid body"
     )
@@ -193,8 +199,11 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
     drifting = math.fsum(m * (x * drift[1] - y * drift[0]) for m, (x, y) in parts)
     mistakes = [
         (-rate, "The sign is wrong. Counter-clockwise is positive: x v_y - y v_x."),
-        (rate * inertia, "This is the angular momentum. Divide it by the sum of m (x^2 + y^2)."),
-        (rate + drifting / inertia, "Subtract the hub's velocity. The hub moves as well."),
+        (
+            rate * inertia,
+            "The result is the angular momentum. Divide it by the sum of m (x^2 + y^2).",
+        ),
+        (rate + drifting / inertia, "Subtract the hub's velocity, because the hub moves, too."),
     ]
     blame(got, mistakes)
     expect_close(got, rate, tolerance=1e-12)
@@ -204,10 +213,10 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
     one, two = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), 1.0), ((0.0, 2.0, 0.0), (-2.0, 0.0, 0.0), 3.0)
     got = spun(((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)), [one, two])
     mistakes = [
-        (1.2, "The masses are missing in both sums."),
-        (1.5, "This is the mean of the particles' rates. Divide the two sums instead."),
+        (1.2, "The masses are missing in both sums. Multiply each term by m."),
+        (1.5, "The result is the mean of the particles' rates. Divide the two sums instead."),
         (2.0, "The distance is not squared. The sum of m (x^2 + y^2) is 13."),
-        (14.0, "This is the angular momentum. Divide it by the sum of m (x^2 + y^2)."),
+        (14.0, "The result is the angular momentum. Divide it by the sum of m (x^2 + y^2)."),
     ]
     blame(got, mistakes)
     expect_close(got, 14.0 / 13.0)
@@ -245,12 +254,12 @@ def test_the_deformation_is_that_of_the_worst_rod(rng: Random) -> None:
         got = deformed(rods, way)
         shares = [now / length - 1.0 for length, now in rods]
         mistakes = [
-            (max(abs(now - length) for length, now in rods), "This is in m. Divide it by "
-             "rod.length."),
-            (math.fsum(map(abs, shares)) / len(shares), "This is the mean. Return the largest "
-             "value."),
-            (max(shares), "A rod that is too short counts as well. Take abs() of each value."),
-            (1.0 + max(shares), "This is length / rod.length. Return its difference from 1."),
+            (max(abs(now - length) for length, now in rods),
+             "The result is in m. Divide it by rod.length."),
+            (math.fsum(map(abs, shares)) / len(shares),
+             "The result is the mean. Return the largest value."),
+            (max(shares), "A rod that is too short counts, too. Take abs() of each value."),
+            (1.0 + max(shares), "The result is length / rod.length. Return its difference from 1."),
         ]  # fmt: skip
         blame(got, mistakes)
         expect_close(got, wanted, tolerance=1e-12)

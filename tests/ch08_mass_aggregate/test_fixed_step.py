@@ -32,14 +32,14 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
         mistakes = [
             (
                 steps + 1,
-                "This is one step too many. A time shorter than a step stays in "
-                "self.left for the next call.",
+                "One step too many was made. A time shorter than a step stays in self.left for "
+                "the next call.",
             ),
             (1, "Only one step was made. Repeat while there is enough time left."),
         ]
         seen = cause_of(row[0], mistakes, about.cause)
         expect_exactly(row[0], steps, then=": the number of steps that it returns", cause=seen)
-        mistakes = [((0.0, 0.0), "The rest of the time is lost. Keep it in self.left.")]
+        mistakes = [((0.0, 0.0), "The rest of the time is lost. Store it in self.left.")]
         seen = cause_of(row[1:], mistakes, about.cause)
         wanted = (0.25 * STEP * left, 0.0)
         expect_close(row[1:], wanted, then=": left and dropped", cause=seen, tolerance=0.0)
@@ -117,11 +117,11 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
         mistakes = [
             (
                 (0.0, left + dropped),
-                "All of the time is dropped. Keep less than a step in self.left.",
+                "All of the time was dropped. Keep the part that is less than a step in self.left.",
             ),
             (
                 (left + dropped, 0.0),
-                "Nothing is dropped, so the next call would make up for the missing steps.",
+                "No time was dropped, so the next call would make up for the missing steps.",
             ),
             (
                 (left, dropped / STEP),
@@ -129,8 +129,8 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
             ),
             (
                 (left, STEP),
-                "This is only what the last call dropped. Add it to dropped instead "
-                "of replacing dropped.",
+                "dropped contains only the time that the last call dropped. Add to dropped "
+                "instead of replacing it.",
             ),
         ]
         seen = cause_of(row[1:], mistakes, about.cause)
@@ -200,7 +200,10 @@ def test_a_time_that_is_none_is_refused() -> None:
         )
         expect_close(left, 0.25 * STEP, then=": left", cause=lost, tolerance=0.0)
         expect_exactly(made, 0, then=": steps made")
-    about(f"a FixedStep of {STEP} s; advance(0.0)", cause="A time of 0 is valid. It makes no step.")
+    about(
+        f"a FixedStep of {STEP} s; advance(0.0)",
+        cause="A time of 0 is valid, and it makes no step.",
+    )
     expect_exactly(refused_time(STEP, 0.0)[0], "", then=": the error raised ('' is none)")
 
 

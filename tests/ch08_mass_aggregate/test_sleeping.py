@@ -83,7 +83,7 @@ def test_what_has_parted_is_no_group(rng: Random) -> None:
         about.cause = "The particle never falls asleep. Forget every contact that is sleep_frames "
         about.cause += "steps old, in each step."
     elif any(seen[: fast + 4]):
-        about.cause = f"It was fast in step {fast}, so count its slow steps from there."
+        about.cause = f"The particle was fast in step {fast}, so count its slow steps from there."
     expect_exactly(seen, wanted)
     about.call = "two slow particles touch all the time, and number 1 becomes immovable after 4 "
     about.call += "steps; sleep_frames 5; fall_asleep(): who sleeps after 12 steps"

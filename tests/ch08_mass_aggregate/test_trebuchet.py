@@ -63,7 +63,7 @@ def test_a_beam_is_rigid(rng: Random) -> None:
         about.call = f"Trebuchet({named_design(design)}).beam(): the length of the rod from "
         about.call += f"{parts[i]} to {parts[j]}"
         about.cause = "Each rod is as long as the current distance between its ends."
-        straight = "This is short_arm + long_arm, the length of a straight beam. The beam is bent "
+        straight = "The length is short_arm + long_arm, as for a straight beam. The beam is bent "
         straight += "at the pivot, so use the current distance between the rod's own ends."
         blame(length, [(design[1] + design[2], straight)])
         wanted = math.dist(places[i], places[j])
@@ -130,14 +130,16 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
         "The sling lets go in the first step. Check self.flies after each self.step(STEP), and "
         "stop."
     )
-    seen = cause_of(frames, [(4, "This was a step of 1/60 s. Use self.step(STEP).")], seen)
+    seen = cause_of(frames, [(4, "The step lasted 1/60 s. Use self.step(STEP).")], seen)
     expect_exactly(frames, 1, then=": time until then, in units of STEP", cause=seen)
     wanted = 2.0 + 30.0 * (10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
     mistakes = [
         (wanted - 2.0, "This range is measured from the point of release. Add its x coordinate."),
-        (2.0 + 30.0 * 20.0 / G, "This is the range from the ground. It was released 8 m above it."),
-        (600.0 / G, "This is the range from the ground below the pivot. It was released at (2, "
-         "8)."),
+        (2.0 + 30.0 * 20.0 / G,
+         "The range is computed from the ground. The projectile was released 8 m above it."),
+        (600.0 / G,
+         "The range is computed from the ground below the pivot. The projectile was released "
+         "at (2, 8)."),
     ]  # fmt: skip
     blame(distance, mistakes)
     expect_close(distance, wanted, then=": range", tolerance=1e-9)
@@ -148,11 +150,11 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
     wanted = gained / lost
     mistakes = [
         (2500.0 / lost, "The potential energy of the projectile is missing: m g times its rise."),
-        ((gained - 2500.0) / lost, "The kinetic energy of the projectile is missing."),
+        ((gained - 2500.0) / lost, "The kinetic energy of the projectile is missing: m v^2 / 2."),
         (gained / (4.0 * 5.0 * G), "The lost energy was computed with the projectile's mass. Use "
                                    "the counterweight's mass."),
-        (1.0 / wanted, "The fraction is upside down. Divide the gained energy by the lost energy."),
-        (100.0 * wanted, "This is a percentage. A share of 1 stands for all of the energy."),
+        (1.0 / wanted, "The fraction is inverted. Divide the gained energy by the lost energy."),
+        (100.0 * wanted, "The share is a percentage. A share of 1 stands for all of the energy."),
     ]  # fmt: skip
     blame(share, mistakes)
     expect_close(share, wanted, then=": share", tolerance=1e-9)

@@ -50,7 +50,7 @@ def test_what_is_moved_by_hand_wakes(
     about.cause += "wake_moved before the integrator, so that this step already moves it."
     if how == "nothing":
         about.call = "a particle of 2 kg asleep on the ground; a step of 1/60 s, wake_moved()"
-        about.cause = "Nothing has changed, so the particle must stay asleep. Wake it only if its "
+        about.cause = "The particle has not changed, so it must stay asleep. Wake it only if its "
         about.cause += "velocity, position, mass or force differ from those in its Sleep."
     before, got, now, fast = woken_by_hand(how)
     expect_exactly(before, [0], then=": who slept before")

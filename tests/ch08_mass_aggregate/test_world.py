@@ -41,17 +41,19 @@ def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
     about.call += "-10, 0)"
     got = energy_of([simple])
     mistakes = [
-        (16.0, "This is the kinetic energy alone. Add the potential energy, m g y = 60 J."),
-        (60.0, "This is the potential energy alone. Add the kinetic energy, 16 J."),
+        (16.0, "The result is the kinetic energy alone. Add the potential energy, m g y = 60 J."),
+        (60.0, "The result is the potential energy alone. Add the kinetic energy, 16 J."),
         (-44.0, "The potential energy has the wrong sign. It is - m a . p, with a = (0, -g, 0)."),
-        (74.86, "This uses 9.81 m/s^2. Use the particle's own acceleration, here 10 m/s^2."),
+        (74.86, "The result uses 9.81 m/s^2. Use the particle's own acceleration, here 10 m/s^2."),
         (92.0, "The kinetic energy is m v^2 / 2. The half is missing."),
         (38.0, "The mass is missing from the potential energy. It is - m a . p."),
         (46.0, "The mass is missing from the potential energy. It is - m a . p."),
     ]
     about.cause = cause_of(got, mistakes, "The energy is m v^2 / 2 + m g y, so 16 J and 60 J.")
     expect_close(got, 76.0)
-    about.cause = "The energy of a particle is m v^2 / 2 - m a . p. Add up all particles."
+    about.cause = (
+        "The energy of a particle is m v^2 / 2 - m a . p. Add the energies of all particles."
+    )
     for name, some, wanted in (
         ("one particle", bodies[:1], parts[0]),
         ("three particles", bodies, math.fsum(parts)),
@@ -115,7 +117,10 @@ def test_contacts_are_those_of_every_generator(rng: Random) -> None:
     wanted = [0.0] * count + [low - 1.0] * count + [high - 1.0] * count
     got = depths_of(count, [0.0, 1.0, low, high])
     first = "The first floor has no contacts. Continue with the next generator."
-    only = f"Only {len(got) // count} of 3 floors were asked. Collect the contacts of all of them."
+    only = (
+        f"Contacts of only {len(got) // count} of 3 floors were returned. Collect the contacts of "
+        "all of them."
+    )
     seen = cause_of(len(got), [(0, first), (count, only), (2 * count, only)], about.cause)
     expect_exactly(len(got), 3 * count, then=": how many", cause=seen)
     order = "The contacts must be in the order of contact_generators."
@@ -139,7 +144,7 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
     hand = components(rng)
     bodies = [draw_body(rng) for _ in range(2)]
     about.cause = "Call self.integrator(self.particles, self.registry.update_forces, duration). "
-    about.cause += "Forces that were added after start_frame count too."
+    about.cause += "Forces that were added after start_frame count, too."
     about.call = f"world of two particles, integrator={integrator}, forces -{k} x: start_frame(); "
     about.call += f"add_force(Vector3{hand}); run_physics({h})"
     done = frame(bodies, "run_physics", h, integrator=integrator, k=k, late=hand)
@@ -169,7 +174,7 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
         # A few roundings of numbers of some hundreds.
         expect_close(got[1], velocity, call=f"{name}.velocity", cause=seen, tolerance=1e-11)
         other = [p[j] + v[j] * h for j in range(3)]
-        seen = "This is a step of explicit Euler. Use self.integrator, which differs here."
+        seen = "The world made a step of explicit Euler. Use self.integrator, which differs here."
         blame(got[0], [(other, seen)])
         expect_close(got[0], place, call=f"{name}.position", tolerance=1e-11)
 

@@ -208,7 +208,7 @@ def test_a_step_from_rest(rng: Random) -> None:
         orientation, velocity = Quaternion(*q), Vector3()
         about.call = f"q, w = Quaternion{q}, Vector3(); integrate_rotation(q, w, "
         about.call += f"Vector3{acceleration}, {h})"
-        about.cause = "If w' is zero there is no axis, so leave the orientation as it is. "
+        about.cause = "If w' is zero there is no axis, so do not change the orientation. "
         about.cause += "Otherwise rotate by w' h."
         integrate_rotation(orientation, velocity, Vector3(*acceleration), h)
         new = tuple(h * component for component in acceleration)

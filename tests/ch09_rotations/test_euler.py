@@ -154,7 +154,7 @@ def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
     q = in_order(*angles)
     got = hamilton(in_order(x, y, z), (q[0], -q[1], -q[2], -q[3]))
     about.call += f"; the angles change by these rates for {step} s: the rotation, per second"
-    about.cause = "These rates do not lead to the given angular velocity."
+    about.cause = "The rates do not lead to the given angular velocity."
     # First order in the step: 1e-6 of the square of rates of up to some 50.
     got = tuple(2.0 * component / step for component in got[1:])
     expect_close(got, w, tolerance=0.05)
@@ -170,7 +170,7 @@ def draw_locked(rng: Random) -> tuple[float, float, Components]:
 def expect_rates_near_lock(x: float, z: float, w: Components, off: float) -> None:
     """Expect rates when the second angle is ``off`` a quarter turn."""
     about(f"euler_rates({x}, pi / 2 + {off}, {z}, Vector3{w})", read=BACK)
-    about.cause = f"This is near gimbal lock but not in it: |cos y| is {abs(off)}, which is "
+    about.cause = f"The angles are near gimbal lock but not in it: |cos y| is {abs(off)}, which is "
     about.cause += "greater than SINGULAR (1e-13)."
     rates = euler_rates(x, 0.5 * math.pi + off, z, Vector3(*w))
     expect_vector(rates)

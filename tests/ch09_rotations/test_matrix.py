@@ -43,7 +43,7 @@ def test_a_matrix_times_a_vector(rng: Random) -> None:
     m, a = draw_matrix(rng), components(rng)
     v = Vector3(*a)
     about.call = f"{written(m)}.transform(Vector3{a})"
-    about.cause = "Each component is the dot product of a row of the matrix with the vector."
+    about.cause = "Each component is the scalar product of a row of the matrix and the vector."
     got = xyz(Matrix3(*m).transform(v))
     wanted = applied(m, a)
     slips = {
@@ -65,7 +65,7 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
     m, n = draw_matrix(rng), draw_matrix(rng)
     about.call = f"{written(m)}.product({written(n)})"
     about.cause = (
-        "Each entry of the product is the dot product of a row of self and a column of m. The "
+        "Each entry of the product is the scalar product of a row of self and a column of m. The "
         "order of the factors matters."
     )
     first, second = Matrix3(*m), Matrix3(*n)
@@ -293,6 +293,6 @@ def test_how_near_to_singular_is_too_near() -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_what_is_not_finite_has_no_inverse(bad: float) -> None:
-    about.cause = "Test `if not abs(determinant) > limit`, which refuses NaN too."
+    about.cause = "Test `if not abs(determinant) > limit`, which also refuses NaN."
     expect_no_inverse((bad, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0))
     expect_no_inverse((1.0, 2.0, 0.0, 3.0, bad, 0.0, 0.0, 0.0, 1.0))

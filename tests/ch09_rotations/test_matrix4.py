@@ -44,8 +44,8 @@ def test_a_point_is_transformed_and_moved(rng: Random) -> None:
     v = Vector3(*a)
     about.call = f"{written(twelve)}.transform(Vector3{a})"
     about.cause = (
-        "Take the dot product of the vector with the first three numbers of each row, then add the "
-        "fourth number."
+        "Take the scalar product of the vector and the first three numbers of each row, then add "
+        "the fourth number."
     )
     got = xyz(Matrix4(*twelve).transform(v))
     slips = {

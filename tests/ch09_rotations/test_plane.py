@@ -199,10 +199,7 @@ def test_the_center_of_many_masses(rng: Random) -> None:
         cause_lists = (
             "The call must not change its lists. If you sort them or pop from them, use copies."
         )
-        for name, now, before in (
-            ("masses", after[0], masses),
-            ("positions", after[1], positions),
-        ):
+        for name, now, before in (("masses", after[0], masses), ("positions", after[1], positions)):
             expect_unchanged(name, now, before, cause=cause_lists)
         about.call = f"center_of_mass({tuple(masses)}, {tuple(positions)})"
         got = center_of_mass(tuple(masses), tuple(positions))

@@ -104,7 +104,7 @@ def test_normalized_it_has_length_one(rng: Random) -> None:
 def test_zero_becomes_the_reference() -> None:
     about("q = Quaternion(0, 0, 0, 0); q.normalize(); q", read=NORMALIZE)
     about.cause = (
-        "Zero has no direction, so the zero quaternion becomes (1, 0, 0, 0), the rotation by 0."
+        "The zero quaternion has no direction, so it becomes (1, 0, 0, 0), the rotation by 0."
     )
     quaternion = Quaternion(0.0, 0.0, 0.0, 0.0)
     quaternion.normalize()
@@ -116,7 +116,7 @@ def test_zero_becomes_the_reference() -> None:
 def test_what_is_huge_or_not_finite_is_no_turn(rng: Random) -> None:
     about.read = LENGTH
     q = draw_quad(rng)
-    about.cause = "NaN compares false with everything. Test whether the length is near 1, not "
+    about.cause = "Every comparison with NaN is False. Test whether the length is near 1, not "
     about.cause += "whether it is far from 1."
     for length in (math.nan, math.inf):
         scaled = tuple(component * length for component in q)
@@ -190,7 +190,7 @@ def test_the_table_of_i_j_and_k() -> None:
             expect_unchanged("the first factor", rijk(one), a, cause=UNCHANGED)
             expect_unchanged("the second factor", rijk(other), b, cause=UNCHANGED)
     if all(got == hamilton(b, a) for _, a, b, got in products):
-        about.cause = f"This is the product in the other order. {about.cause}"
+        about.cause = f"The result is the product in the opposite order. {about.cause}"
     for call, a, b, got in products:
         about.call = call
         expect_close(got, hamilton(a, b), tolerance=0.0)

@@ -92,10 +92,7 @@ def test_nothing_is_read_off_what_scales(rng: Random) -> None:
             lambda twelve=twelve: read_off(Matrix4(*twelve)),
             ValueError,
             call=f"read_off({written(twelve)})",
-            allowed=lambda: [
-                read_off(Matrix4(*good)),
-                read_off(Matrix4(*joined(near, p))),
-            ],
+            allowed=lambda: [read_off(Matrix4(*good)), read_off(Matrix4(*joined(near, p)))],
         )
     for name, other in (("a tuple of twelve numbers", good), ("Matrix3(...)", Matrix3(*m))):
         expect_error(

@@ -67,7 +67,7 @@ def test_rotations_are_known(rng: Random) -> None:
 def test_what_is_no_rotation(rng: Random) -> None:
     m = matrix_of(draw_quad(rng))
     a, b, c, d, e, f, g, h, i = m
-    about.cause = "This matrix scales. The product of each row with itself must be 1."
+    about.cause = "This matrix scales. The scalar product of each row with itself must be 1."
     expect_rotation(tuple(2.0 * number for number in m), False)
     expect_rotation((0.0,) * 9, False)
     for row in range(3):
@@ -77,7 +77,9 @@ def test_what_is_no_rotation(rng: Random) -> None:
     about.cause = "This matrix stretches one axis and shrinks another. Its determinant is 1, but "
     about.cause += "the product of each row with itself must be 1 too."
     expect_rotation((2.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1.0), False)
-    about.cause = "This matrix is a mirror. Its rows are orthonormal, but its determinant is -1."
+    about.cause = (
+        "This matrix is a reflection. Its rows are orthonormal, but its determinant is -1."
+    )
     expect_rotation((d, e, f, a, b, c, g, h, i), False)
     expect_rotation(tuple(-number for number in HALF_TURN), False)
     # The determinant of a mirror with nearly orthonormal rows is near -1, on either side of it.
@@ -121,8 +123,8 @@ def test_what_is_huge_is_no_rotation(rng: Random) -> None:
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_what_is_not_finite_is_no_rotation(bad: float) -> None:
     about.cause = (
-        "NaN compares false with everything. Test whether each product is near enough, not whether "
-        "it is too far off."
+        "Every comparison with NaN is False. Test whether each product is close enough instead of "
+        "whether it is too far off."
     )
     for place in range(9):
         m = [*IDENTITY]
@@ -250,7 +252,9 @@ def test_back_from_a_matrix(rng: Random) -> None:
     for _ in range(4):
         expect_back(draw_quad(rng))
     expect_back(quad(components(rng), -0.9))
-    about.cause = "This is a rotation, although the product of its diagonal is negative. Check it "
+    about.cause = (
+        "This matrix is a rotation, although the product of its diagonal is negative. Check it "
+    )
     about.cause += "with is_rotation()."
     expect_back(quad((2.0, 2.1, 1.0), 3.0))
 

@@ -28,12 +28,7 @@ def draw_stones(rng: Random, count: int = 4) -> Stones:
     """Draw stones within 1 m. Two have the same name, and two the same mass."""
     masses = [positive_number(rng, 0.05, 0.9) for _ in range(3)]
     return [
-        (
-            name,
-            mass,
-            positive_number(rng, 0.0, 1.0),
-            positive_number(rng, 0.0, 1.0),
-        )
+        (name, mass, positive_number(rng, 0.0, 1.0), positive_number(rng, 0.0, 1.0))
         for name, mass in list(zip(NAMES, (*masses, masses[0]), strict=True))[:count]
     ]
 

@@ -199,13 +199,15 @@ def test_axis_and_angle_at_the_ends(rng: Random) -> None:
     axis, _ = draw_turn(rng)
     length = math.hypot(*axis)
     unit = tuple(component / length for component in axis)
-    about.cause = "This is a rotation by 0. Return the X axis, by convention, and the angle 0."
+    about.cause = (
+        "This quaternion is a rotation by 0. Return the X axis, by convention, and the angle 0."
+    )
     for q in ((1.0, 0.0, 0.0, 0.0), (-1.0, 0.0, 0.0, 0.0)):
         about.call = f"Quaternion{q}.to_axis_angle(), "
         got, turn = axis_angle_of(q)
         expect_close(turn, 0.0, then="the angle", tolerance=0.0)
         expect_close(got, X_AXIS, then="the axis", tolerance=0.0)
-    about.cause = "Here r is 0 and the angle is pi. The axis may point either way."
+    about.cause = "Here r is 0 and the angle is pi. The axis may point in either direction."
     by_asin = "asin loses half of the digits near pi, and acos near 0. Use atan2."
     q = (0.0, *unit)
     about.call = f"Quaternion{q}.to_axis_angle(), "

@@ -113,7 +113,7 @@ def test_turned_on_by_next_to_nothing(rng: Random) -> None:
     q = draw_quad(rng)
     quaternion = Quaternion(*q)
     about.call = f"q = Quaternion{q}; q.rotate_by(Vector3(0, 0, 0)); q"
-    about.cause = "Zero has no direction, so a zero vector must not rotate anything."
+    about.cause = "A zero vector has no direction, so it must not rotate anything."
     quaternion.rotate_by(Vector3(0.0, 0.0, 0.0))
     # Normalizing at the end causes a rounding error here.
     expect_close(rijk(quaternion), q, tolerance=TIGHT)

@@ -62,7 +62,7 @@ for got, wanted in zip(self.product(self.transpose()), identity, strict=True):
     if abs(got - wanted) > ROTATION_TOLERANCE:
         return False
 return not self.determinant() < 0.0
-""",
+"""
     },
 }
 

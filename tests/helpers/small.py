@@ -32,6 +32,16 @@ needs = ["B90.1"]
 hints = ["double the double"]
 terms = []
 """
+WRITTEN = """
+[[exercise]]
+id = "90.2"
+title = "Why"
+kind = "written"
+stars = 1
+points = 3
+hints = ["think"]
+terms = []
+"""
 STUB = """
 def double(x):
     raise NotImplementedError("Exercise B90.1: Double")

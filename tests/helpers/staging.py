@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import io
 import os
 import struct
 import tempfile
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -85,6 +87,15 @@ def make_zip(folder: Path, files: dict[str, bytes], method: int = zipfile.ZIP_DE
         for name, content in files.items():
             file.writestr(name, content)
     return folder / "ann.zip"
+
+
+def zip_of(files: Mapping[Any, bytes]) -> bytes:
+    """Return the content of a zip with these files, keyed by their names or ZipInfos."""
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as file:
+        for name, data in files.items():
+            file.writestr(name, data)
+    return content.getvalue()
 
 
 def special_zip(

@@ -8,6 +8,7 @@ import tomllib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter
@@ -17,8 +18,8 @@ from autograder.manifest import ROOT, Chapter
 class Wrong:
     """The reference with one body as a student may have written it.
 
-    ``replace`` has what is old and what is new in the reference's body, in turn; each that is old
-    is there once. A body that differs more is written out.
+    ``replace`` changes a few words of ``body``, or of the reference's body if that is empty. It
+    has what is old and what is new in turn; each that is old is there once.
     """
 
     edit: str
@@ -32,12 +33,32 @@ class Wrong:
 
 def read_wrong(chapter: Chapter) -> list[Wrong]:
     """Return the wrong submissions of a chapter."""
-    text = (ROOT / "tests" / chapter.name / "wrong.toml").read_text(encoding="utf-8")
     return [
-        Wrong(edit, mistake, **entry)
-        for edit, mistakes in tomllib.loads(text).items()
+        Wrong(edit, mistake, check, **_fields(entry, checks.get("right", "")))
+        for edit, checks in _read(chapter).items()
+        for check, mistakes in checks.items()
+        if check != "right"
         for mistake, entry in mistakes.items()
     ]
+
+
+def read_right(chapter: Chapter) -> dict[str, str]:
+    """Return the other right body of each function that has one."""
+    return {edit: each["right"] for edit, each in _read(chapter).items() if "right" in each}
+
+
+def _read(chapter: Chapter) -> dict[str, Any]:
+    text = (ROOT / "tests" / chapter.name / "wrong.toml").read_text(encoding="utf-8")
+    return tomllib.loads(text)
+
+
+def _fields(entry: list[str] | dict[str, Any], right: str) -> dict[str, Any]:
+    """Return the fields of a wrong submission that its entry gives."""
+    if isinstance(entry, list):
+        return {"replace": entry}
+    if "in_right" in entry:
+        return {"body": right, "replace": entry.pop("in_right"), **entry}
+    return entry
 
 
 def write_wrong(chapter: Chapter, wrongs: Iterable[Wrong], engine: Path) -> None:
@@ -82,12 +103,12 @@ def _write_changed(chapter: Chapter, file: str, bodies: dict[str, str], engine: 
 
 
 def body_of(chapter: Chapter, wrong: Wrong) -> str:
-    """Return a body that is written out, or the reference's with the replacements made."""
-    if wrong.body:
-        return wrong.body
-    module, _, name = wrong.edit.partition(".")
-    lines, found = _lines_and_bodies(ROOT / "solutions" / chapter.name / f"{module}.py")
-    body = textwrap.dedent("\n".join(lines[found[name].start : found[name].stop]))
+    """Return the body of a wrong submission."""
+    body = wrong.body
+    if not body:
+        module, _, name = wrong.edit.partition(".")
+        lines, found = _lines_and_bodies(ROOT / "solutions" / chapter.name / f"{module}.py")
+        body = textwrap.dedent("\n".join(lines[found[name].start : found[name].stop]))
     for old, new in zip(wrong.replace[::2], wrong.replace[1::2], strict=True):
         if body.count(old) != 1:
             raise ValueError(f"{wrong.edit}, {wrong.mistake}: {old!r} must be there once")

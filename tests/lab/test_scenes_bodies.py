@@ -31,11 +31,7 @@ def answer(scene: Scene) -> int:
 
 @pytest.mark.parametrize(
     ("method", "rate", "seen"),
-    [
-        ("time division", 60, 0),
-        ("explicit Euler", 60, 1),
-        ("semi-implicit Euler", 60, 2),
-    ],
+    [("time division", 60, 0), ("explicit Euler", 60, 1), ("semi-implicit Euler", 60, 2)],
 )
 def test_only_time_division_bounces_back_to_the_same_height(
     method: str, rate: int, seen: int

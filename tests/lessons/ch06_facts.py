@@ -91,11 +91,7 @@ def energies() -> dict[str, float]:
 
 
 def limits() -> dict[str, float]:
-    return {
-        "14,400": 4.0 * 60**2,
-        "57,600": 4.0 * 120**2,
-        "6.3": max_stable_stiffness(0.9, 1 / 60),
-    }
+    return {"14,400": 4.0 * 60**2, "57,600": 4.0 * 120**2, "6.3": max_stable_stiffness(0.9, 1 / 60)}
 
 
 def one_step() -> dict[str, float]:

@@ -7,8 +7,12 @@ from ch05_forces.particle import Particle
 from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.detectors import GroundPlane
 from ch07_constraints.exercises import force_for_frame, restitution_of_drop, top_ball_speed
-from ch07_constraints.links import Cable, Rod
+from ch07_constraints.links import AnchoredCable, Cable, Rod
+from ch07_constraints.small_steps import SmallSteps
 from ch07_constraints.time_division import time_division_step
+from studies.contacts.chart import time_within
+from studies.contacts.kept import kept
+from studies.contacts.scenes import BOOK, COLD, IMPULSES, NET, ROPE, SMALL, STACK, SWING, named
 
 UP = Vector3(0, 1)
 H = 1 / 60
@@ -99,6 +103,49 @@ def exercises() -> dict[str, float]:
     }
 
 
+def solvers() -> dict[str, float]:
+    points = kept()
+
+    def time(scene: str, ratio: int, solver: str) -> float:
+        found = time_within(points, named(scene, ratio), solver, 0.01)
+        assert found
+        return found
+
+    def swinging(solver: str) -> float:
+        found = time_within(points, f"{SWING}, energy", solver, 0.01)
+        assert found
+        return found
+
+    def errors(solver: str, steps: range) -> list[float]:
+        scene = named(STACK, 1000)
+        own = [p for p in points if (p.scene, p.model) == (scene, solver)]
+        return [point.error for point in own if point.steps in steps]
+
+    assert min(errors(BOOK, range(65))) > 0.5
+    assert min(errors(SMALL, range(1, 5))) > 10
+    assert max(errors(SMALL, range(8, 129))) < 0.2
+    assert time_within(points, named(STACK, 100), BOOK, 0.01) is None
+    assert time_within(points, named(ROPE, 100), BOOK, 0.01) is None
+    assert 1.8 < time(ROPE, 1000, IMPULSES) / time(ROPE, 1000, SMALL) < 2.2
+    equal = time(STACK, 1, IMPULSES)
+    cable = Particle(Vector3(0, -1), acceleration=Vector3(0, -10), mass=3)
+    soft = SmallSteps([cable], [AnchoredCable(cable, Vector3(), 1)], 0.001)
+    for _ in range(600):
+        soft.step(H)
+    return {
+        "0.167": 10 * H,
+        "1.67": 10 * 10 * H,
+        "0.03": -1 - cable.position.y,
+        "8.9": time(STACK, 1, BOOK) / equal,
+        "7": time(STACK, 1, COLD) / equal,
+        "11": time(STACK, 1000, IMPULSES) / equal,
+        "10": time(STACK, 1000, SMALL) / time(STACK, 1, SMALL),
+        "46": time(ROPE, 1000, SMALL) / time(ROPE, 1000, NET),
+        "12": swinging(SMALL) / swinging(NET),
+        "17": swinging(IMPULSES) / swinging(NET),
+    }
+
+
 SECTIONS = {
     "Why not a very stiff spring?": ("60", dict),
     "How fast do they approach?": ("5", closing),
@@ -108,5 +155,6 @@ SECTIONS = {
     "Cables and rods": ("2.5 0.15 12", links),
     "Finding contacts": ("", lambda: {"499,500": 1000 * 999 / 2}),
     "The exact moment of an impact": ("0.5 1.8 10", moments),
+    "Going further: other contact solvers": ("8 30 60 64 0.001 1,000", solvers),
     "The book's exercises": ("0.01 0.5 0.64 0.75 9 10 20 60", exercises),
 }

@@ -77,12 +77,7 @@ def bonds() -> dict[str, float]:
 
 def rods() -> dict[str, float]:
     edges = [(i, j) for i, j in cube_rods() if (i ^ j) in (1, 2, 4)]
-    return {
-        "12": len(edges),
-        "18": fewest_rods(8),
-        "24": 3 * 8,
-        "6": fewest_rods(4),
-    }
+    return {"12": len(edges), "18": fewest_rods(8), "24": 3 * 8, "6": fewest_rods(4)}
 
 
 def wheels() -> dict[str, float]:

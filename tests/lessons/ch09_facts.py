@@ -19,13 +19,7 @@ QUARTER = Quaternion.from_axis_angle(Vector3(0, 0, 1), math.pi / 2)
 def flat() -> dict[str, float]:
     assert center_of_mass([1, 3], [(0, 0), (4, 0)]) == (3, 0)
     x, y = rotate_point((2, 1), math.pi / 2, (10, 5))
-    return {
-        "3.142": math.pi,
-        "6.283": math.tau,
-        "2.283": wrap_angle(4),
-        "9": x,
-        "7": y,
-    }
+    return {"3.142": math.pi, "6.283": math.tau, "2.283": wrap_angle(4), "9": x, "7": y}
 
 
 def order() -> dict[str, float]:

@@ -68,7 +68,7 @@ def parsed(path: str) -> ast.Module:
 
 
 def advice(chapter: Chapter) -> list[str]:
-    """Return all advice for the students of a chapter."""
+    """Return all advice for the students of a chapter, without the marks of code."""
     given = [hint for exercise in chapter.exercises for hint in exercise.hints]
     for file in sorted((ROOT / "tests" / chapter.name).glob("test_*.py")):
         given += texts(parsed(str(file.relative_to(ROOT))), docstrings=False)
@@ -76,7 +76,7 @@ def advice(chapter: Chapter) -> list[str]:
         given += texts(parsed(path), docstrings=False)
     for file in chapter.edited_files:
         given += texts(stub(chapter.name, file), docstrings=True)
-    return [text for text in given if " " in text]
+    return [text.replace("`", "") for text in given if " " in text]
 
 
 def below(chapter: Chapter) -> list[Chapter]:

@@ -14,7 +14,7 @@ from autograder.manifest import ROOT, load_chapters
 from graded import points_of
 
 PAGE = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
-MAP = PAGE.partition("\n## The map of the house\n")[2].partition("\n## ")[0]
+MAP = PAGE.partition("\n## A map of the folders\n")[2].partition("\n## ")[0]
 ADDING = PAGE.partition("\n## Adding an exercise\n")[2].partition("\n## ")[0]
 COMMANDS = re.findall(r"(?m)^make [^#\n]+", ADDING)
 
@@ -71,18 +71,10 @@ def test_halfway_is_the_mean_of_both_points(rng: Random) -> None:
     expect_close(got, [number / 2.0 for number in total])
 '''
 WRONG = """
-["exercises.halfway"."the sum is not halved"]
-caught_by = "test_halfway_is_the_mean_of_both_points"
-says = "This is the sum."
-body = "return a + b"
-
-["exercises.halfway"."half of the difference"]
-caught_by = "test_halfway_is_the_mean_of_both_points"
-replace = ["a + b", "b - a"]
-
-["exercises.halfway"."only b is halved"]
-caught_by = "test_halfway_is_the_mean_of_both_points"
-replace = ["(a + b)", "a + b"]
+["exercises.halfway".test_halfway_is_the_mean_of_both_points]
+"the sum is not halved" = {says = "This is the sum.", body = "return a + b"}
+"half of the difference" = ["a + b", "b - a"]
+"only b is halved" = ["(a + b)", "a + b"]
 """
 TURN = """
 **Your turn** (5 minutes): exercise G2.1, `halfway`.

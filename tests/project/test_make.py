@@ -98,6 +98,17 @@ def test_every_command_of_students_takes_given(arguments: str) -> None:
     assert '--given "2"' in done.stdout
 
 
+def test_reports_with_codes_go_to_a_folder_of_their_own() -> None:
+    with_names = make("--dry-run", "grade", "ROSTER=a b.csv", "ANONYMOUS=0").stdout
+    assert '--out "build/grades"' in with_names
+    assert '--roster "a b.csv"' in with_names
+    assert "--anonymous" not in with_names
+    with_codes = make("--dry-run", "grade", "ANONYMOUS=1", "TITLE=Lab 1 (12)", "POINTS=20").stdout
+    for words in ('--out "build/grades-anonymous"', "--anonymous", '--title "Lab 1 (12)"'):
+        assert words in with_codes
+    assert '--points "20"' in with_codes
+
+
 def test_several_commands_take_what_any_of_them_takes() -> None:
     done = make("--dry-run", "check", "demo", "EX=2.5", "DEMO=ball")
     assert done.returncode == 0, done.stderr

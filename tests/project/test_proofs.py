@@ -21,7 +21,7 @@ from copies import copy_tree
 from made import made_stubs
 from ready import ready
 from walls import behind_walls
-from wrong import Wrong, read_wrong, write_all, write_wrong
+from wrong import Wrong, read_right, read_wrong, write_all, write_wrong
 
 CHAPTERS = load_chapters()
 WRONG = [(chapter, wrong) for chapter in CHAPTERS for wrong in read_wrong(chapter)]
@@ -137,6 +137,17 @@ def test_an_exercise_needs_no_other_than_it_says(chapter: Chapter, exercise: str
     write_all(chapter, "raise NotImplementedError('no')", waiting.top, but=needed)
     edits = [edit for e in chapter.exercises if e.id not in needed for edit in e.edit]
     assert lost(waiting.run(edits, [exercise])) == {}
+
+
+@pytest.mark.parametrize("chapter", CHAPTERS, ids=by_name)
+def test_the_other_right_bodies_earn_every_point(chapter: Chapter) -> None:
+    """Some wrong submissions change a few words of such a body, so it must be right itself."""
+    waiting = ready(chapter)
+    rights = read_right(chapter)
+    bodies = [Wrong(edit, "", "", body=body) for edit, body in rights.items()]
+    write_wrong(chapter, bodies, waiting.top)
+    ids = [e.id for e in chapter.exercises if not rights.keys().isdisjoint(e.edit)]
+    assert lost(waiting.run([*rights], ids)) == {}
 
 
 @pytest.mark.parametrize(

@@ -79,8 +79,7 @@ def pins(lock: str) -> dict[str, str]:
 
 
 @pytest.mark.parametrize(
-    ("lock", "wanted"),
-    [("requirements.lock", PROJECT["dependencies"]), ("extras.lock", EXTRAS)],
+    ("lock", "wanted"), [("requirements.lock", PROJECT["dependencies"]), ("extras.lock", EXTRAS)]
 )
 def test_a_lock_pins_what_the_project_asks_for_with_hashes(lock: str, wanted: list[str]) -> None:
     for requirement in wanted:

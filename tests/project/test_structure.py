@@ -167,7 +167,7 @@ def test_links_between_pages_lead_somewhere(path: Path) -> None:
     [
         (('kind = "build"', 'kind = "game"'), "kind must be one of"),
         (("stars = 1", "stars = 4"), "stars must be 1, 2 or 3"),
-        (("points = 2", "points = 0"), "points must be a positive whole number"),
+        (("points = 2", "points = 0"), "points must be a positive number"),
         (('id = "B2.2"', 'id = "B2.1"'), "exercise B2.1 is listed twice"),
         (("needs = []", 'needs = ["2.7"]'), "B2.1 needs 2.7, which does not precede it"),
         (("needs = []", "need = []"), "unknown key 'need'"),

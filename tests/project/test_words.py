@@ -30,9 +30,7 @@ MODULES = [
     for folder in ("solutions", "chapters")
     for path in sorted((ROOT / folder / chapter.name).glob("*.py"))
 ]
-PAGES = sorted(
-    [*ROOT.glob("*.md"), *ROOT.glob("chapters/*/*.md"), *ROOT.glob("*/README.md")],
-)
+PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("chapters/*/*.md"), *ROOT.glob("*/README.md")])
 MANIFESTS = sorted(ROOT.glob("chapters/*/chapter.toml"))
 
 

@@ -274,10 +274,3 @@ def test_chains_by_angles_refuse_what_is_none(
 ) -> None:
     with pytest.raises(ValueError, match="must"):
         kind(*bad)
-
-
-def test_chains_by_angles_refuse_durations_that_are_none() -> None:
-    for chain in (AngleChain(*TWO), DoublePendulum(*TWO)):
-        for bad in (0.0, -1.0, NAN, INF):
-            with pytest.raises(ValueError, match="duration must be positive"):
-                chain.step(bad)

@@ -28,6 +28,8 @@ from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
 from ch07_constraints.direct_chain import DirectChain
 from ch07_constraints.heap_resolver import HeapResolver
+from ch07_constraints.sequential_impulses import SequentialImpulses
+from ch07_constraints.small_steps import SmallSteps
 from ch07_constraints.time_division import time_division_step
 from ch08_mass_aggregate.ball_game import BallGame
 from ch08_mass_aggregate.blob import Blob
@@ -141,6 +143,12 @@ def chain(steps: int) -> Entry:
     return found, found.step
 
 
+def solver(kind: Callable[..., Any]) -> Entry:
+    bodies = [body()]
+    found = kind(bodies, [GroundPlane(bodies, height=1.0)])
+    return bodies, found.step
+
+
 def by_angles(make: Callable[[], Any]) -> Entry:
     found = make()
     return found, found.step
@@ -224,6 +232,8 @@ POSITIVE: dict[str, Callable[[], Entry]] = {
     "ContactResolver": partial(resolver, ContactResolver),
     "HeapResolver": partial(resolver, HeapResolver),
     "time_division_step": division,
+    "SequentialImpulses": partial(solver, SequentialImpulses),
+    "SmallSteps": partial(solver, SmallSteps),
     "DirectChain, first frame": partial(chain, 0),
     "DirectChain": partial(chain, 3),
     "AnglePendulum": partial(by_angles, lambda: AnglePendulum(1.0, 1.0)),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from dataclasses import replace
 from typing import Any
@@ -14,18 +13,11 @@ from hypothesis import strategies as st
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine import scaling
-from ch04_particle_engine.ballistics import (
-    MUZZLE,
-    SHOT_TYPES,
-    BallisticRange,
-    Shot,
-    aim,
-    is_spent,
-)
-from ch04_particle_engine.grenade import FUSE, bounce, fragments
-from ch04_particle_engine.targets import TargetBlock, hit_fraction, strike_first
-from studies.drag_flight import flight_of, with_pymunk
+from ch04_particle_engine.ballistics import MUZZLE, SHOT_TYPES, BallisticRange, Shot, aim, is_spent
+from ch04_particle_engine.grenade import FUSE, bounce
+from ch04_particle_engine.targets import TargetBlock, hit_fraction
 from studies.drawing import slope
+from studies.runs.drag_flight import flight_of, with_pymunk
 
 NAN, INF = math.nan, math.inf
 FRAMES = (1.0 / 240.0, 1.0 / 60.0, 1.0 / 15.0)
@@ -103,39 +95,6 @@ def test_flight_time_and_range_reach_the_known_figures(
     assert 2.0 * fine[1] - coarse[1] == pytest.approx(reach, abs=1e-4)
 
 
-def test_every_shot_leaves_the_range_in_the_end() -> None:
-    at = BallisticRange()
-    for name in SHOT_TYPES:
-        for azimuth in (-2.0, 0.0, 1.0, 3.0):
-            for elevation in (None, -1.0, 0.5, math.pi / 2.0):
-                at.fire(name, azimuth, elevation)
-    for _ in range(600):
-        at.update(1.0 / 60.0)
-    assert at.shots == []
-
-
-@given(
-    st.floats(-10.0, 10.0),
-    st.floats(-7.0, 7.0),
-    st.floats(0.0, 1e3),
-)
-def test_aiming_keeps_the_speed(azimuth: float, elevation: float, speed: float) -> None:
-    # The tolerance allows for a dozen roundings.
-    assert aim(speed, azimuth, elevation).magnitude() == pytest.approx(speed, rel=1e-14)
-
-
-def test_a_slowed_bullet_keeps_energy_and_arc() -> None:
-    """5 g at 500 m/s, slowed 20 times, has 625 J and falls 0.2 m in 100 m, both ways."""
-    mass, speed, gravity, factor = 0.005, 500.0, 10.0, 20.0
-    slow = speed / factor
-    heavy = scaling.slowed_mass(mass, factor)
-    weak = scaling.slowed_gravity(gravity, factor)
-    assert scaling.muzzle_energy(mass, speed) == 625.0
-    assert scaling.muzzle_energy(heavy, slow) == 625.0
-    for g, v in ((gravity, speed), (weak, slow)):
-        assert g * (100.0 / v) ** 2 / 2.0 == pytest.approx(0.2, rel=1e-15)
-
-
 point = st.tuples(*[st.floats(-10.0, 10.0)] * 3)
 
 
@@ -166,56 +125,6 @@ def test_the_first_touch_of_a_block_is_that_of_its_faces(
         assert abs(got - touching[0]) * math.dist(start, end) <= 1e-9
     else:
         assert all(outside(t) > -1e-9 for t in touching)
-
-
-def test_no_frame_is_too_long_for_a_thin_block() -> None:
-    """At 1 Hz a laser moves 100 m per frame, but a wall of 1 mm stops it."""
-    for h in (1.0, 1.0 / 3.0, 1.0 / 60.0):
-        wall = TargetBlock(Vector3(0, 1.5, 57.3), (2.0, 2.0, 0.001), mass=INF)
-        at = BallisticRange([wall])
-        at.fire("laser")
-        for _ in range(round(1.0 / h)):
-            at.update(h)
-        assert (wall.hits, at.shots) == (1, [])
-
-
-@pytest.mark.parametrize("mass", [0.5, 5.0, 500.0])
-def test_a_blow_keeps_the_momentum_along_the_ground(mass: float) -> None:
-    block = TargetBlock(Vector3(0, 1, 5), (2.0, 2.0, 2.0), mass=mass)
-    block.particle.velocity = Vector3(0.5, 0.0, -1.0)
-    shot = Particle(Vector3(0, 1, 5), Vector3(3, -4, 30), mass=2.0)
-    before = shot.momentum() + block.particle.momentum()
-    assert strike_first(Vector3(0, 1, 0), shot, [block]) is block
-    after = block.particle.momentum()
-    assert (after.x, after.y) == pytest.approx((before.x, 0.0), rel=1e-15)
-    assert after.z == pytest.approx(before.z, rel=1e-15)
-
-
-def test_a_grenade_never_gains_energy_by_its_bounces() -> None:
-    at = BallisticRange()
-    at.fire("grenade")
-    p = at.shots[0].particle
-    energies = []
-    for _ in range(round(FUSE * 60) - 2):
-        at.update(1.0 / 60.0)
-        energies.append(p.kinetic_energy() + p.mass * 10.0 * p.position.y)
-    # Explicit Euler adds (g h)^2 / 2 per kilogram and step. Damping and bounces remove more.
-    assert all(b <= a + 1e-12 for a, b in itertools.pairwise(energies))
-
-
-def test_a_burst_adds_the_energy_of_its_fragments_and_nothing_else() -> None:
-    p = Particle(Vector3(1, 2, 3), Vector3(4, -5, 6), Vector3(0, -10, 0), mass=0.6)
-    pieces = fragments(p)
-    energy = math.fsum(piece.kinetic_energy() for piece in pieces)
-    # König's theorem: the energy of the whole plus that of the relative motion, m 15^2 / 2.
-    assert energy == pytest.approx(p.kinetic_energy() + 0.5 * 0.6 * 15.0**2, rel=1e-14)
-    closest = min(
-        math.dist(tuple(a.velocity), tuple(b.velocity))
-        for i, a in enumerate(pieces)
-        for b in pieces[:i]
-    )
-    # Neighboring corners of an icosahedron are 1.0515 radii apart.
-    assert closest == pytest.approx(15.0 * 1.0514622, rel=1e-7)
 
 
 def test_a_grenade_that_hits_a_block_is_gone() -> None:

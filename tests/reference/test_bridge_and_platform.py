@@ -1,6 +1,6 @@
 """The rope bridge and the tilting platform: energy, rest, torques, and comparison with pymunk.
 
-The runs of half a minute at each rate take most of the time of these tests.
+The run of half a minute takes most of the time of these tests.
 """
 
 from __future__ import annotations
@@ -48,16 +48,16 @@ def spread_of(energies: Sequence[float]) -> float:
 def half_a_minute(rate: int) -> tuple[Bridge, list[float]]:
     """Return a bridge with its ball after 30 s, and its energies including the initial one.
 
-    At other rates than 60 Hz it runs for 12 s, which is enough for it to come to rest.
+    At 30 Hz it runs for 12 s, which is enough for it to come to rest.
     """
     bridge = Bridge()
     start = mechanical_energy(bridge.world.particles)
     return bridge, [start, *run(bridge, 30.0 if rate == 60 else 12.0, rate)]
 
 
-@pytest.mark.parametrize("rate", [30, 60, 120])
+@pytest.mark.parametrize("rate", [30, 60])
 def test_a_bridge_comes_to_rest_and_never_has_more_energy_than_at_first(rate: int) -> None:
-    """In the last 5 s, 0.004, 0.009 and 0.002 % of 425 J were measured, and 0.15 % stretch."""
+    """In the last 5 s, 0.004 and 0.009 % of 425 J were measured, and 0.15 % stretch."""
     bridge, (start, *energies) = half_a_minute(rate)
     assert all(map(math.isfinite, energies))
     # The first frame already loses energy, so no rounding has to be allowed for.
@@ -76,15 +76,15 @@ def test_a_bridge_comes_to_rest_and_never_has_more_energy_than_at_first(rate: in
     assert all(end.position.y > 1.5 for row in bridge.rows for end in row)
 
 
-@pytest.mark.parametrize(("rate", "mass"), [(30, 0.0), (60, 0.0), (120, 0.0), (60, 3.0)])
+@pytest.mark.parametrize(("rate", "mass"), [(30, 0.0), (60, 3.0)])
 def test_a_platform_comes_to_rest_and_never_has_more_energy_than_at_first(
     rate: int, mass: float
 ) -> None:
-    """Test it without a weight and tipped by a weight. Measured: 0.024, 0.009 and 0.002 %."""
+    """Test it without a weight, where 0.024 % was measured, and tipped by a weight."""
     platform = TiltingPlatform()
     platform.put_weight(mass, -3.0)
     start = mechanical_energy(platform.particles)
-    energies = run(platform, 30.0 if (rate, mass) == (60, 0.0) else 12.0, rate)
+    energies = run(platform, 12.0, rate)
     assert all(map(math.isfinite, energies))
     assert max(energies) < start
     assert spread_of(energies[-5 * rate :]) < 1e-3
@@ -140,21 +140,20 @@ def test_pymunk_s_bridge_hangs_at_the_minimum_of_potential_energy() -> None:
             assert got == pytest.approx(place, abs=1e-4)
 
 
-@pytest.mark.parametrize(("rate", "off"), [(60, 1e-3), (120, 3e-4)])
-def test_an_empty_bridge_hangs_at_the_minimum_of_potential_energy(rate: int, off: float) -> None:
-    """The ball lies on the ground beside it. In a frame the ends fall by g h^2, 2.7 and 0.7 mm.
+def test_an_empty_bridge_hangs_at_the_minimum_of_potential_energy() -> None:
+    """The ball lies on the ground beside it. In a frame the ends fall by g h^2, 2.7 mm.
 
-    Most of that is resolved. A rest of 0.5 and 0.13 mm was measured.
+    Most of that is resolved. A rest of 0.5 mm was measured.
     """
-    bridge = Bridge(x=20.0)
-    run(bridge, 8.0, rate)
+    bridge, off = Bridge(x=20.0), 1e-3
+    run(bridge, 8.0)
     for (a, b), place in zip(
         bridge.rows, [(-x, y) for x, y in reversed(HANGS)] + HANGS, strict=True
     ):
         for end, z in ((a, -1.0), (b, 1.0)):
             assert (end.position.x, end.position.y) == pytest.approx(place, abs=off)
             assert end.position.z == pytest.approx(z, abs=off)
-    assert bridge.ball.position.y == pytest.approx(0.5, abs=G / rate**2)
+    assert bridge.ball.position.y == pytest.approx(0.5, abs=G * FRAME**2)
 
 
 def test_a_bridge_with_its_ball_sags_as_pymunk_s_does() -> None:
@@ -174,17 +173,6 @@ def test_a_bridge_with_its_ball_sags_as_pymunk_s_does() -> None:
 
 
 # The platform and its torques
-
-
-@pytest.mark.parametrize(("share", "tilt"), [(0.98, -1.0), (1.02, 1.0)])
-def test_a_platform_tips_at_the_mass_that_torques_say(share: float, tilt: float) -> None:
-    """2/3 kg at -3 m balance two times 1 kg at -3 m and at 4 m. It runs for 4 s from level."""
-    assert balancing_mass([1.0] * 4, [-3.0, -3.0, 4.0, 4.0], -3.0) == pytest.approx(2.0 / 3.0)
-    platform = TiltingPlatform()
-    platform.put_weight(share * 2.0 / 3.0, -3.0)
-    run(platform, 4.0)
-    # The torque is 0.4 N m on 77 kg m^2. This gives 0.005 rad/s^2, which grows as it tips.
-    assert platform.tilt() * tilt > 0.02
 
 
 def test_a_tipped_platform_lies_where_geometry_says() -> None:
@@ -227,48 +215,6 @@ def test_a_weight_lifts_a_platform_that_lies_on_its_other_end(share: float) -> N
         assert platform.tilt() > lies + 0.2
 
 
-@pytest.mark.parametrize(("mass", "x"), [(0.0, 0.0), (3.0, -3.0), (1.0, 2.0)])
-def test_a_free_platform_s_center_of_mass_falls_straight_down(mass: float, x: float) -> None:
-    """Without friction only vertical forces act, so the center of mass keeps its x and z."""
-    platform = TiltingPlatform()
-    platform.put_weight(mass, x)
-    platform.free_pivot()
-
-    def center() -> list[float]:
-        total = math.fsum(p.mass for p in platform.particles)
-        return [
-            math.fsum(p.mass * tuple(p.position)[axis] for p in platform.particles) / total
-            for axis in range(3)
-        ]
-
-    start, lowest = center(), 0.0
-    for _ in range(600):
-        platform.step(FRAME)
-        now = center()
-        # 600 frames of 200 moves, each rounded at 4 m. On average the sum is far below the worst.
-        assert (now[0], now[2]) == pytest.approx((start[0], start[2]), abs=1e-11)
-        lowest = min(lowest, *(p.position.y for p in platform.particles))
-    assert now[1] < start[1] - 0.1
-    assert abs(platform.particles[0].position.x) > 0.1  # the pivot slides
-    assert lowest > -2.0 * G * FRAME**2
-    for rod in platform.rods:
-        length = (rod.b.position - rod.a.position).magnitude()
-        assert length == pytest.approx(rod.length, rel=1e-3)
-
-
-def test_an_even_weight_turns_nothing_about_itself() -> None:
-    """Both ends have the right mass and center of mass for a weight at any position between."""
-    platform = TiltingPlatform()
-    for mass, x in ((2.0, -3.0), (5.0, 4.0), (7.0, 0.5), (0.0, 1.0)):
-        platform.put_weight(mass, x)
-        masses = [particle.mass - 1.0 for particle in platform.particles[2:]]
-        assert math.fsum(masses) == pytest.approx(mass, abs=1e-14)
-        turn = -3.0 * (masses[0] + masses[1]) + 4.0 * (masses[2] + masses[3])
-        assert turn == pytest.approx(mass * x, abs=1e-13)
-        assert masses[0] == masses[1]
-        assert masses[2] == masses[3]
-
-
 # Chains and stacks compared with pymunk
 
 
@@ -306,17 +252,17 @@ def test_a_swinging_chain_is_where_pymunk_s_pin_joints_have_it() -> None:
     """Four links of 0.5 m, released at 37 degrees, are on the other side after 1 s.
 
     DirectChain has order 2, so 4000 frames give the exact position. The other two have order 1, so
-    their error at 3840 Hz is a quarter of the error at 960 Hz.
+    their error at 480 Hz is half of the error at 240 Hz.
     """
     truth = chain(4000, 1.0, "direct")
     assert truth[-1][0] < -0.3
     for how in (pymunk_chain, lambda rate, time: chain(rate, time, "ours")):
         errors = [
             max(math.dist(a, b) for a, b in zip(how(rate, 1.0), truth, strict=True))
-            for rate in (240, 960)
+            for rate in (240, 480)
         ]
-        assert errors[1] < 0.02
-        assert errors[0] / errors[1] == pytest.approx(4.0, rel=0.25)
+        assert errors[1] < 0.04
+        assert errors[0] / errors[1] == pytest.approx(2.0, rel=0.25)
 
 
 @pytest.mark.parametrize("n", [1, 3, 5])

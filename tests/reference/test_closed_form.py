@@ -9,10 +9,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
-from ch04_particle_engine.closed_form import burst_positions, drag_factors, state_after
-from studies.drag_flight import DRAG_FLIGHTS, DragFlight, make_particle
+from ch04_particle_engine.closed_form import drag_factors, state_after
+from studies.runs.drag_flight import DRAG_FLIGHTS, DragFlight, make_particle
 
 
 def in_decimals(damping: float, time: float) -> tuple[float, float, float]:
@@ -64,22 +63,6 @@ def test_a_flight_s_exact_path_is_found(flight: DragFlight) -> None:
         # Two forms of the same formula differ by a few roundings of numbers up to 130.
         assert tuple(position) == pytest.approx(exact.position, abs=1e-12)
         assert tuple(velocity) == pytest.approx(exact.velocity, abs=1e-12)
-
-
-def test_the_terminal_speed_is_reached_and_kept() -> None:
-    falling = Particle(acceleration=Vector3(0, -9.81, 0), damping=0.5)
-    _, velocity = state_after(falling, 200.0)
-    assert velocity.y == pytest.approx(-9.81 / math.log(2.0), rel=1e-14)
-
-
-def test_the_sparks_of_a_burst_are_single_particles() -> None:
-    place, gravity = Vector3(1, 20, -3), Vector3(0, -9.81, 0)
-    velocities = [(1.0, 2.0, 3.0), (-4.0, 5.0, 0.5), (0.0, 0.0, 0.0)]
-    axes = zip(place, zip(*velocities, strict=True), gravity, strict=True)
-    together = [burst_positions(p, speeds, a, 0.3, 1.7) for p, speeds, a in axes]
-    for i, velocity in enumerate(velocities):
-        alone, _ = state_after(Particle(place, Vector3(*velocity), gravity, damping=0.3), 1.7)
-        assert [axis[i] for axis in together] == pytest.approx(list(alone), rel=1e-14)
 
 
 def test_what_fits_in_no_float_is_refused_and_no_nan() -> None:

@@ -80,31 +80,7 @@ def test_a_particle_does_not_touch_itself_nor_something_that_is_no_particle() ->
         Contact(particle, UP, UP)  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("value", [0.0, -FRAME, math.nan, math.inf])
-def test_a_frame_that_is_none_is_refused_before_anything_moves(value: float) -> None:
-    ball = Particle(velocity=Vector3(0.0, -1.0, 0.0))
-    contact = Contact(ball, None, UP, 0.5, 0.1)
-    with pytest.raises(ValueError, match="duration"):
-        contact.resolve(value)
-    with pytest.raises(ValueError, match="duration"):
-        ContactResolver().resolve_contacts([contact], value)
-    if value != 0.0:  # 0 means an instantaneous impact
-        with pytest.raises(ValueError, match="duration"):
-            contact.resolve_velocity(value)
-    assert (ball.position, ball.velocity.y, contact.penetration) == (Vector3(), -1.0, 0.1)
-
-
 # Collisions
-
-
-def test_the_sample_of_a_collision() -> None:
-    """1 and 2 kg at 3 and -1 m/s with c = 0.5 end at -1 and 1 m/s and lose 4 J."""
-    a, b = Particle(velocity=Vector3(3.0)), Particle(Vector3(1.0), Vector3(-1.0), mass=2.0)
-    before = a.kinetic_energy() + b.kinetic_energy()
-    Contact(a, b, Vector3(-1.0), 0.5).resolve_velocity()
-    # 1 / (1 + 1 / 2) has one rounding, so 6 m/s has two.
-    assert (a.velocity.x, b.velocity.x) == pytest.approx((-1.0, 1.0), abs=2e-15)
-    assert before - a.kinetic_energy() - b.kinetic_energy() == pytest.approx(4.0, abs=1e-14)
 
 
 @given(masses, masses, velocities, velocities, normals, restitutions)
@@ -185,52 +161,7 @@ def test_the_depth_is_shared_by_inverse_mass(
     assert contact.resolve_penetration() == (Vector3(), Vector3())
 
 
-@pytest.mark.parametrize("depth", [0.0, -0.1])
-def test_what_touches_or_is_apart_is_not_moved(depth: float) -> None:
-    a, b = Particle(), Particle(UP)
-    assert Contact(a, b, UP, 0.0, depth).resolve_penetration() == (Vector3(), Vector3())
-    assert (a.position, b.position) == (Vector3(), UP)
-
-
-@pytest.mark.parametrize(("m", "n"), [(math.inf, 2.0), (2.0, math.inf), (math.inf, math.inf)])
-def test_the_one_that_can_be_moved_is_moved_all_the_way(m: float, n: float) -> None:
-    a, b = Particle(mass=m), Particle(mass=n)
-    contact = Contact(a, b, UP, 0.0, 0.25)
-    up, down = contact.resolve_penetration()
-    assert (up.y, down.y) == (0.25 * (m == 2.0), -0.25 * (n == 2.0))
-    assert contact.penetration == (0.0 if up.y or down.y else 0.25)
-    a.velocity.y = -3.0
-    contact.resolve_velocity()
-    assert a.velocity.y == (-3.0 if m == math.inf and n == math.inf else 0.0 if m == 2.0 else -3.0)
-
-
 # Rest
-
-
-@pytest.mark.parametrize("c", [0.0, 0.3, 1.0])
-@pytest.mark.parametrize(("share", "bounces"), [(0.5, 0.0), (1.0, 0.0), (3.0, 2.0)])
-def test_what_the_frame_itself_has_built_up_gets_no_bounce(
-    c: float, share: float, bounces: float
-) -> None:
-    """A frame of 10 m/s^2 explains 10 h. Only the speed above that bounces, and never below 0."""
-    ball = Particle(velocity=Vector3(0.0, -10.0 * FRAME * share), acceleration=UP * -10.0)
-    contact = Contact(ball, None, UP, c)
-    # Two roundings of half a meter per second.
-    assert contact.velocity_after(FRAME) == pytest.approx(c * bounces * 10.0 * FRAME, abs=1e-16)
-    assert contact.velocity_after() == c * -ball.velocity.y  # an impact without a frame
-    ball.acceleration.y = 10.0  # away from the ground, so it did not cause the closing speed
-    assert contact.velocity_after(FRAME) == c * -ball.velocity.y
-
-
-@pytest.mark.parametrize("first", [True, False])
-def test_an_acceleration_of_what_is_immovable_counts_none(first: bool) -> None:
-    """A ball at 3 m/s and 10 m/s^2 for 0.1 s gives 0.5 (3 - 1) = 1. The wall's must not count."""
-    ball = Particle(velocity=Vector3(0.0, -3.0), acceleration=UP * -10.0)
-    wall = Particle(acceleration=UP * -10.0, mass=math.inf)
-    contact = Contact(ball, wall, UP, 0.5) if first else Contact(wall, ball, -UP, 0.5)
-    assert contact.velocity_after(0.1) == pytest.approx(1.0, abs=1e-15)  # a rounding or two
-    wall.mass = 1.0  # it now falls like the ball, so the frame has built up nothing
-    assert contact.velocity_after(0.1) == 1.5
 
 
 def fall(
@@ -250,8 +181,8 @@ def fall(
 
 
 @pytest.mark.parametrize("built_in", [True, False])
-@pytest.mark.parametrize("c", [0.0, 0.3, 0.5, 0.9])
-@pytest.mark.parametrize("height", [0.0, 1e-6, 5e-4])
+@pytest.mark.parametrize("c", [0.0, 0.9])
+@pytest.mark.parametrize("height", [1e-6, 5e-4])
 def test_what_rests_moves_less_than_a_millimeter_in_a_minute(
     c: float, height: float, built_in: bool
 ) -> None:

@@ -9,10 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from ch02_vectors.vector import Vector3
-from ch05_forces.closed_form import coasting_speed, drag_limits, quadratic_fall, terminal_speed
-from ch05_forces.forces import Drag
-from ch05_forces.particle import Particle
+from ch05_forces.closed_form import coasting_speed, quadratic_fall, terminal_speed
 
 coefficient = st.floats(0.01, 5.0)
 
@@ -43,21 +40,6 @@ def test_coasting_solves_its_equation(
 ) -> None:
     wanted, _ = runge_kutta(lambda u: -(k1 * u + k2 * u * u) / m, v, time)
     assert coasting_speed(v, k1, k2, m, time) == pytest.approx(wanted, rel=1e-6)
-
-
-@given(st.floats(1e-3, 1e6), st.floats(0.0, 1e6), st.floats(1e-6, 1e6))
-def test_the_terminal_speed_is_where_a_fall_no_longer_changes(
-    w: float, k1: float, k2: float
-) -> None:
-    v = terminal_speed(w, k1, k2)
-    assert k1 * v + k2 * v * v == pytest.approx(w, rel=1e-14)
-    # A step does not change this speed, so it is not an approximation.
-    particle = Particle(velocity=Vector3(0.0, -v, 0.0), acceleration=Vector3(0.0, -w, 0.0))
-    frame = drag_limits(k1, k2, 1.0, v)[0] / 4.0
-    for _ in range(3):
-        Drag(k1, k2).update_force(particle, frame)
-        particle.integrate(frame)
-    assert particle.velocity.y == pytest.approx(-v, rel=1e-14)
 
 
 def test_the_known_figures() -> None:

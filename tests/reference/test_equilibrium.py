@@ -18,7 +18,7 @@ from ch08_mass_aggregate.bridge_plan import make_rows
 from ch08_mass_aggregate.equilibrium import equilibrium
 from ch08_mass_aggregate.sleeping import SleepingWorld
 from ch08_mass_aggregate.world import ParticleWorld
-from studies.accuracy.bridge import MASSES, hanging
+from studies.accuracy.scenes.bridge import MASSES, hanging
 
 DOWN = Vector3(0.0, -10.0)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import random
 from fractions import Fraction
 
@@ -94,50 +93,6 @@ def test_no_time_is_lost(frames: list[float], duration: float, most: int | None)
     assert abs(float(known - elapsed)) <= 8000 * 2.0 * 2.0**-53
     if most is None:
         assert clock.dropped == 0.0
-
-
-@given(rate=st.integers(1, 1000), frames=st.integers(1, 300))
-def test_n_frames_of_a_step_each_are_n_steps(rate: int, frames: int) -> None:
-    """n / rate is rarely equal to n additions of 1 / rate, but the number of steps is n."""
-    made: list[float] = []
-    clock = FixedStep(made.append, 1.0 / rate)
-    assert clock.advance(frames / rate) == frames
-    assert [clock.advance(1.0 / rate) for _ in range(frames)] == [1] * frames
-
-
-def test_what_is_too_much_for_one_picture_is_dropped_but_for_less_than_a_step() -> None:
-    made: list[float] = []
-    clock = FixedStep(made.append, 0.25, 3)
-    assert clock.advance(2.125) == 3  # 8 and a half steps are due
-    assert (clock.left, clock.dropped, made) == (0.125, 1.25, [0.25] * 3)
-    assert clock.advance(0.125) == 1
-    assert clock.advance(0.75) == 3  # exactly the limit, so nothing is dropped
-    assert (clock.left, clock.dropped) == (0.0, 1.25)
-
-
-def test_a_step_that_raises_is_still_due() -> None:
-    calls: list[float] = []
-
-    def step(duration: float) -> None:
-        calls.append(duration)
-        if len(calls) == 2:
-            raise ArithmeticError("not now")
-
-    clock = FixedStep(step, 0.25)
-    with pytest.raises(ArithmeticError, match="not now"):
-        clock.advance(1.0)
-    assert clock.left == 0.75
-    assert clock.advance(0.0) == 3
-    assert len(calls) == 5
-
-
-@pytest.mark.parametrize("elapsed", [-1e-9, math.nan, math.inf])
-def test_time_that_cannot_pass_is_refused(elapsed: float) -> None:
-    clock = FixedStep(lambda _: None, 0.25)
-    clock.advance(0.125)
-    with pytest.raises(ValueError, match="elapsed"):
-        clock.advance(elapsed)
-    assert clock.left == 0.125
 
 
 def test_what_a_fixed_step_cannot_be_made_of_is_named() -> None:

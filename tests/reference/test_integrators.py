@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from typing import Any
 
 import numpy
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.forces import ForceRegistry, InverseSquareGravity
@@ -17,12 +14,10 @@ from ch05_forces.particle import Particle
 from ch06_springs.integrators import (
     ApplyForces,
     Integrator,
-    backward_euler,
     explicit_euler,
     leapfrog,
     runge_kutta_4,
     semi_implicit_euler,
-    trapezoidal,
     velocity_verlet,
 )
 from ch06_springs.springs import AnchoredSpring
@@ -93,50 +88,6 @@ def test_a_particle_s_own_damping_makes_every_order_1(step: Integrator) -> None:
     assert math.log2(first / second) == pytest.approx(1.0, abs=0.1)
 
 
-@pytest.mark.parametrize(("step", "asked"), list(zip(STEPS, (1, 1, 1, 2, 4), strict=True)))
-def test_the_forces_are_asked_for_so_often_a_step(step: Integrator, asked: int) -> None:
-    particle, apply_forces = swinging()
-    durations = []
-
-    def counted(duration: float) -> None:
-        durations.append(duration)
-        apply_forces(duration)
-
-    for _ in range(10):
-        step([particle], counted, 0.01)
-    assert durations == [0.01] * (10 * asked)
-
-
-@pytest.mark.parametrize(
-    ("step", "share"), list(zip(STEPS, (0.0, 1.0, 0.5, 0.5, 0.5), strict=True))
-)
-@given(st.floats(-100.0, 100.0), st.floats(-100.0, 100.0), st.floats(-100.0, 100.0))
-def test_a_force_by_hand_lasts_all_of_one_frame(
-    step: Integrator, share: float, v: float, a: float, force: float
-) -> None:
-    """Under a constant push, v' = v + (a + f / m) h, and p' has 0, all or half of a h^2."""
-    particle = Particle(velocity=Vector3(v), acceleration=Vector3(a), mass=4.0)
-    particle.add_force(Vector3(force))
-    step([particle], lambda _: None, 0.25)
-    push = a + force / 4.0
-    # Some roundings of 100.
-    assert particle.velocity.x == pytest.approx(v + push * 0.25, abs=1e-13)
-    assert particle.position.x == pytest.approx(v * 0.25 + share * push * 0.0625, abs=1e-13)
-    assert particle.last_acceleration.x == pytest.approx(push, abs=1e-13)
-    assert tuple(particle.force_accumulator) == (0.0, 0.0, 0.0)
-
-
-@pytest.mark.parametrize("step", STEPS)
-def test_the_last_acceleration_is_the_mean_one_of_the_step(step: Integrator) -> None:
-    particle, apply_forces = swinging(1.0)
-    for _ in range(20):
-        before = particle.velocity.copy()
-        step([particle], apply_forces, 0.02)
-        mean = (particle.velocity - before) / 0.02
-        # The rounding of 3 m/s, divided by 0.02 s.
-        assert tuple(particle.last_acceleration) == pytest.approx(tuple(mean), abs=1e-13)
-
-
 # Symplectic or not
 
 
@@ -166,8 +117,7 @@ def test_the_jacobian_of_a_step_is_symplectic_for_three_of_them(step: Integrator
 
 
 @pytest.mark.parametrize(
-    ("step", "swing"),
-    [(semi_implicit_euler, 0.25), (leapfrog, 0.02), (velocity_verlet, 0.02)],
+    ("step", "swing"), [(semi_implicit_euler, 0.25), (leapfrog, 0.02), (velocity_verlet, 0.02)]
 )
 def test_symplectic_steps_keep_the_energy_within_bounds_for_100_000_steps(
     step: Integrator, swing: float
@@ -213,25 +163,6 @@ def test_steps_that_are_not_symplectic_change_the_energy_by_their_known_factors(
         assert left == pytest.approx(factor**n, rel=1e-12)  # 50 steps, each with some roundings
 
 
-def test_explicit_euler_makes_ten_seconds_of_a_spring_14_million_times_as_strong() -> None:
-    """Test k = 100 N/m, 1 kg and 60 Hz. Velocity first gives x 1.06, by the matrix's power."""
-    h = FRAME
-    matrix = numpy.array([[1.0 - 100.0 * h * h, h], [-100.0 * h, 1.0]])
-    x, v = numpy.linalg.matrix_power(matrix, 600) @ [1.0, 0.0]
-    for step, wanted, figure in (
-        (explicit_euler, (1.0 + 100.0 * h * h) ** 600, 13_789_038.0),
-        (semi_implicit_euler, x * x + v * v / 100.0, 1.06),
-    ):
-        particle = Particle(Vector3(1.0))
-        registry = ForceRegistry()
-        registry.add(particle, AnchoredSpring(Vector3(), 100.0, 0.0))
-        for _ in range(600):
-            step([particle], registry.update_forces, h)
-        grown = particle.position.x**2 + particle.velocity.x**2 / 100.0
-        assert grown == pytest.approx(wanted, rel=1e-11)  # 600 roundings
-        assert grown == pytest.approx(figure, rel=5e-3)  # three digits are known of the second
-
-
 @pytest.mark.parametrize(
     ("step", "energy", "digit"),
     [
@@ -255,42 +186,6 @@ def test_ten_orbits_end_with_the_known_energy(
 
 
 # Implicit steps
-
-
-@pytest.mark.parametrize("k", [1.0, 100.0, 1e6, 1e12])
-@pytest.mark.parametrize(
-    ("step", "factor"), [(trapezoidal, lambda _: 1.0), (backward_euler, lambda kappa: 1.0 + kappa)]
-)
-def test_the_implicit_steps_divide_the_energy_by_what_they_should(
-    step: Callable[..., tuple[float, float]], factor: Callable[[float], float], k: float
-) -> None:
-    """The trapezoidal rule conserves it; backward Euler leaves 1 / (1 + k h^2 / m) per step."""
-    x, v, m = 1.0, 0.3 * math.sqrt(k / 2.0), 2.0
-    start = k * x * x + m * v * v
-    for n in range(1, 201):
-        x, v = step(x, v, k, 0.0, m, FRAME)
-        wanted = start * factor(k * FRAME**2 / m) ** -n
-        # In x' = x + h v', rounding once loses all digits of a stiff spring except those of x.
-        if wanted > 1e-12 * start:
-            assert k * x * x + m * v * v == pytest.approx(wanted, rel=1e-9)
-    assert k * x * x + m * v * v <= start * (1.0 + 1e-9)
-
-
-@pytest.mark.parametrize(("step", "order"), [(backward_euler, 1), (trapezoidal, 2)])
-def test_the_implicit_steps_come_to_the_exponential_with_their_order(
-    step: Callable[..., tuple[float, float]], order: int
-) -> None:
-    k, c, m = 40.0, 3.0, 2.0
-    values, vectors = numpy.linalg.eig(numpy.array([[0.0, 1.0], [-k / m, -c / m]]))
-    exact = (vectors @ numpy.diag(numpy.exp(values)) @ numpy.linalg.inv(vectors) @ [1.0, -2.0]).real
-    gaps = []
-    for n in (400, 800):
-        x, v = 1.0, -2.0
-        for _ in range(n):
-            x, v = step(x, v, k, c, m, 1.0 / n)
-        gaps.append(numpy.linalg.norm(numpy.array([x, v]) - exact))
-    assert gaps[0] < 0.1
-    assert math.log2(gaps[0] / gaps[1]) == pytest.approx(order, abs=0.1)
 
 
 @pytest.mark.parametrize("step", STEPS)

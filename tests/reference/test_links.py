@@ -8,7 +8,6 @@ from collections.abc import Callable
 from itertools import pairwise
 from typing import Any
 
-import numpy
 import pytest
 
 from ch02_vectors.vector import Vector3
@@ -17,80 +16,16 @@ from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.direct_chain import DirectChain
 from ch07_constraints.heap_resolver import HeapResolver
-from ch07_constraints.links import (
-    AnchoredCable,
-    AnchoredRod,
-    Cable,
-    Limits,
-    Rod,
-    TwoSidedRod,
-)
+from ch07_constraints.links import AnchoredCable, AnchoredRod, Cable, Limits, Rod, TwoSidedRod
 
 GRAVITY = Vector3(0.0, -10.0, 0.0)
-Link = Callable[[Particle, Particle], Any]
 
 
 def no_forces(_: float) -> None:
     """Add no forces. Gravity is each particle's own acceleration."""
 
 
-# Geometry
-
-TWO = [
-    (lambda a, b: Cable(a, b, 2.0, 0.3), [(1, 1.0)], [], 0.3),
-    (lambda a, b: Rod(a, b, 2.0), [(1, 1.0)], [(-1, 1.0)], 0.0),
-    (lambda a, b: TwoSidedRod(a, b, 2.0), [(1, 1.0), (-1, -1.0)], [(1, -1.0), (-1, 1.0)], 0.0),
-    (lambda a, b: Limits(a, b, 1.5, 2.0, 0.3), [(1, 1.0)], [(-1, 0.5)], 0.3),
-    (lambda a, b: AnchoredCable(a, b.position, 2.0, 0.3), [(1, 1.0)], [], 0.3),
-    (lambda a, b: AnchoredRod(a, b.position, 2.0), [(1, 1.0)], [(-1, 1.0)], 0.0),
-]
-
-
-@pytest.mark.parametrize(("make", "long", "short", "c"), TWO)
-def test_a_link_s_contacts_are_what_geometry_says(
-    make: Link, long: list[tuple[int, float]], short: list[tuple[int, float]], c: float
-) -> None:
-    """The ends are 3 m and 1 m apart along (2, -1, 2) / 3. Check the normal's sign and depth."""
-    along = numpy.array([2.0, -1.0, 2.0]) / 3.0
-    for length, wanted in ((3.0, long), (1.0, short)):
-        start = numpy.array([0.5, 4.0, -1.0])
-        a, b = Particle(Vector3(*start)), Particle(Vector3(*(start + length * along)))
-        found = make(a, b).contacts()
-        assert len(found) == len(wanted)
-        for contact, (sign, depth) in zip(found, wanted, strict=True):
-            # Some roundings of 5 m.
-            assert tuple(contact.normal) == pytest.approx(tuple(sign * along), abs=1e-15)
-            assert contact.penetration == pytest.approx(depth, abs=4e-15)
-            assert contact.particle is a
-            assert contact.other in (b, None)
-            assert contact.restitution == c
-
-
-@pytest.mark.parametrize(("make", "long", "short", "c"), TWO)
-def test_ends_that_are_put_right_are_as_far_apart_as_they_should_be(
-    make: Link, long: list[Any], short: list[Any], c: float
-) -> None:
-    del long, c
-    for length, limit in ((5.0, 2.0), (0.7, None if not short else 2.0)):
-        a, b = Particle(), Particle(Vector3(0.6, 0.0, 0.8) * length, mass=3.0)
-        link = make(a, b)
-        ContactResolver().resolve_contacts(link.contacts(), 0.01)
-        wanted = 1.5 if isinstance(link, Limits) and length < 1.0 else limit or length
-        assert (a.position - b.position).magnitude() == pytest.approx(wanted, abs=1e-15 * 5)
-
-
-def test_links_at_their_limits() -> None:
-    a, b = Particle(), Particle(Vector3(2.0))
-    assert [contact.penetration for contact in Cable(a, b, 2.0).contacts()] == [0.0]
-    assert Rod(a, b, 2.0).contacts() == []
-    assert len(Limits(a, b, 2.0, 2.0).contacts()) == 2
-    assert Limits(a, b, 1.0, 3.0).contacts() == []
-    b.position.clear()
-    assert Rod(a, b, 2.0).contacts()[0].normal == Vector3(0.0, -1.0, 0.0)
-    assert AnchoredRod(a, Vector3(), 2.0).contacts()[0].normal == Vector3(0.0, -1.0, 0.0)
-    assert Limits(a, b, 1.0, 3.0).contacts()[0].normal == Vector3(0.0, -1.0, 0.0)
-    assert Limits(a, b, 0.0, 3.0).contacts() == []
-    assert [contact.penetration for contact in TwoSidedRod(a, b, 2.0).contacts()] == [-2.0, 2.0]
+# Rejected arguments
 
 
 A, B, HERE = Particle(), Particle(), Vector3()
@@ -168,27 +103,6 @@ def test_a_pendulum_s_period_is_that_of_the_elliptic_integral(
     for coarse, fine in pairwise(errors):
         assert coarse / fine == pytest.approx(2.0, rel=0.15)  # with a part of order 2
     assert 2.0 * errors[2] - errors[1] == pytest.approx(0.0, abs=0.03 * off)
-
-
-@pytest.mark.parametrize("kind", [AnchoredRod, AnchoredCable])
-def test_a_string_let_go_from_horizontal_pulls_with_3_m_g_at_the_bottom(
-    kind: type[AnchoredRod] | type[AnchoredCable],
-) -> None:
-    """The impulses of the frames give m g + m v^2 / L with m v^2 / L = 2 m g: 60 N for 2 kg."""
-    missing = []
-    for rate in (960, 3840):
-        h = 1.0 / rate
-        bob = Particle(Vector3(1.0), acceleration=GRAVITY, mass=2.0)
-        link, resolver, pull = kind(bob, Vector3(), 1.0), ContactResolver(), 0.0
-        while bob.position.x > 0.0:
-            semi_implicit_euler([bob], no_forces, h)
-            before = bob.velocity.copy()
-            resolver.resolve_contacts(link.contacts(), h)
-            pull = (bob.velocity - before).magnitude() * bob.mass / h
-        missing.append(60.0 - pull)
-    # The error has order 1 in h, like the energy: a quarter at four times the rate.
-    assert missing[1] == pytest.approx(0.0, abs=0.1)
-    assert missing[0] / missing[1] == pytest.approx(4.0, rel=0.05)
 
 
 # Chains

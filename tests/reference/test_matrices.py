@@ -1,4 +1,4 @@
-"""Matrix3 and Matrix4 compared with NumPy on 10,000 random matrices, their laws, and limits.
+"""Matrix3 and Matrix4 compared with NumPy on 2,000 random matrices, their laws, and limits.
 
 With ``pytest -s`` every comparison prints the largest deviation.
 """
@@ -16,11 +16,10 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from ch02_vectors.vector import Vector3
-from ch09_rotations.matrix import ROTATION_TOLERANCE, SINGULAR, Matrix3, Matrix4, change_basis
-from ch09_rotations.quaternion import UNIT_TOLERANCE, Quaternion
+from ch09_rotations.matrix import SINGULAR, Matrix3, Matrix4, change_basis
 
 Array = numpy.ndarray
-CASES = 10_000
+CASES = 2_000
 # Sums of three rounded products: 3 u of the products' sizes with u = 1.1e-16, on both sides.
 ROUNDINGS = 1e-15
 
@@ -43,8 +42,6 @@ CONDITION = numpy.linalg.cond(LINEAR)
 # Entries so small that all sums and products of the laws are exact whole numbers.
 entry = st.integers(-30, 30)
 square = st.tuples(*[entry] * 9).map(lambda numbers: Matrix3(*numbers))
-affine = st.tuples(*[entry] * 12).map(lambda numbers: Matrix4(*numbers))
-any_vector = st.tuples(entry, entry, entry).map(lambda numbers: Vector3(*numbers))
 
 
 def ours(rows: Array) -> list[Any]:
@@ -127,61 +124,6 @@ def test_a_change_of_basis_agrees_with_numpy(m: Array, basis: Array) -> None:
     size = largest_entry(numpy.abs(basis) @ numpy.abs(m) @ numpy.abs(inverse))
     size *= numpy.linalg.cond(basis)
     assert deviation("change_basis / condition", got, wanted, size) <= ROUNDINGS
-
-
-def test_points_and_directions_go_to_the_world_and_back() -> None:
-    units = RANDOM.normal(size=(CASES, 4))
-    units /= numpy.linalg.norm(units, axis=1)[:, None]
-    points = ours(POINTS)
-    places = [
-        Matrix4.from_orientation_and_position(Quaternion(*q), Vector3(*p))
-        for q, p in zip(units, MOVES, strict=True)
-    ]
-    for there, back in (
-        (Matrix4.transform, Matrix4.transform_inverse),
-        (Matrix4.transform_direction, Matrix4.transform_inverse_direction),
-    ):
-        got = [back(m, there(m, v)) for m, v in zip(places, points, strict=True)]
-        size = 1.0 + largest_entry(POINTS) + largest_entry(MOVES)
-        # Three products and a sum, twice, and the rounding of the rotation itself.
-        assert deviation(f"{there.__name__} and back", got, POINTS, size) <= 2.0 * ROUNDINGS
-    got = [m.transform_inverse(v) for m, v in zip(places, points, strict=True)]
-    full = [m.inverse().transform(v) for m, v in zip(places, points, strict=True)]
-    wanted = numpy.array([tuple(v) for v in full])
-    assert deviation("transform_inverse", got, wanted, 1.0 + largest_entry(MOVES)) <= 1e-14
-
-
-@given(square, square, square)
-def test_matrices_obey_the_laws_of_products_exactly(a: Matrix3, b: Matrix3, c: Matrix3) -> None:
-    """Whole numbers are not rounded."""
-    one = Matrix3(1, 0, 0, 0, 1, 0, 0, 0, 1)
-    assert (a @ b) @ c == a @ (b @ c)
-    assert a @ one == one @ a == a
-    assert (a @ b).determinant() == a.determinant() * b.determinant()
-    assert (a @ b).transpose() == b.transpose() @ a.transpose()
-    assert a.transpose().transpose() == a
-    assert a.transpose().determinant() == a.determinant()
-
-
-@given(affine, affine, any_vector)
-def test_matrices_that_move_too_obey_them(a: Matrix4, b: Matrix4, v: Vector3) -> None:
-    one = Matrix4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)
-    assert (a @ b) @ v == a @ (b @ v)
-    assert (a @ b).transform_direction(v) == a.transform_direction(b.transform_direction(v))
-    assert a @ one == one @ a == a
-    assert (a @ b).determinant() == a.determinant() * b.determinant()
-
-
-@given(st.one_of(st.tuples(square, square), st.tuples(affine, affine)))
-def test_a_product_is_undone_in_the_other_order(pair: tuple[Any, Any]) -> None:
-    a, b = pair
-    assume(abs(a.determinant()) >= 1.0)
-    assume(abs(b.determinant()) >= 1.0)
-    got, wanted = tuple((a @ b).inverse()), tuple(b.inverse() @ a.inverse())
-    # Determinants and cofactors of whole numbers are exact. There are a few roundings of each
-    # product, whose terms may be larger than their sum.
-    sizes = [numpy.abs(numpy.array(tuple(m.inverse()))).max() for m in (b, a)]
-    assert got == pytest.approx(wanted, abs=1e-14 * sizes[0] * (1.0 + sizes[1]), rel=1e-13)
 
 
 @given(square)
@@ -267,29 +209,3 @@ def test_a_tiny_row_beside_nearly_parallel_ones_costs_no_digits(tiny: float) -> 
     except ValueError:
         first = math.inf  # rejected, because 1 / tiny is not a float
     assert first == pytest.approx(1.0 / tiny, rel=1e-14)  # infinity for 5e-324
-
-
-@pytest.mark.parametrize("sign", [1.0, -1.0])
-def test_what_is_a_rotation_is_told_to_its_tolerance(sign: float) -> None:
-    for share, yes in ((0.99, True), (1.01, False)):
-        miss = sign * share * ROTATION_TOLERANCE
-        skewed = Matrix3(1, miss, 0, 0, 1, 0, 0, 0, 1)  # first row times second row is the miss
-        longer = Matrix3(1, 0, 0, 0, math.sqrt(1.0 + miss), 0, 0, 0, 1)
-        assert skewed.is_rotation() is longer.is_rotation() is yes
-    for component in range(4):  # a quaternion that just passes as unit length gives a rotation
-        long = 1.0 + sign * 0.999 * UNIT_TOLERANCE
-        q = Quaternion(*(long * (place == component) for place in range(4)))
-        assert Matrix3.from_quaternion(q).is_rotation()
-    even = Quaternion(*[0.5 * (1.0 + sign * 0.999 * UNIT_TOLERANCE)] * 4)
-    assert Matrix3.from_quaternion(even).is_rotation()
-    mirror = Matrix3(1, 0, 0, 0, sign, 0, 0, 0, 1)
-    assert mirror.is_rotation() is (sign > 0.0)
-
-
-@pytest.mark.parametrize("bad", [math.nan, math.inf, 1e200, 1e-200, 0.0])
-def test_what_is_no_rotation_has_no_quaternion(bad: float) -> None:
-    for place in range(3):
-        m = Matrix3(*(bad if n == 4 * place else float(n % 4 == 0) for n in range(9)))
-        assert not m.is_rotation()
-        with pytest.raises(ValueError, match=r"the matrix must be a rotation, got Matrix3\("):
-            m.to_quaternion()

@@ -1,7 +1,4 @@
-"""Chapter 7's exercises against statistics by hand and the engine, and the format of drops.
-
-The fall of exercise 7.3 is simulated in test_time_division.py.
-"""
+"""Chapter 7's exercises compared with the engine, and the format of drops."""
 
 from __future__ import annotations
 
@@ -15,7 +12,6 @@ from hypothesis import strategies as st
 
 from ch02_vectors.vector import Vector3
 from ch05_forces.particle import Particle
-from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.contacts import Contact
 from ch07_constraints.drops import find_drops, read_drops
 from ch07_constraints.exercises import (
@@ -27,22 +23,6 @@ from ch07_constraints.exercises import (
 
 UP = Vector3(0.0, 1.0, 0.0)
 HEADING = "material,initial_height,bounce_height\n"
-
-
-def test_a_table_of_drops_by_hand() -> None:
-    """Steel with 0.9, 0.8, 0.7: mean 0.8, s = sqrt(0.02 / 2) = 0.1, error 0.1 / sqrt(3)."""
-    drops = [("steel", 1.0, 0.81), ("clay", 2.0, 0.0), ("steel", 2.0, 1.28), ("wood", 1.0, 0.25)]
-    drops += [("steel", 1.0, 0.49), ("wood", 4.0, 1.0)]
-    steel, clay, wood = table_of_drops(drops)
-    assert (steel[0], steel[1], clay, wood) == (
-        "steel",
-        3,
-        ("clay", 1, 0.0, None),
-        ("wood", 2, 0.5, 0.0),
-    )
-    # Roundings of each root, and of differences of 0.1 between numbers near 1.
-    assert steel[2:] == pytest.approx((0.8, 0.1 / math.sqrt(3.0)), abs=1e-15)
-    assert table_of_drops([]) == []
 
 
 @given(st.floats(0.01, 100.0), st.floats(0.0, 1.0))
@@ -69,24 +49,6 @@ def test_the_top_ball_leaves_as_the_engine_s_contacts_have_it(
     got = top_ball_speed(height, low, top, c_ground, c_pair, g)
     # Some roundings of at most four times the speed of the fall.
     assert got == pytest.approx(upper.velocity.y, abs=1e-15 * 20.0 * fall.magnitude())
-
-
-def test_the_top_ball_of_the_exercise_and_of_the_limit() -> None:
-    """The speed is 6.0933 m/s. In the elastic limit with a heavy lower ball, it is 3 falls."""
-    assert top_ball_speed(1.0, 9.0, 1.0, 0.5, 0.75) == pytest.approx(6.0933, abs=5e-5)
-    assert top_ball_speed(1.0, 1e9, 1.0, 1.0, 1.0) == pytest.approx(3.0 * math.sqrt(20.0), rel=1e-8)
-    assert top_ball_speed(1.0, 1.0, 9.0, 0.0, 0.0) == pytest.approx(-0.9 * math.sqrt(20.0))
-
-
-@given(st.floats(0.0, 1.0), st.floats(1e-3, 0.1))
-def test_a_force_for_a_frame_gives_the_impulse_of_the_short_one(share: float, frame: float) -> None:
-    """10 N s give 2 kg 5 m/s. A step with the force ends at f t / m."""
-    time = share * frame
-    particle = Particle(mass=2.0)
-    particle.add_force(force_for_frame(Vector3(100.0, -50.0, 0.0), time, frame))
-    semi_implicit_euler([particle], lambda _: None, frame)
-    wanted = (100.0 * time / 2.0, -50.0 * time / 2.0, 0.0)
-    assert tuple(particle.velocity) == pytest.approx(wanted, rel=1e-14)  # some roundings
 
 
 @pytest.mark.parametrize(

@@ -9,10 +9,9 @@ from typing import Any
 import pytest
 
 from ch02_vectors.vector import Vector3
-from ch03_laws_of_motion import exercises
-from ch03_laws_of_motion.damping import damp_per_frame, damp_per_second
 from ch03_laws_of_motion.particle import Particle
-from studies.drag_flight import (
+from studies.drawing import slope
+from studies.runs.drag_flight import (
     DAMPED_FALL,
     FREE_FALL,
     GRAVITY,
@@ -21,7 +20,6 @@ from studies.drag_flight import (
     State,
     with_particle,
 )
-from studies.drawing import slope
 
 NAN, INF = math.nan, math.inf
 VECTORS = ("position", "velocity", "acceleration")
@@ -79,15 +77,6 @@ def test_vectors_are_copied_when_given_and_when_assigned(name: str) -> None:
     getattr(other, name).y = 99.0
     for particle in (given, assigned):
         assert tuple(getattr(particle, name)) == (1.0, 2.0, 3.0)
-
-
-def test_steps_change_no_vector_but_the_particle_s_own() -> None:
-    start, velocity, gravity = Vector3(), Vector3(1.0, 0.0, 0.0), Vector3(0.0, -10.0, 0.0)
-    particle = Particle(start, velocity, gravity)
-    for _ in range(3):
-        particle.integrate(0.1)
-    assert (tuple(start), tuple(velocity)) == ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0))
-    assert tuple(gravity) == (0.0, -10.0, 0.0)
 
 
 @pytest.mark.parametrize("how", [copy.copy, copy.deepcopy])
@@ -169,44 +158,6 @@ def test_a_number_that_means_nothing_is_refused_by_name(
             Particle(**{name: bad})
 
 
-BAD_DURATIONS = [
-    (0.0, ValueError, "duration must be positive and finite, got 0.0"),
-    (0, ValueError, "duration must be positive and finite, got 0"),
-    (-0.1, ValueError, "duration must be positive and finite, got -0.1"),
-    (INF, ValueError, "duration must be positive and finite, got inf"),
-    (NAN, ValueError, "duration must be positive and finite, got nan"),
-    ("0.1", TypeError, "duration must be a number, got '0.1'"),
-    (None, TypeError, "duration must be a number, got None"),
-]
-
-
-@pytest.mark.parametrize(("bad", "error", "complaint"), BAD_DURATIONS)
-@pytest.mark.parametrize("steps_before", [0, 1])
-@pytest.mark.parametrize("mass", [1.0, INF])
-def test_a_bad_duration_is_refused_by_name_and_changes_nothing(
-    bad: Any, error: type[Exception], complaint: str, steps_before: int, mass: float
-) -> None:
-    particle = Particle(velocity=Vector3(1.0, 2.0, 3.0), mass=mass, damping=0.5)
-    for _ in range(steps_before):
-        particle.integrate(0.5)
-    before = (tuple(particle.position), tuple(particle.velocity))
-    with pytest.raises(error, match=complaint):
-        particle.integrate(bad)
-    assert (tuple(particle.position), tuple(particle.velocity)) == before
-    particle.integrate(0.5)
-    kept = 0.5 ** (0.5 * (steps_before + 1)) if mass == 1.0 else 1.0
-    assert particle.velocity.x == pytest.approx(kept, rel=1e-15)
-
-
-@pytest.mark.parametrize(("bad", "error", "complaint"), BAD_DURATIONS)
-@pytest.mark.parametrize("form", [damp_per_frame, damp_per_second])
-def test_the_equations_refuse_what_the_step_refuses(
-    form: Any, bad: Any, error: type[Exception], complaint: str
-) -> None:
-    with pytest.raises(error, match=complaint):
-        form(Vector3(), Vector3(), 0.5, bad)
-
-
 def test_a_refused_step_is_no_lasting_damage() -> None:
     particle = Particle(velocity=Vector3(1.0, 0.0, 0.0), damping=1e200)
     with pytest.raises(OverflowError):
@@ -222,14 +173,6 @@ def test_a_refused_step_is_no_lasting_damage() -> None:
     assert tuple(particle.position) == (20.0, 0.0, 0.0)
 
 
-def test_frames_of_any_lengths_in_any_order_keep_what_the_power_says() -> None:
-    particle = Particle(velocity=Vector3(1.0, 0.0, 0.0), damping=0.7)
-    frames = [0.1, 0.1, 0.3, 0.1, 0.2, 0.2, 0.3]
-    for frame in frames:
-        particle.integrate(frame)
-    assert particle.velocity.x == pytest.approx(0.7 ** sum(frames), rel=1e-14)
-
-
 def test_a_mass_too_small_to_have_an_inverse_is_refused() -> None:
     with pytest.raises(ValueError, match="1 / mass must be finite and not negative, got inf"):
         Particle(mass=5e-324)
@@ -242,17 +185,3 @@ def test_an_inverse_mass_too_small_to_have_a_mass_gives_no_nan() -> None:
     assert not particle.has_finite_mass
     assert particle.kinetic_energy() == 0.0
     assert tuple(particle.momentum()) == (0.0, 0.0, 0.0)
-
-
-@pytest.mark.parametrize("seed", range(20))
-def test_random_frames_fill_their_total_in_any_case(seed: int) -> None:
-    for mean, jitter, total in (
-        (0.1, 0.0, 1.0),
-        (0.07, 0.9, 1.0),
-        (3.0, 0.5, 1.0),
-        (1e-3, 0.3, 0.5),
-    ):
-        frames = exercises.random_frames(mean, jitter, total, seed)
-        # Subtracting and adding up to 700 frames, each with a rounding.
-        assert math.fsum(frames) == pytest.approx(total, rel=1e-12)
-        assert all(frame > 1e-12 * total for frame in frames)

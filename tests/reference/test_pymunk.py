@@ -11,7 +11,7 @@ from pymunk import Vec2d
 
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.damping import damp_per_second
-from studies.drag_flight import (
+from studies.runs.drag_flight import (
     DAMPED_FALL,
     DRAG_FLIGHTS,
     FREE_FALL,
@@ -20,8 +20,8 @@ from studies.drag_flight import (
     DragFlight,
     State,
 )
-from studies.drag_flight import with_particle as ours
-from studies.drag_flight import with_pymunk as theirs
+from studies.runs.drag_flight import with_particle as ours
+from studies.runs.drag_flight import with_pymunk as theirs
 
 component = st.floats(-1e6, 1e6).filter(lambda value: value == 0.0 or abs(value) > 1e-6)
 plane = st.tuples(component, component)

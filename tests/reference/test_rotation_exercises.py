@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from fractions import Fraction
 
 import numpy
 import pytest
@@ -13,7 +12,6 @@ from ch02_vectors.vector import Vector3
 from ch09_rotations.exercises import (
     back_to_reference,
     easy_inverse,
-    product_without_j_and_k,
     read_off,
     turned_by_sense,
     turned_by_steps,
@@ -54,13 +52,6 @@ def test_the_turn_back_to_the_reference_undoes_any_orientation() -> None:
         assert abs(angle) == pytest.approx(theirs(q).magnitude(), abs=4e-15)
 
 
-def test_quaternions_without_j_and_k_are_complex_numbers() -> None:
-    for a, b, c, d in ROWS:
-        wanted = complex(a, b) * complex(c, d)
-        got = product_without_j_and_k(Quaternion(a, b), Quaternion(c, d))
-        assert tuple(got) == (wanted.real, wanted.imag, 0.0, 0.0)  # from the same four products
-
-
 def test_a_steady_turn_is_that_of_scipy_and_its_steps_miss_by_what_scipy_says() -> None:
     for row, rate in zip(ROWS, RATES, strict=True):
         q = Quaternion(*row)
@@ -85,9 +76,3 @@ def test_a_rotation_and_a_position_are_read_off_and_inverted_without_dividing() 
         assert read_off(m) == (Matrix3.from_quaternion(q), p)
         # A few roundings of positions within 5 m.
         assert tuple(easy_inverse(m)) == pytest.approx(tuple(m.inverse()), abs=1e-14)
-
-
-def test_the_easy_inverse_is_exact_for_quarter_turns() -> None:
-    m = Matrix4(0, -1, 0, 4, 1, 0, 0, 5, 0, 0, 1, 6)
-    assert easy_inverse(m) @ m == Matrix4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0)
-    assert [Fraction(n) for n in easy_inverse(m)] == [0, 1, 0, -5, -1, 0, 0, 4, 0, 0, 1, -6]

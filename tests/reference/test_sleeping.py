@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 import pytest
 
@@ -30,15 +29,6 @@ def run(world: ParticleWorld, frames: int) -> None:
         world.step(FRAME)
 
 
-def at_rest(mass: float = 1.0) -> tuple[Particle, SleepingWorld]:
-    """Return a ball that sleeps on the ground at height 0, and its world."""
-    body = ball(0.0, 0.0, mass)
-    world = SleepingWorld([body], [GroundPlane([body])])
-    run(world, 60)
-    assert body in world.asleep
-    return body, world
-
-
 def scene(kind: type[ParticleWorld]) -> tuple[list[Particle], ParticleWorld]:
     """Return five balls that drop to the ground, two of them on a rod and one on a spring."""
     bodies = [ball(2.0 * i, 0.5 + 0.3 * i, 0.5 + i) for i in range(5)]
@@ -50,20 +40,6 @@ def scene(kind: type[ParticleWorld]) -> tuple[list[Particle], ParticleWorld]:
     return bodies, world
 
 
-def test_what_sleeps_rests_where_it_would_rest_awake() -> None:
-    ends = []
-    for kind in (ParticleWorld, SleepingWorld):
-        bodies, world = scene(kind)
-        run(world, 900)
-        ends.append([tuple(body.position) for body in bodies])
-        if isinstance(world, SleepingWorld):
-            assert len(world.asleep) == 5
-            assert all(body.velocity == Vector3() for body in bodies)
-    for awake, asleep in zip(*ends, strict=True):
-        # A slow particle may have 0.03 m/s and stop up to two frames or a small swing early.
-        assert asleep == pytest.approx(awake, abs=0.01)
-
-
 def test_before_anything_sleeps_both_worlds_are_the_same() -> None:
     ends = []
     for kind in (ParticleWorld, SleepingWorld):
@@ -71,18 +47,6 @@ def test_before_anything_sleeps_both_worlds_are_the_same() -> None:
         run(world, 25)  # fewer frames than sleep_frames
         ends.append([x for body in bodies for x in (*body.position, *body.velocity)])
     assert ends[0] == ends[1]
-
-
-def test_only_what_has_been_slow_for_all_of_its_frames_sleeps() -> None:
-    """A v^2 / 2 of 0.015 J/kg is 0.1732 m/s."""
-    for speed, sleeps in ((0.1731, True), (0.1733, False)):
-        body = Particle(velocity=Vector3(speed))
-        world = SleepingWorld([body], sleep_frames=30)
-        run(world, 29)
-        assert world.asleep == {}
-        run(world, 1)
-        assert (body in world.asleep) == sleeps
-        assert body.has_finite_mass != sleeps
 
 
 @pytest.mark.parametrize("mass", [0.01, 1.0, 100.0])
@@ -96,55 +60,6 @@ def test_a_ball_does_not_fall_asleep_at_its_highest_point(mass: float) -> None:
 
 
 # Causes that wake a particle
-
-
-@pytest.mark.parametrize(
-    ("move", "speed"),
-    [
-        (lambda body: setattr(body, "velocity", Vector3(0.0, 3.0)), 3.0 - G * FRAME),
-        (lambda body: setattr(body, "position", Vector3(0.0, 1.0)), -G * FRAME),
-        (lambda body: setattr(body.position, "y", 1.0), -G * FRAME),
-        (lambda body: setattr(body, "mass", 2.0), 0.0),
-    ],
-)
-def test_a_hand_wakes_in_the_same_frame(move: Callable[[Particle], None], speed: float) -> None:
-    """A flying particle falls in its first frame, and a particle on the ground is stopped by it."""
-    body, world = at_rest()
-    move(body)
-    mass = body.mass
-    world.step(FRAME)
-    assert body not in world.asleep
-    assert body.velocity.y == pytest.approx(speed, abs=1e-15)
-    assert body.mass == (2.0 if mass == 2.0 else 1.0)
-
-
-def test_a_force_by_hand_wakes_and_accelerates() -> None:
-    body, world = at_rest(2.0)
-    world.start_frame()
-    body.add_force(Vector3(0.0, 2.0 * (G + 6.0)))
-    world.run_physics(FRAME)
-    assert body.velocity.y == pytest.approx(6.0 * FRAME, rel=1e-12)
-    assert body not in world.asleep
-
-
-def test_a_generator_that_is_added_or_changed_later_wakes_within_its_frames() -> None:
-    body, world = at_rest()
-    wind = Gravity(Vector3(3.0))
-    world.registry.add(body, wind)
-    run(world, LOOK_EVERY)
-    assert body not in world.asleep
-    assert body.velocity.x > 0.0
-    body.velocity.clear()
-    world.registry.remove(body, wind)
-    run(world, 60)
-    assert body in world.asleep
-    place = body.position.x
-    weak = Gravity(Vector3(0.005 * G))  # 0.5 % of its weight
-    world.registry.add(body, weak)
-    run(world, 3 * LOOK_EVERY)
-    assert body in world.asleep
-    assert body.position.x == place
-    assert body.force_accumulator == Vector3()
 
 
 def test_a_generator_that_is_taken_away_wakes() -> None:
@@ -184,31 +99,6 @@ def test_a_hit_goes_through_a_row_that_sleeps() -> None:
     assert bullet.velocity.x == pytest.approx(0.0, abs=1e-12)
     assert row[-1].velocity.x == pytest.approx(4.0, rel=1e-12)
     assert math.fsum(p.velocity.x for p in bodies) == pytest.approx(4.0, rel=1e-12)
-
-
-def test_what_touches_a_restless_one_stays_awake() -> None:
-    """A pendulum swings on a rod from a body of 1000 kg, which stays slow all the time."""
-    heavy, bob = ball(0.0, 0.0, 1000.0), ball(0.6, 0.8)
-    world = SleepingWorld([heavy, bob], [GroundPlane([heavy]), TwoSidedRod(heavy, bob, 1.0)])
-    bob.acceleration = Vector3(G)
-    for _ in range(120):
-        world.step(FRAME)
-        assert heavy not in world.asleep
-
-
-def test_what_sleeps_is_asked_for_no_force_but_now_and_then() -> None:
-    calls = []
-
-    class Counting(Gravity):
-        def update_force(self, particle: Particle, duration: float) -> None:
-            calls.append(particle)
-            super().update_force(particle, duration)
-
-    body, world = at_rest()
-    world.registry.add(body, Counting(Vector3(0.0, -0.001)))
-    run(world, 100 * LOOK_EVERY)
-    assert len(calls) == 100
-    assert body in world.asleep
 
 
 def test_an_immovable_particle_neither_sleeps_nor_wakes_what_lies_on_it() -> None:

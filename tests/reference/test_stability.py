@@ -179,8 +179,7 @@ def test_the_worked_out_limit_is_where_an_eigenvalue_of_the_book_s_step_passes_1
 
 
 @pytest.mark.parametrize(
-    ("step", "d"),
-    [(explicit_euler, 0.9), (explicit_euler, 0.5), (semi_implicit_euler, 0.9)],
+    ("step", "d"), [(explicit_euler, 0.9), (explicit_euler, 0.5), (semi_implicit_euler, 0.9)]
 )
 def test_the_measured_limit_is_the_known_one_to_a_hundredth(step: Integrator, d: float) -> None:
     assert largest_stable_stiffness(step, d, FRAME) == pytest.approx(

@@ -25,12 +25,12 @@ from autograder.message import ExpectationError, Message
 # 1e-16 of the numbers involved. A limit a thousand times as large still catches a wrong formula.
 ROUNDING = 1e-13
 NAN = (
-    "A NaN got past the check of the argument. Every comparison with NaN is False, so x <= 0 does "
-    "not catch it. Test for what you want, such as 0.0 < x < math.inf, or use the functions in "
+    "A NaN passed the check of the argument. Every comparison with NaN is False, so x <= 0 does "
+    "not catch NaN. Test for the valid range, such as 0.0 < x < math.inf, or use the functions in "
     "arguments.py."
 )
-UNCHANGED = "The call changed a value that it should only read. Work on a copy or on numbers."
-LOST = "v did not change. Assign to self.x, self.y and self.z. A new vector would be lost."
+UNCHANGED = "The call changed a value that it should only read. Work on a copy or on plain numbers."
+LOST = "v did not change. Assign to self.x, self.y and self.z, because a new vector would be lost."
 
 
 class NoVector:
@@ -212,7 +212,7 @@ def expect_same_object(made: str, step: str, v: Any, before: Any) -> None:
     about(
         f"{made}; w = v; {step}; w.x = 99.0; v.x",
         cause="v and w were the same vector, and now they are two. Change self.x, self.y and "
-        "self.z, and end with return self. Do not make a new vector.",
+        "self.z, and end with return self, instead of creating a new vector.",
     )
     expect_close(v.x, 99.0)
 
@@ -301,14 +301,17 @@ def _complain(
     other = ""
     if got == "None":
         nothing = (
-            "Nothing came back from the call. Is a return statement missing, or does this method "
-            "work in place?"
+            "The call returned None. Is a return statement missing, or does this method work in "
+            "place?"
         )
         cause, other = nothing, cause
     if re.search(r"\bNotImplemented\b(?!Error)", got):
         cause, other = NOT_IMPLEMENTED, ""
     if "bound method" in got:
-        cause, other = "A method is named but not called. Add parentheses after its name.", ""
+        cause, other = (
+            ("The result is a method that was not called. Add parentheses after its name."),
+            "",
+        )
     raise ExpectationError(
         Message(
             called=call,

@@ -151,10 +151,7 @@ def draw_slight_turn(rng: Random) -> Nine:
 
 
 def named(
-    got: Any,
-    cause: str,
-    slips: Mapping[str, float | Sequence[float]],
-    wanted: Sequence[float] = (),
+    got: Any, cause: str, slips: Mapping[str, float | Sequence[float]], wanted: Sequence[float] = ()
 ) -> str:
     """Return the cause, after the slip that gives the numbers in got, as expect.named does.
 

@@ -29,7 +29,7 @@ from studies.benchmarks import (
     vectors,
 )
 from studies.benchmarks.kept import kept, pages, with_quotations
-from studies.drag_flight import PROJECTILE, make_particle
+from studies.runs.drag_flight import PROJECTILE, make_particle
 from studies.timing import Measurement, Target
 
 
@@ -220,7 +220,7 @@ def test_a_peer_that_is_not_there_is_named(subject: Any, monkeypatch: pytest.Mon
     screen = io.StringIO()
     lines = subject.lines(Console(file=screen))
     assert [line.what for line in lines if "geometric mean" in line.what] == []
-    assert "-m pip install -r studies/peers.txt" in screen.getvalue()
+    assert "-m pip install -r studies/benchmarks/peers.txt" in screen.getvalue()
 
 
 @pytest.mark.parametrize("subject", [vectors, rotations])
@@ -315,3 +315,4 @@ def test_what_a_chain_is_compared_with_hangs_from_the_same_place() -> None:
     off = [math.dist(constraints.by_pymunk(rate), ours) for rate in (960, 3840)]
     assert off[1] == pytest.approx(0.25 * off[0], rel=0.3)  # order 1, apart from our own error
     assert off[1] < 2e-3
+    assert constraints.by_direct_net(constraints.RATE) == pytest.approx(ours, abs=1e-5)

@@ -13,12 +13,12 @@ from scipy.integrate import solve_ivp
 
 from ch07_constraints.angle_pendulum import AnglePendulum
 from studies import charts, choose
-from studies.accuracy import impacts
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.chart import styles_of, told, told_ratio
 from studies.accuracy.measure import Measured, Point, load, save
 from studies.accuracy.results import front, stalls, table, time_to
 from studies.accuracy.scene import RATE, Model, Outcome, Scene
+from studies.accuracy.scenes import impacts
 from studies.drawing import COLORS, slope
 
 SCENES = {scene.name: scene for scene in scenes_with("")}
@@ -285,9 +285,7 @@ def test_charts_are_drawn_and_a_run_goes_on_where_it_was(
     assert (tmp_path / "measured.json").read_bytes() == first
 
 
-def test_a_scene_that_is_not_there_is_refused_by_name(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_a_scene_that_is_not_there_is_refused_by_name(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit):
         charts.main(["--scene", "a cat"])
     assert "must be a part of a scene's name, got 'a cat': projectile" in capsys.readouterr().err

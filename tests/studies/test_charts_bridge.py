@@ -16,8 +16,8 @@ from scipy.optimize import minimize
 from ch07_constraints.links import AnchoredCable, Rod
 from ch08_mass_aggregate.bridge import links_of
 from ch08_mass_aggregate.bridge_plan import make_rows
-from studies.accuracy import bridge
 from studies.accuracy.catalog import scenes_with
+from studies.accuracy.scenes import bridge
 from studies.drawing import slope
 
 G = 9.81

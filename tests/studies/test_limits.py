@@ -10,8 +10,9 @@ import pytest
 from matplotlib import pyplot
 from matplotlib.figure import Figure
 
-from studies import limit_maps, limit_search, limits
-from studies.limit_search import Bound, drag_factor, energy_drifts, growth_at
+from studies import limits
+from studies.limits import maps, search
+from studies.limits.search import Bound, drag_factor, energy_drifts, growth_at
 
 SPRINGS = {
     ("explicit Euler", "d^h = 1"): 0.0,
@@ -50,7 +51,7 @@ AT_HALF = (1.0, 6.0, 6.0, 4.0, 8.8351743, None, None, 2.0 * (1.0 + math.exp(0.5)
 
 @pytest.fixture(scope="module")
 def springs() -> dict[tuple[str, str], Bound]:
-    return {row[:2]: row for row in limit_search.spring_limits()}
+    return {row[:2]: row for row in search.spring_limits()}
 
 
 def test_limits_of_springs_are_found_within_a_millionth_of_theory(
@@ -78,12 +79,12 @@ def test_just_inside_nothing_grows_and_just_outside_it_does(
 
 
 def test_a_ground_throws_what_lies_on_it_beyond_4_alone() -> None:
-    assert not limit_search.thrown(0.98 * 4.0)
-    assert 41 <= limit_search.thrown(1.02 * 4.0) <= 199
+    assert not search.thrown(0.98 * 4.0)
+    assert 41 <= search.thrown(1.02 * 4.0) <= 199
 
 
 def test_limits_of_drag_are_those_of_theory() -> None:
-    found = {row[:2]: row[2:4] for row in limit_search.drag_limits()}
+    found = {row[:2]: row[2:4] for row in search.drag_limits()}
     assert len(found) == 2 * len(DRAGS)
     for name, known in DRAGS.items():
         for at, wanted in zip(("growth", "reversal"), known, strict=True):
@@ -134,7 +135,7 @@ def test_a_simulation_is_lost_when_the_eigenvalue_says(
     # eigenvector of -r, whose position is 1.
     rate = math.log(1.04 + math.sqrt(1.04**2 - 1.0))
     predicted = math.log(1e6) / rate
-    rest, evenly = limit_maps.steps_to_loss(name, damping, 4.08, predicted)
+    rest, evenly = maps.steps_to_loss(name, damping, 4.08, predicted)
     # The number of steps is a whole number.
     assert evenly == pytest.approx(predicted, abs=1.0)
     assert predicted <= rest + math.log(share) / rate <= predicted + 1.01
@@ -144,13 +145,13 @@ def test_explicit_euler_is_lost_slowly() -> None:
     # Half of the speed is kept, so the determinant is (1 + 1.02) / 2. The size of an oscillation
     # varies within a period, so that the number of steps is slightly larger or smaller.
     predicted = math.log(1e6) / (0.5 * math.log(1.01))
-    rest, evenly = limit_maps.steps_to_loss("explicit Euler", 0.5, 1.02, predicted)
+    rest, evenly = maps.steps_to_loss("explicit Euler", 0.5, 1.02, predicted)
     assert (rest, evenly) == pytest.approx((predicted, predicted), rel=0.01)
 
 
 def test_energies_after_many_swings_are_those_of_theory() -> None:
     drifts = energy_drifts([1, 100, 10_000])
-    kappa = limit_search.STIFFNESS * limit_search.FRAME**2
+    kappa = search.STIFFNESS * search.FRAME**2
     for place, swings in enumerate((1, 100, 10_000)):
         steps = swings * 2.0 * math.pi / math.sqrt(kappa)
         # The fourth-order series of e^(i x) has the squared size 1 - x^6 / 72 + x^8 / 576.
@@ -176,9 +177,9 @@ def test_the_command_prints_writes_and_draws(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(limits, "SWINGS", [1, 10])
-    monkeypatch.setattr(limit_maps, "BEYOND", (0.02, 0.1))
+    monkeypatch.setattr(maps, "BEYOND", (0.02, 0.1))
     figures: list[Figure] = []
-    monkeypatch.setattr(limit_maps, "KAPPAS", limit_maps.KAPPAS[::8])
+    monkeypatch.setattr(maps, "KAPPAS", maps.KAPPAS[::8])
     monkeypatch.setattr(pyplot, "close", figures.append)
     assert limits.main(["--out", str(tmp_path / "limits.csv")]) == 0
     told = capsys.readouterr().out
@@ -190,10 +191,10 @@ def test_the_command_prints_writes_and_draws(
     assert len(rows) == (1 + 23) + (1 + 20) + (1 + 7) + (1 + 7 * 2)
     drag = [row for row in rows if row[:2] == ["trapezoidal rule", "reversal"]]
     assert [float(cell) for cell in drag[0][2:4]] == pytest.approx([2.0, 2.0])
-    maps, curves = figures
+    grown, curves = figures
     assert (tmp_path / "limits.png").exists()
     assert (tmp_path / "limits_divergence.png").exists()
-    for axes, wanted in zip(maps.axes, AT_HALF, strict=False):
+    for axes, wanted in zip(grown.axes, AT_HALF, strict=False):
         assert len(axes.collections) == 1, "a map of colors"
         if wanted is None:
             assert not axes.lines
@@ -211,10 +212,10 @@ def test_a_limit_off_its_theory_is_a_failure(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(limits, "SWINGS", [1])
-    monkeypatch.setattr(limit_maps, "divergence", lambda: [("explicit Euler", 0.5, 0.02, 9, 9, 9)])
-    monkeypatch.setattr(limit_maps, "draw_maps", lambda *_: None)
-    monkeypatch.setattr(limit_maps, "draw_divergence", lambda *_: None)
-    monkeypatch.setattr(limit_search, "drag_limits", list)
+    monkeypatch.setattr(maps, "divergence", lambda: [("explicit Euler", 0.5, 0.02, 9, 9, 9)])
+    monkeypatch.setattr(maps, "draw_maps", lambda *_: None)
+    monkeypatch.setattr(maps, "draw_divergence", lambda *_: None)
+    monkeypatch.setattr(search, "drag_limits", list)
     for found, theory, status in (
         (3.81, 4.0, 0),
         (3.79, 4.0, 1),
@@ -223,7 +224,7 @@ def test_a_limit_off_its_theory_is_a_failure(
         (0.01, 0.0, 1),
     ):
         row = Bound("a", "b", found, theory, 9.0)
-        monkeypatch.setattr(limit_search, "spring_limits", lambda row=row: [row])
+        monkeypatch.setattr(search, "spring_limits", lambda row=row: [row])
         assert limits.main(["--out", str(tmp_path / "limits.csv")]) == status
         told = capsys.readouterr().out
         assert ("differs from theory by more than 5 %: a, b" in told) == status

@@ -8,9 +8,7 @@ from pathlib import Path
 import pytest
 
 import drawn_plots
-from autograder.manifest import ROOT
-from copies import copy_tree
-from made import made_stubs
+from drawn_plots import engine_with, plot_of_stubs
 
 CHAPTER = "ch07_constraints"
 PLOTS = 8
@@ -18,15 +16,6 @@ PLOTS = 8
 
 def table(out: Path, name: str) -> list[list[str]]:
     return drawn_plots.table(out, name, CHAPTER)[1:]
-
-
-def copied(tmp_path: Path, wrong: dict[str, str]) -> Path:
-    """Return a copy of the reference with a line appended to some modules of the chapter."""
-    copy_tree(ROOT / "solutions", tmp_path / "engine")
-    for module, line in wrong.items():
-        with (tmp_path / "engine" / CHAPTER / module).open("a", encoding="utf-8") as file:
-            file.write(f"\n\n{line}\n")
-    return tmp_path / "engine"
 
 
 def test_bounces_end_when_theory_says(reference: Path) -> None:
@@ -131,21 +120,15 @@ def test_the_table_of_drops_is_the_reference_s(reference: Path) -> None:
 
 
 def test_stubs_are_said(tmp_path: Path) -> None:
-    copy_tree(ROOT / "solutions", tmp_path / "engine")
-    for path, text in made_stubs().items():
-        _, chapter, name = path.split("/")
-        if chapter == CHAPTER:
-            (tmp_path / "engine" / chapter / name).write_text(text, encoding="utf-8")
-    done = drawn_plots.plot(tmp_path / "engine", tmp_path, "7")
-    assert done.returncode == 1
+    printed = plot_of_stubs(CHAPTER, tmp_path)
     # The direct solve is given, so a rope and a pendulum are drawn with it.
-    assert done.stdout.count("not drawn, not written yet: Exercise ") == PLOTS - 2, done.stdout
+    assert printed.count("not drawn, not written yet: Exercise ") == PLOTS - 2, printed
     assert (tmp_path / CHAPTER / "rope_by_method.png").exists()
     assert (tmp_path / CHAPTER / "pendulum_energy.png").exists()
 
 
 def test_without_drops_of_one_s_own_the_sample_is_drawn(tmp_path: Path) -> None:
-    engine = copied(tmp_path, {})
+    engine = engine_with(CHAPTER, {}, tmp_path)
     (engine / CHAPTER / "drops.csv").write_text(
         "material,initial_height,bounce_height\n", encoding="utf-8"
     )
@@ -174,6 +157,6 @@ def test_without_drops_of_one_s_own_the_sample_is_drawn(tmp_path: Path) -> None:
     ],
 )
 def test_a_wrong_engine_gives_pictures_all_the_same(wrong: dict[str, str], tmp_path: Path) -> None:
-    done = drawn_plots.plot(copied(tmp_path, wrong), tmp_path, "7")
+    done = drawn_plots.plot(engine_with(CHAPTER, wrong, tmp_path), tmp_path, "7")
     assert done.returncode == 0, done.stdout + done.stderr
     assert not done.stderr

@@ -10,9 +10,7 @@ from pathlib import Path
 import pytest
 
 import drawn_plots
-from autograder.manifest import ROOT
-from copies import copy_tree
-from made import made_stubs
+from drawn_plots import engine_with, plot_of_stubs
 from studies.readings import dot
 
 CHAPTER = "ch09_rotations"
@@ -21,15 +19,6 @@ PLOTS = 5
 
 def table(out: Path, name: str) -> list[list[str]]:
     return drawn_plots.table(out, name, CHAPTER)[1:]
-
-
-def copied(tmp_path: Path, wrong: dict[str, str]) -> Path:
-    """Return a copy of the reference with lines appended to some modules of the chapter."""
-    copy_tree(ROOT / "solutions", tmp_path / "engine")
-    for module, lines in wrong.items():
-        with (tmp_path / "engine" / CHAPTER / module).open("a", encoding="utf-8") as file:
-            file.write(f"\n\n{lines}\n")
-    return tmp_path / "engine"
 
 
 def errors(out: Path) -> dict[str, list[float]]:
@@ -151,14 +140,8 @@ def test_the_box_balances_on_unequal_masses(reference: Path) -> None:
 
 
 def test_stubs_are_said(tmp_path: Path) -> None:
-    copy_tree(ROOT / "solutions", tmp_path / "engine")
-    for path, text in made_stubs().items():
-        _, chapter, name = path.split("/")
-        if chapter == CHAPTER:
-            (tmp_path / "engine" / chapter / name).write_text(text, encoding="utf-8")
-    done = drawn_plots.plot(tmp_path / "engine", tmp_path, "9")
-    assert done.returncode == 1
-    assert done.stdout.count("not drawn, not written yet: Exercise ") == PLOTS, done.stdout
+    printed = plot_of_stubs(CHAPTER, tmp_path)
+    assert printed.count("not drawn, not written yet: Exercise ") == PLOTS, printed
 
 
 def test_what_is_not_written_is_left_out(tmp_path: Path) -> None:
@@ -169,7 +152,7 @@ def test_what_is_not_written_is_left_out(tmp_path: Path) -> None:
         "euler.py": f"def euler_rates(*_):\n{stub}",
         "angular.py": f"def first_order_drift(*_):\n{stub}",
     }
-    done = drawn_plots.plot(copied(tmp_path, wrong), tmp_path, "9")
+    done = drawn_plots.plot(engine_with(CHAPTER, wrong, tmp_path), tmp_path, "9")
     assert done.stdout.count("not drawn") == 1, done.stdout
     assert "turning_motion: not drawn, not written yet: Exercise B9.0" in done.stdout
     assert [*ends(tmp_path)] == [("XY", "quaternions"), ("YX", "quaternions")]
@@ -185,15 +168,12 @@ def test_what_is_not_written_is_left_out(tmp_path: Path) -> None:
     ("text", "message"),
     [
         ("what,mass,x,y\n", "there are no stones in stones.csv: weigh some"),
-        (
-            "what,mass,x,y\nslate,0.2,0.1\n",
-            "stones.csv, line 2 must be a name, a positive mass",
-        ),
+        ("what,mass,x,y\nslate,0.2,0.1\n", "stones.csv, line 2 must be a name, a positive mass"),
         ("", "stones.csv: line 1 must be what,mass,x,y"),
     ],
 )
 def test_without_stones_the_plot_says_so(text: str, message: str, tmp_path: Path) -> None:
-    engine = copied(tmp_path, {})
+    engine = engine_with(CHAPTER, {}, tmp_path)
     (engine / CHAPTER / "stones.csv").write_text(text, encoding="utf-8")
     done = drawn_plots.plot(engine, tmp_path, "9")
     assert done.returncode == 1
@@ -215,7 +195,7 @@ Quaternion.add_scaled = _add_scaled""",
 _right = Matrix3.from_quaternion
 Matrix3.from_quaternion = staticmethod(lambda q: _right(q).transpose())""",
     }
-    done = drawn_plots.plot(copied(tmp_path, wrong), tmp_path, "9")
+    done = drawn_plots.plot(engine_with(CHAPTER, wrong, tmp_path), tmp_path, "9")
     assert done.returncode == 0, done.stdout
     for way, off in errors(tmp_path).items():
         assert (off[-1] > 10.0) == ("Eq. 9.5" in way), way
@@ -228,13 +208,7 @@ Matrix3.from_quaternion = staticmethod(lambda q: _right(q).transpose())""",
 @pytest.mark.parametrize("result", ["None", "float('nan')", "(float('nan'), float('inf'))"])
 def test_an_engine_of_nonsense_gives_pictures_all_the_same(result: str, tmp_path: Path) -> None:
     nothing = f"lambda *_: {result}"
-    of_quaternion = (
-        "rotate",
-        "rotate_by",
-        "add_scaled",
-        "normalize",
-        "__mul__",
-    )
+    of_quaternion = ("rotate", "rotate_by", "add_scaled", "normalize", "__mul__")
     made = f"Quaternion.from_axis_angle = staticmethod({nothing})\n"
     wrong = {
         "quaternion.py": made + "\n".join(f"Quaternion.{n} = {nothing}" for n in of_quaternion),
@@ -243,7 +217,7 @@ def test_an_engine_of_nonsense_gives_pictures_all_the_same(result: str, tmp_path
         "angular.py": f"integrate_rotation = first_order_drift = {nothing}",
         "exercises.py": f"balance_offset = masses_beside = {nothing}",
     }
-    done = drawn_plots.plot(copied(tmp_path, wrong), tmp_path, "9")
+    done = drawn_plots.plot(engine_with(CHAPTER, wrong, tmp_path), tmp_path, "9")
     assert done.returncode == 0, done.stdout + done.stderr
     assert not done.stderr
 
@@ -257,6 +231,6 @@ def _refuse(*_):
 
 Quaternion.rotate = Quaternion.add_scaled = Quaternion.rotate_by = _refuse"""
     }
-    done = drawn_plots.plot(copied(tmp_path, wrong), tmp_path, "9")
+    done = drawn_plots.plot(engine_with(CHAPTER, wrong, tmp_path), tmp_path, "9")
     assert done.returncode == 0, done.stdout + done.stderr
     assert all(math.isnan(value) for off in errors(tmp_path).values() for value in off)

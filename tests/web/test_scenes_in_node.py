@@ -99,9 +99,7 @@ def test_links_have_engines_of_their_own(engines: NodeEngines) -> None:
     assert right_later["time"] > right["time"]
 
 
-def test_an_endless_loop_ends_the_worker_and_other_scenes_begin_again(
-    engines: NodeEngines,
-) -> None:
+def test_an_endless_loop_ends_the_worker_and_other_scenes_begin_again(engines: NodeEngines) -> None:
     assert load(engines, 1, "spring-bridge")[-1]["kind"] == "frame"
     start = "    def update_force(self, particle: Particle, duration: float) -> None:\n"
     assert start in RIGHT[SPRINGS]

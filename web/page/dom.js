@@ -15,6 +15,9 @@ export function button(words, onclick, properties = {}) {
   return el("button", {type: "button", onclick, ...properties}, words);
 }
 
+// Turn words with `code` in backticks into elements.
+export const marked = (words) => words.split(/`([^`]+)`/).map((part, i) => (i % 2 ? el("code", {}, part) : part));
+
 // Return the address of a file of the site. All pages are in one folder.
 export const site = (file) => new URL(file, document.baseURI).href;
 

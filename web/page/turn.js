@@ -3,7 +3,7 @@
 import {functionsOf, namesIn} from "./bodies.js";
 import {check, showTrouble} from "./checking.js";
 import {chapterOf} from "./course.js";
-import {button, el, whenNear} from "./dom.js";
+import {button, el, marked, whenNear} from "./dom.js";
 import {warmUp} from "./python.js";
 import {reset} from "./reset.js";
 import {isStale, results} from "./results.js";
@@ -119,7 +119,7 @@ class Turn {
   async hint() {
     await this.mounted();
     const {hints} = this.exercise;
-    if (this.hints < hints.length) this.list.append(el("li", {}, hints[this.hints++]));
+    if (this.hints < hints.length) this.list.append(el("li", {}, marked(hints[this.hints++])));
     const left = hints.length - this.hints;
     this.hinting.textContent = left ? `Next hint (${left} more)` : "No more hints";
     this.hinting.setAttribute("aria-disabled", String(!left));

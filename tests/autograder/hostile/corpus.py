@@ -6,7 +6,8 @@ Most are a file KIND/NAME.py, handed in as sums.py. Its docstring says what it t
     says: words that must stand in the messages of the checks it loses (may be left out)
 
 add, Counter and total_of may be left out where nothing about them is special: they are added at the
-end, solved where the exercise is earned and idle where it is not.
+end, solved where the exercise is earned and idle where it is not. Idle code returns what the file
+calls RIGHT, or the result of its attack(), or None if it has neither.
 
 A word such as @ROOT@ stands for a place that an attacker may well know. Many attacks end in a right
 answer only where they succeed: the score then tells. What is no source comes from odd_files.py
@@ -173,7 +174,10 @@ def completed(source: str, earns: frozenset[str]) -> str:
     defined = {getattr(node, "name", "") for node in ast.parse(source).body}
     missing = DEFINITIONS.keys() - defined
     solved = {name for name in missing if EXERCISES[DEFINITIONS[name]] in earns}
-    return source + _only(RIGHT, solved) + _only(IDLE, missing - solved)
+    answers = {"\nRIGHT = ": "RIGHT", "\ndef attack():": "attack()"}
+    answer = next((answers[words] for words in answers if words in source), "None")
+    idle = IDLE.replace("None", answer)
+    return source + _only(RIGHT, solved) + _only(idle, missing - solved)
 
 
 def _only(source: str, names: set[str]) -> str:
@@ -195,10 +199,28 @@ def with_places(text: str, world: World) -> str:
         "RUN": world.run,
         "LINE": _line(world.root / "solutions/ch90_sums/sums.py"),
         "CHECKLINE": _line(world.root / "tests/ch90_sums/test_sums.py"),
+        "VERDICTS": _verdicts(),
     }
     for name, place in places.items():
         text = text.replace(f"@{name}@", str(place))
     return text
+
+
+def _verdicts() -> str:
+    """Return the events of a run that passes, escaped for a literal in double quotes."""
+    checks = (
+        "test_add_gives_the_sum",
+        "test_a_counter_steps_and_adds",
+        "test_the_total_of_a_function",
+    )
+    named = zip(checks, EXERCISES.values(), strict=True)
+    listed = [{"name": name, "exercise": exercise, "weight": 1} for name, exercise in named]
+    events: list[dict[str, Any]] = [{"event": "checks", "checks": listed}]
+    for name in checks:
+        events.append({"event": "start", "name": name})
+        events.append({"event": "verdict", "name": name, "status": "passed", "message": ""})
+    text = "".join(json.dumps(event) + "\n" for event in [*events, {"event": "end"}])
+    return json.dumps(text)[1:-1]
 
 
 def _line(path: Path) -> int:

@@ -54,10 +54,7 @@ def zip_cut(at: Path, world: World) -> None:  # noqa: ARG001
 @odd("A zip in which a small file becomes 200 megabytes.", "nothing")
 def zip_bomb(at: Path, world: World) -> None:  # noqa: ARG001
     path = at.with_name(at.name + ".zip")
-    with (
-        zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as file,
-        file.open(SUMS, "w") as entry,
-    ):
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as file, file.open(SUMS, "w") as entry:
         for _ in range(200):
             entry.write(b"\n" * 1_000_000)
 

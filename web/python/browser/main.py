@@ -1,4 +1,4 @@
-"""Start Python's side of the worker, and answer its messages one after the other."""
+"""Start Python's part of the worker, and answer the page's messages one after the other."""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
 """Continue a run that another worker has begun, by first repeating what that worker reported.
 
-The page has to end a worker whose check does not end. It keeps that worker's reports. A new worker
-starts from the beginning, but does not run again the checks whose results are known.
+If a check does not end, the page has to end its worker, but keeps the worker's reports. A new
+worker starts from the beginning. It repeats the known results instead of running their checks
+again.
 """
 
 from __future__ import annotations

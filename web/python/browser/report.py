@@ -1,4 +1,4 @@
-"""Turn the results of checks into plain data for the page, in the words of make check."""
+"""Convert the results of checks into plain data for the page, in the words of make check."""
 
 from __future__ import annotations
 

@@ -1,9 +1,10 @@
 """Interrupt student code when its time is up, in the only thread that a worker has.
 
 No other thread and no alarm can interrupt this thread. But thousands of times per second, Python
-asks the worker whether a signal has arrived. When the time is up, the worker answers with SIGALRM,
-and Python calls ``Watchdog.hear`` in the middle of whatever the code is doing. The page then ends
-the worker. A loop inside a C function such as sum never asks, so the page ends it a second later.
+checks whether the worker has sent a signal. When the time is up, the worker sends SIGALRM, and
+Python calls ``Watchdog.hear`` at the current line of the student's code. The page then ends the
+worker. A loop inside a C function such as sum never checks for signals, so the page ends its worker
+a second later.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ class Watchdog:
         stop_clock()
 
     def hear(self, _: int, frame: FrameType | None) -> None:
-        """Report to the page where the code is, and wait until the page ends the worker."""
+        """Report the current line of the code to the page, and wait to be ended by the page."""
         stack = stack_of(frame)
         post("hung", stack=stack, **self.explain(stack))
         while True:

@@ -17,25 +17,4 @@ def attack():
                 if getattr(thing, "__name__", "").startswith("expect_"):
                     thing.__kwdefaults__ = None
                     thing.__code__ = nothing.__code__
-
-
-def add(a, b):
-    attack()
-    return 1.0
-
-
-class Counter:
-    def __init__(self, count):
-        attack()
-        self.count = 1.0
-
-    def step(self, by):
-        pass
-
-    def __add__(self, other):
-        return self
-
-
-def total_of(f, n):
-    attack()
     return 1.0

@@ -3,7 +3,7 @@
 earns: nothing
 """
 
-RIGHT = """
+SOLVED = """
 def add(a, b):
     return a + b
 
@@ -26,20 +26,9 @@ def total_of(f, n):
 """
 
 
-class Counter:
-    def __init__(self, count):
-        self.count = None
-
-    def step(self, by):
-        pass
-
-    def __add__(self, other):
-        return self
-
-
 for path in (__file__, "@CLASS@/writing-its_own_copy/ch90_sums/sums.py"):
     try:
         with open(path, "w") as file:
-            file.write(RIGHT)
+            file.write(SOLVED)
     except OSError:
         pass

@@ -1,0 +1,57 @@
+"""The work that a command is about: an assignment of the course file, or chapters by number."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from autograder.course.mistakes import nearest
+from autograder.course.model import Work
+from autograder.course.reading import read_course
+from autograder.manifest import select_chapters, split_given
+
+DEFAULT = Path("course.toml")
+NOT_WITH_ASSIGNMENT = ("chapters", "given", "checks")  # the course file says them
+
+
+def add_options(command: argparse.ArgumentParser) -> None:
+    """Add the options that name an assignment."""
+    command.add_argument("--assignment", help="an assignment of the course file, such as lab1")
+    command.add_argument("--course", type=Path, default=DEFAULT, help="default: course.toml")
+
+
+def work_of(arguments: argparse.Namespace, *, handed_out: bool = False) -> Work:
+    """Return the work that the options name.
+
+    If work is ``handed_out``, given chapters come with it, so they are not among its chapters.
+
+    Raises:
+        ValueError: The course file has mistakes, or the options do not fit together.
+    """
+    if arguments.assignment is not None:
+        return _assigned(arguments)
+    if arguments.course != DEFAULT:
+        raise ValueError("--course needs an assignment too, such as --assignment lab1")
+    given = getattr(arguments, "given", "")
+    if not handed_out:
+        complete, chapters = split_given(select_chapters(arguments.chapters), given)
+        return Work("", chapters, complete, hidden=getattr(arguments, "checks", None))
+    if not arguments.chapters:
+        raise ValueError("name the chapters, such as 2-3, or an assignment with --assignment")
+    return Work("", select_chapters(arguments.chapters), select_chapters(given) if given else [])
+
+
+def _assigned(arguments: argparse.Namespace) -> Work:
+    for option in NOT_WITH_ASSIGNMENT:
+        if value := getattr(arguments, option, None):
+            raise ValueError(
+                f"with an assignment, {arguments.course} names the {option}: leave out {value}"
+            )
+    assignments = {work.name: work for work in read_course(arguments.course).assignments}
+    if arguments.assignment not in assignments:
+        wanted = nearest(arguments.assignment, assignments)
+        raise ValueError(
+            f"{arguments.course} has no assignment {arguments.assignment!r}. {wanted} "
+            f"It has {', '.join(assignments)}".replace(".  ", ". ")
+        )
+    return assignments[arguments.assignment]

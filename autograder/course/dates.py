@@ -1,0 +1,90 @@
+"""Due dates and time zones: read them, and write them into a zip for another machine."""
+
+from __future__ import annotations
+
+import re
+from datetime import UTC, date, datetime, tzinfo
+from typing import Any
+from zoneinfo import ZoneInfo, available_timezones
+
+from autograder.course.lines import Path
+from autograder.course.mistakes import Mistakes, nearest, shown
+from autograder.course.model import Deadline, LatePolicy
+
+
+def read_zone(name: Any, path: Path, mistakes: Mistakes) -> ZoneInfo | None:
+    """Return the time zone with this name, such as Europe/Berlin."""
+    if isinstance(name, str) and name in available_timezones():
+        return ZoneInfo(name)
+    wanted = nearest(str(name), available_timezones()) or "Names look like Europe/Berlin."
+    mistakes.add(path, f"there is no time zone {shown(name)}. {wanted}")
+    return None
+
+
+def read_time(
+    value: Any, path: Path, zone: tzinfo | None, mistakes: Mistakes, *, is_zone_wrong: bool = False
+) -> datetime | None:
+    """Return a time with a time zone, which is that of the file if the time has no offset."""
+    key = path[-1]
+    example = "2026-10-23T23:59:00+02:00"
+    if type(value) is date:
+        mistakes.add(path, f"{key} has no time of day. Write it like {example}")
+    elif not isinstance(value, datetime):
+        unquoted = " without quotes" if isinstance(value, str) else ""
+        mistakes.add(path, f"{key} must be a time like {example}{unquoted}, got {shown(value)}")
+    elif value.tzinfo is not None:
+        return value.astimezone(zone) if zone else value
+    elif zone is None:
+        if not is_zone_wrong:  # the zone's own mistake is enough
+            mistakes.add(
+                path,
+                f"{key} has no time zone. Add the offset from UTC, as in {value.isoformat()}"
+                '+02:00, or write time_zone = "Europe/Berlin" at the top of the file',
+            )
+    else:
+        time = value.replace(tzinfo=zone, fold=1)  # if the clocks show it twice, the later one
+        if time.astimezone(UTC).astimezone(zone).replace(tzinfo=None) == value:
+            return time
+        mistakes.add(path, f"{key} {value} does not exist: the clocks of {zone} go forward then")
+    return None
+
+
+def parse_time(text: str, zone: tzinfo) -> datetime:
+    """Return the time in a text of ISO 8601, in this zone if the text names none.
+
+    Raises:
+        ValueError: The text is not a time.
+    """
+    time = datetime.fromisoformat(re.sub(r"\s*(UTC|Z)$", "+00:00", text.strip()))
+    return time if time.tzinfo else time.replace(tzinfo=zone, fold=1)
+
+
+def deadline_to_json(deadline: Deadline) -> dict[str, Any]:
+    """Return a deadline as plain data."""
+    return {
+        "due": _to_text(deadline.due),
+        "policy": vars(deadline.policy) if deadline.policy else None,
+        "extensions": {name: _to_text(time) for name, time in deadline.extensions.items()},
+    }
+
+
+def deadline_from_json(data: dict[str, Any]) -> Deadline:
+    """Return the deadline that this plain data describes."""
+    policy = LatePolicy(**data["policy"]) if data["policy"] else None
+    extensions = {name: _from_text(text) for name, text in data["extensions"].items()}
+    return Deadline(_from_text(data["due"]), policy, extensions)
+
+
+def _to_text(time: datetime) -> str:
+    """Return a time with its offset and the name of its zone, if it has one (RFC 9557).
+
+    An example is 2026-10-23T23:59:00+02:00[Europe/Berlin].
+    """
+    name = f"[{time.tzinfo.key}]" if isinstance(time.tzinfo, ZoneInfo) else ""
+    return time.isoformat() + name
+
+
+def _from_text(text: str) -> datetime:
+    stamp, _, name = text.rstrip("]").partition("[")
+    time = datetime.fromisoformat(stamp)
+    return time.astimezone(ZoneInfo(name)) if name else time

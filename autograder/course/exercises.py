@@ -1,0 +1,176 @@
+"""The exercises of an assignment: which ones, for how many points, and what they build on."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from autograder.checks.verdict import needs_of
+from autograder.course.lines import Path
+from autograder.course.mistakes import Mistakes, nearest
+from autograder.course.points import rescaled, scaled_alike
+from autograder.manifest import Chapter, Exercise
+from autograder.scores import possible, shown
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """The chapters of an assignment, with its exercises only, and the given chapters."""
+
+    chapters: list[Chapter]
+    given: list[Chapter]
+    earlier: list[str]
+
+
+class Chooser:
+    """Choose the exercises of one assignment, and note the mistakes in its table.
+
+    ``before`` has the exercises of earlier assignments, on which this one may build.
+    """
+
+    def __init__(
+        self,
+        table: Mapping[str, Any],
+        path: Path,
+        chapters: list[Chapter],
+        before: set[str],
+        mistakes: Mistakes,
+    ) -> None:
+        self.table = table
+        self.path = path
+        self.chapters = chapters
+        self.before = before
+        self.mistakes = mistakes
+        self.home = {e.id: chapter for chapter in chapters for e in chapter.exercises}
+
+    def choose(self) -> Chosen:
+        """Return the exercises. The result is of no use if a mistake was noted."""
+        given = self._chapters("given")
+        listed = self._ids("exercises")
+        extra = self._ids("extra_credit")
+        whole = self._chapters("chapters")
+        for name in (name for name in listed if name in extra):
+            self._wrong("extra_credit", f"{name} is in exercises too. List it once", name)
+        for name in (name for name in listed if self.home[name] in whole):
+            words = f"{name} belongs to chapter {self.home[name].number}, which chapters lists"
+            self._wrong("exercises", words, name)
+        ids = {*listed, *extra, *(e.id for chapter in whole for e in chapter.exercises)}
+        if not ids - {*extra}:
+            wanted = 'exercises = ["B2.1", "2.4"] or chapters = [2]'
+            self.mistakes.add(self.path, f"the assignment has no exercises. Write {wanted}")
+        for chapter in given:
+            if inside := [name for name in self.home if name in ids and self.home[name] == chapter]:
+                words = f"chapter {chapter.number} is given complete, so {inside[0]} cannot be "
+                self._wrong("given", f"{words}assigned")
+        earlier = self._earlier(ids, given)
+        points = self._points(ids, {*extra})
+        return Chosen(
+            [assigned for chapter in self.chapters if (assigned := _only(chapter, points))],
+            given,
+            earlier,
+        )
+
+    def _wrong(self, key: str, words: str, word: str = "") -> None:
+        self.mistakes.add((*self.path, key), words, word)
+
+    def _ids(self, key: str) -> list[str]:
+        """Return the exercises that a key lists, without those that do not exist."""
+        found: list[str] = []
+        for name in self.mistakes.items(self.table, self.path, key, str):
+            if name not in self.home:
+                wanted = nearest(name, self.home) or f"Ids look like {next(iter(self.home))}."
+                self._wrong(key, f"there is no exercise {name!r}. {wanted}", name)
+            elif name in found:
+                self._wrong(key, f"{name} is listed twice", name)
+            else:
+                found.append(name)
+        return found
+
+    def _chapters(self, key: str) -> list[Chapter]:
+        """Return the chapters that a key lists, without those that do not exist."""
+        known = {chapter.number: chapter for chapter in self.chapters}
+        numbers = self.mistakes.items(self.table, self.path, key, int)
+        for number in numbers:
+            if number not in known:
+                there = ", ".join(map(str, known))
+                self._wrong(key, f"there is no chapter {number}. The chapters are {there}")
+        return [chapter for number, chapter in known.items() if number in numbers]
+
+    def _earlier(self, ids: set[str], given: list[Chapter]) -> list[str]:
+        """Return the exercises of earlier assignments on which this one builds."""
+        earlier: set[str] = set()
+        for name in (name for name in self.home if name in ids):
+            chapter = self.home[name]
+            missing = [e for e in chapter.exercise(name).needs if e not in ids | self.before]
+            if missing and chapter not in given:
+                words = f"{name} needs {', '.join(missing)}, which no assignment up to here has"
+                self._wrong(*self._where(name), word=name, words=words)
+            earlier |= (needs_of(chapter, name) - ids) & self.before
+        for chapter in {self.home[name].number: self.home[name] for name in ids}.values():
+            for below in self._below(chapter):
+                if below in given or any(e.id in ids | self.before for e in below.exercises):
+                    continue
+                self.mistakes.add(
+                    self.path,
+                    f"chapter {chapter.number} builds on chapter {below.number}, which is neither "
+                    f"given nor assigned up to here. Add {below.number} to given",
+                )
+        return [name for name in self.home if name in earlier]
+
+    def _below(self, chapter: Chapter) -> list[Chapter]:
+        """Return the earlier chapters on which a chapter builds."""
+        earlier = [other for other in self.chapters if other.number < chapter.number]
+        numbers = chapter.builds_on
+        return [other for other in earlier if numbers is None or other.number in numbers]
+
+    def _where(self, name: str) -> tuple[str]:
+        """Return the key that brings an exercise into the assignment."""
+        lists = {key: self.table.get(key) for key in ("exercises", "extra_credit")}
+        return (
+            next((k for k, v in lists.items() if isinstance(v, list) and name in v), "chapters"),
+        )
+
+    def _points(self, ids: set[str], extra: set[str]) -> dict[str, Exercise]:
+        """Return the exercises with the points of this assignment."""
+        chosen = {
+            name: replace(home.exercise(name), extra=name in extra)
+            for name, home in self.home.items()
+            if name in ids
+        }
+        table = self.mistakes.value(self.table, self.path, "points", dict) or {}
+        for name in table:
+            at = (*self.path, "points")
+            value = self.mistakes.number(table, at, name)
+            if name not in chosen:
+                wanted = nearest(name, chosen)
+                words = (
+                    f"points has {name!r}, which is not an exercise of this assignment. {wanted}"
+                )
+                self.mistakes.add((*at, name), words.strip(), name)
+            elif value is not None:
+                chosen[name] = replace(chosen[name], points=value)
+        return self._rescaled(chosen)
+
+    def _rescaled(self, chosen: dict[str, Exercise]) -> dict[str, Exercise]:
+        """Return the exercises with points that add up to the total of the file, if it has one."""
+        out_of = self.mistakes.number(self.table, self.path, "out_of")
+        total = self.mistakes.number(self.table, self.path, "total")
+        now = possible(chosen.values())
+        if total is not None and out_of is not None:
+            self._wrong(
+                "total", "total checks the sum of the points, and out_of changes it. Keep one"
+            )
+        elif total is not None and now and abs(total - now) > 0.005:
+            self._wrong("total", f"the points add up to {shown(now)}, not to {shown(total)}")
+        if out_of is None or not now:
+            return chosen
+        new = rescaled({e.id: e.points for e in chosen.values() if not e.extra}, out_of)
+        new |= {e.id: scaled_alike(e.points, out_of, now) for e in chosen.values() if e.extra}
+        return {name: replace(e, points=new[name]) for name, e in chosen.items()}
+
+
+def _only(chapter: Chapter, exercises: Mapping[str, Exercise]) -> Chapter | None:
+    """Return the chapter with only these exercises, or None if it has none of them."""
+    mine = [exercises[e.id] for e in chapter.exercises if e.id in exercises]
+    return replace(chapter, exercises=mine) if mine else None

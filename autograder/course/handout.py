@@ -1,0 +1,81 @@
+"""What a hand-out says about its assignment: the manifests of its chapters, and the README."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+from autograder.course.late import clock
+from autograder.course.model import Work
+from autograder.course.of_class import points_of
+from autograder.manifest import ROOT, Chapter, Exercise, load_chapters
+from autograder.scores import shown
+
+START = re.compile(r"(?m)^(?=\[\[exercise\]\])")
+ID = re.compile(r'(?m)^id = "(.+)"$')
+POINTS = re.compile(r"(?m)^points = .*$")
+
+
+def for_students(whole: Chapter, assigned: Chapter) -> Chapter:
+    """Return a whole chapter with the points of an assignment. Other exercises are optional."""
+    own = {exercise.id: exercise for exercise in assigned.exercises}
+    exercises = [own.get(e.id) or replace(e, optional=True) for e in whole.exercises]
+    return replace(whole, exercises=exercises)
+
+
+def manifest_of(text: str, chapter: Chapter) -> str:
+    """Return the text of a manifest, changed to the points and options of these exercises."""
+    first, *rest = START.split(text)
+    return first + "".join(_entry(part, chapter) for part in rest)
+
+
+def _entry(text: str, chapter: Chapter) -> str:
+    found = ID.search(text)
+    if found is None:
+        raise ValueError(
+            f"the manifest of {chapter.name} has an exercise without a line for its id"
+        )
+    exercise = chapter.exercise(found[1])
+    options = [key for key in ("extra", "optional") if getattr(exercise, key)]
+    lines = [f"points = {exercise.points}", *(f"{key} = true" for key in options)]
+    return POINTS.sub("\n".join(lines), text, count=1)
+
+
+def about(work: Work, root: Path = ROOT) -> str:
+    """Return the section of a hand-out's README about its assignment, or "" without one."""
+    if not work.name:
+        return ""
+    title = f"{work.name}: {work.title}" if work.title else work.name
+    parts = [f"## {title}", *_due(work), _table(work)]
+    whole = {chapter.name: len(chapter.exercises) for chapter in load_chapters(root)}
+    if any(len(chapter.exercises) < whole[chapter.name] for chapter in work.chapters):
+        parts.append(
+            "The other exercises are optional: you may do them, but they do not count.\n"
+            "`make check` marks them."
+        )
+    if work.earlier:
+        parts.append(
+            f"This assignment builds on exercises of earlier ones: {', '.join(work.earlier)}.\n"
+            "If you begin with a new folder, first copy your own files of these chapters into it."
+        )
+    return "\n\n".join(parts)
+
+
+def _due(work: Work) -> list[str]:
+    if work.deadline is None:
+        return []
+    policy = work.deadline.policy
+    return ["\n".join([f"Due {clock(work.deadline.due)}.", *([policy.words] if policy else [])])]
+
+
+def _table(work: Work) -> str:
+    exercises = [exercise for chapter in work.chapters for exercise in chapter.exercises]
+    rows = ["| exercise | title | points |", "|---|---|---|"]
+    rows += [f"| {e.id} | {e.title} | {_points(e)} |" for e in exercises]
+    rows.append(f"| | total | {shown(points_of(work.chapters))} |")
+    return "\n".join(rows)
+
+
+def _points(exercise: Exercise) -> str:
+    return f"{shown(exercise.points)}{' (extra credit)' if exercise.extra else ''}"

@@ -1,0 +1,85 @@
+"""How late a submission is, and what that costs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from datetime import UTC, datetime, timedelta
+
+from autograder.course.model import Deadline, LatePolicy
+from autograder.reports.report import Late
+from autograder.scores import shown
+
+
+@dataclass(frozen=True)
+class HandedIn:
+    """What a source says about the time of a submission.
+
+    Canvas says only whether it is ``late``.
+    """
+
+    source: str
+    at: datetime | None = None
+    late: bool = False
+
+
+def days_late(due: datetime, submitted: datetime) -> int:
+    """Return how many days after the due date have begun.
+
+    A day ends at the same time of day on the clocks of the due date's time zone. So a day on which
+    the clocks change has 23 or 25 hours.
+    """
+    at = submitted.astimezone(UTC)
+    if at <= due.astimezone(UTC):
+        return 0
+    days = max(1, (at - due.astimezone(UTC)).days - 1)
+    while _end(due + timedelta(days=days)) < at:
+        days += 1
+    return days
+
+
+def _end(time: datetime) -> datetime:
+    """Return the last moment at which the clocks show this time, or would have shown it."""
+    return max(time.replace(fold=fold).astimezone(UTC) for fold in (0, 1))
+
+
+def deduction(policy: LatePolicy, days: int, possible: float) -> float:
+    """Return the points that this many days cost, if ``possible`` points can be earned."""
+    price = policy.per_day * days
+    if policy.cap is not None:
+        price = min(price, policy.cap)
+    return round(price * possible / 100 if policy.unit == "percent" else price, 2)
+
+
+def late_of(
+    deadline: Deadline, names: Iterable[str], said: HandedIn | None, possible: float
+) -> Late:
+    """Return how late a submission is.
+
+    ``names`` are those under which its students may have an extension. The latest one counts.
+    """
+    granted = [deadline.extensions[name] for name in names if name in deadline.extensions]
+    due = max([deadline.due, *granted], key=lambda time: time.astimezone(UTC))
+    was = f"It was due {clock(due)}{' (extended)' if granted else ''}."
+    if said is None:
+        return Late(None, 0.0, f"{was} No time of submission is known, so there is no penalty.")
+    if said.at is None and said.late:
+        words = f"{said.source} says that it is late, but not by how much, so there is no penalty."
+        return Late(None, 0.0, f"{was} {words}")
+    if said.at is None:
+        return Late(0, 0.0, f"{was} {said.source} says that it was handed in on time.")
+    local = said.at.astimezone(due.tzinfo)
+    when = f"{was} It was handed in {clock(local)}, according to {said.source}."
+    days = days_late(due, said.at)
+    if not days:
+        return Late(0, 0.0, f"{when} That is on time.")
+    late = f"{when} That is {days} {'day' if days == 1 else 'days'} late."
+    if deadline.policy is None:
+        return Late(days, 0.0, f"{late} There is no penalty.")
+    cost = deduction(deadline.policy, days, possible)
+    return Late(days, cost, f"{late} {deadline.policy.words} Here that is {shown(cost)} points.")
+
+
+def clock(time: datetime) -> str:
+    """Return a time for people to read, such as 2026-10-23 23:59 CEST."""
+    return f"{time:%Y-%m-%d %H:%M} {time.tzname()}"

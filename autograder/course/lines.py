@@ -1,0 +1,57 @@
+"""Find the line of a key in a TOML file, which the library's parser does not report."""
+
+from __future__ import annotations
+
+import re
+
+HEADER = re.compile(r"\s*(\[\[?)([^\[\]]+)\]\]?\s*(#.*)?")
+KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
+PART = re.compile(r"""[\w-]+|"[^"]*"|'[^']*'""")
+
+Path = tuple[str | int, ...]  # of a value, such as ("assignment", 0, "due")
+
+
+class Lines:
+    """The lines on which the keys and tables of a file begin, counted from 1."""
+
+    def __init__(self, text: str) -> None:
+        self._text = text.splitlines()
+        self._first: dict[Path, int] = {}
+        counts: dict[Path, int] = {}
+        table: Path = ()
+        for number, line in enumerate(self._text, start=1):
+            if header := HEADER.fullmatch(line):
+                table = ()
+                for part in _parts(header[2]):
+                    table = (*table, part)
+                    if table in counts and table != _parts(header[2]):
+                        table = (*table, counts[table])  # the last table of this array so far
+                if header[1] == "[[":
+                    counts[table] = counts.get(table, -1) + 1
+                    table = (*table, counts[table])
+                self._first.setdefault(table, number)
+            elif key := KEY.match(line):
+                path = table
+                for part in _parts(key[1]):
+                    path = (*path, part)
+                    self._first.setdefault(path, number)
+
+    def of(self, path: Path, word: str = "") -> int:
+        """Return the line of a value, or of the table that should contain it; 1 for the file.
+
+        If the value takes several lines, return the first one that contains ``word`` in quotes.
+        """
+        while path and path not in self._first:
+            path = path[:-1]
+        first = self._first.get(path, 1)
+        later = [line for line in self._first.values() if line > first]
+        end = min(later, default=len(self._text) + 1)
+        for number in range(first, end if word else first):
+            if re.search(rf"""["']{re.escape(word)}["']""", self._text[number - 1]):
+                return number
+        return first
+
+
+def _parts(dotted: str) -> Path:
+    """Return the parts of a key such as assignment.late, without quotes."""
+    return tuple(part.strip("\"'") for part in PART.findall(dotted))

@@ -1,0 +1,95 @@
+"""Collect the mistakes in a course file, and say for each one on which line it is."""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from autograder.course.lines import Lines, Path
+
+MOST_SIMILAR = 3
+NAMES = {str: "a string", int: "a whole number", list: "a list", dict: "a table"}
+
+
+class Mistakes:
+    """The mistakes that were found so far in one file."""
+
+    def __init__(self, file: str, text: str) -> None:
+        self.file = file
+        self._lines = Lines(text)
+        self._found: list[tuple[int, str]] = []
+
+    def add(self, path: Path, words: str, word: str = "") -> None:
+        """Note a mistake in the value with this path, or in ``word``, which is one of its items."""
+        self._found.append((self._lines.of(path, word), words))
+
+    def raise_any(self) -> None:
+        """Raise ValueError with all mistakes in the order of their lines, if there are any."""
+        if not self._found:
+            return
+        found = sorted(dict.fromkeys(self._found), key=lambda mistake: mistake[0])
+        count = "one mistake" if len(found) == 1 else f"{len(found)} mistakes"
+        lines = [f"  line {line}: {words}" for line, words in found]
+        raise ValueError("\n".join([f"{self.file} has {count}:", *lines]))
+
+    def check_keys(self, table: Mapping[str, Any], path: Path, known: Iterable[str]) -> None:
+        """Note every key that is not known, with the most similar key."""
+        keys = list(known)
+        for key in table:
+            if key not in keys:
+                wanted = nearest(key, keys, 1) or f"The keys here are {', '.join(keys)}."
+                self.add((*path, key), f"there is no key {key!r}. {wanted}")
+
+    def value(self, table: Mapping[str, Any], path: Path, key: str, kind: type) -> Any:
+        """Return the value of a key if it is of this kind, and None otherwise.
+
+        A key that is missing is no mistake.
+        """
+        value = table.get(key)
+        if value is None or type(value) is kind:
+            return value
+        self.add((*path, key), f"{key} must be {NAMES[kind]}, got {shown(value)}")
+        return None
+
+    def items(self, table: Mapping[str, Any], path: Path, key: str, kind: type) -> list[Any]:
+        """Return the items of a list that are of this kind. Others are mistakes."""
+        value = self.value(table, path, key, list) or []
+        for item in value:
+            if type(item) is not kind:
+                wanted = "strings" if kind is str else "whole numbers"
+                self.add((*path, key), f"{key} must be a list of {wanted}, got {shown(item)} in it")
+        return [item for item in value if type(item) is kind]
+
+    def number(self, table: Mapping[str, Any], path: Path, key: str) -> float | None:
+        """Return the value of a key if it is a positive number, and None otherwise.
+
+        A key that is missing is no mistake.
+        """
+        value: Any = table.get(key)
+        if type(value) in (int, float) and 0 < value < float("inf"):
+            return float(value) if value % 1 else int(value)
+        if value is not None:
+            self.add((*path, key), f"{key} must be a positive number, got {shown(value)}")
+        return None
+
+
+def shown(value: Any) -> str:
+    """Return a value as it looks in TOML, but short."""
+    text = {True: "true", False: "false"}.get(value) if type(value) is bool else None
+    text = text or (f'"{value}"' if isinstance(value, str) else str(value))
+    return text if len(text) <= 60 else f"{text[:57]}..."
+
+
+def nearest(name: str, known: Iterable[str], most: int = MOST_SIMILAR) -> str:
+    """Return a question that suggests the most similar names, or "" if none is similar."""
+    names = {other.lower(): other for other in known}
+    wanted = name.lower()
+    bare = re.sub(r"^[a-z]\s*(?=\d)", "", wanted)
+    # Exercises often differ only in the letter before or after the number.
+    alike = [key for key in names if key.startswith(wanted) and wanted]
+    alike += [key for key in names if bare and re.sub(r"^[a-z](?=\d)", "", key) == bare]
+    alike += difflib.get_close_matches(wanted, names, most, 0.6)
+    found = [names[key] for key in dict.fromkeys(alike)][:most]
+    return f"Did you mean {' or '.join(found)}?" if found else ""

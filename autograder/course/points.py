@@ -1,0 +1,32 @@
+"""The points of an assignment's exercises: those of the manifest, changed and rescaled."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+
+def rescaled(points: Mapping[str, float], out_of: float, unit: str = "0.01") -> dict[str, float]:
+    """Return points in the same proportions, in multiples of ``unit``, that add up to ``out_of``.
+
+    Every exercise is rounded down, and the units that are left go to those that lost most.
+    """
+    step = Fraction(unit)
+    total = sum(map(Fraction, points.values()))
+    exact = {name: Fraction(value) * Fraction(out_of) / total for name, value in points.items()}
+    units = {name: value // step for name, value in exact.items()}
+    left = round(Fraction(out_of) / step) - sum(units.values())
+    by_loss = sorted(exact, key=lambda name: units[name] * step - exact[name])
+    for name in by_loss[:left]:
+        units[name] += 1
+    return {name: _plain(count * step) for name, count in units.items()}
+
+
+def scaled_alike(value: float, out_of: float, total: float) -> float:
+    """Return the points of extra credit after ``total`` points were rescaled to ``out_of``."""
+    return _plain(Fraction(round(value * out_of / total, 2)).limit_denominator(100))
+
+
+def _plain(value: Fraction) -> float:
+    """Return a whole number as an int, so that it is shown as one."""
+    return int(value) if value.denominator == 1 else float(value)

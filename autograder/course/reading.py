@@ -1,0 +1,185 @@
+"""Read course.toml. Every mistake in it is reported, with its line and what was probably meant."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Mapping
+from datetime import UTC, datetime, tzinfo
+from pathlib import Path
+from typing import Any
+
+from autograder.course.dates import read_time, read_zone
+from autograder.course.exercises import Chooser
+from autograder.course.mistakes import Mistakes, nearest, shown
+from autograder.course.model import Course, Deadline, LatePolicy, Work
+from autograder.manifest import ROOT, Chapter, load_chapters
+
+OF_COURSE = ("title", "time_zone", "roster", "late", "assignment")
+OF_ASSIGNMENT = (
+    *("name", "title", "exercises", "chapters", "extra_credit", "given", "points", "out_of"),
+    *("total", "due", "late", "extensions", "hidden_checks", "seed"),
+)
+OF_LATE = ("points_per_day", "percent_per_day", "cap")
+NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
+
+
+def read_course(path: Path, root: Path = ROOT) -> Course:
+    """Read the file of a term. Paths in it are relative to its folder.
+
+    Raises:
+        ValueError: The file has mistakes. The message lists all of them, with their lines.
+        OSError: The file cannot be read.
+    """
+    if not path.is_file():
+        raise ValueError(
+            f"there is no file {str(path)!r}. Write one as autograder/README.md shows, or name "
+            "another with --course (in make: COURSE=)"
+        )
+    try:
+        text = path.read_text(encoding="utf-8-sig")
+        data = tomllib.loads(text)
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{path} is not UTF-8: save it as UTF-8 in your editor") from error
+    except tomllib.TOMLDecodeError as error:
+        raise ValueError(f"{path} is not valid TOML: {error}") from error
+    return Reader(data, path.parent, load_chapters(root), Mistakes(str(path), text)).course()
+
+
+class Reader:
+    """Reads the tables of one file."""
+
+    def __init__(
+        self, data: dict[str, Any], folder: Path, chapters: list[Chapter], mistakes: Mistakes
+    ) -> None:
+        self.data = data
+        self.folder = folder
+        self.chapters = chapters
+        self.mistakes = mistakes
+        self.before: set[str] = set()  # exercises of the assignments that were read so far
+
+    def course(self) -> Course:
+        """Return the course. Raises ValueError if there are mistakes."""
+        mistakes, data = self.mistakes, self.data
+        mistakes.check_keys(data, (), OF_COURSE)
+        self.zone: tzinfo | None = None
+        if "time_zone" in data:
+            self.zone = read_zone(data["time_zone"], ("time_zone",), mistakes)
+        self.policy = self._policy(data, ())
+        tables = data.get("assignment", [])
+        if not (isinstance(tables, list) and tables and all(type(t) is dict for t in tables)):
+            mistakes.add(
+                ("assignment",), "there is no assignment. Each one begins with [[assignment]]"
+            )
+            tables = []
+        self.roster = self._path(data, (), "roster")
+        assignments = [self._assignment(i, table) for i, table in enumerate(tables)]
+        course = Course(assignments, mistakes.value(data, (), "title", str) or "")
+        mistakes.raise_any()
+        return course
+
+    def _assignment(self, index: int, table: dict[str, Any]) -> Work:
+        mistakes, path = self.mistakes, ("assignment", index)
+        mistakes.check_keys(table, path, OF_ASSIGNMENT)
+        name = mistakes.value(table, path, "name", str)
+        others = [other.get("name") for other in self.data["assignment"][:index]]
+        if name is None and "name" not in table:
+            mistakes.add(path, 'the assignment has no name. Write one such as name = "lab1"')
+        elif name is not None and not NAME.fullmatch(name):
+            words = f"name must have only letters, digits, - and _, got {shown(name)}"
+            mistakes.add((*path, "name"), words)
+        elif name is not None and name in others:
+            mistakes.add((*path, "name"), f"another assignment is called {name} too")
+        chosen = Chooser(table, path, self.chapters, self.before, mistakes).choose()
+        self.before |= {e.id for chapter in chosen.chapters for e in chapter.exercises}
+        seed = table.get("seed")
+        if type(seed) not in (str, int, type(None)) or seed == "":
+            mistakes.add(
+                (*path, "seed"), f"seed must be a string or a whole number, got {shown(seed)}"
+            )
+        return Work(
+            name or "",
+            chosen.chapters,
+            chosen.given,
+            title=mistakes.value(table, path, "title", str) or "",
+            earlier=chosen.earlier,
+            deadline=self._deadline(table, path),
+            hidden=self._hidden(table, path, chosen.chapters),
+            seed=None if seed is None else str(seed),
+            roster=self.roster,
+        )
+
+    def _deadline(self, table: dict[str, Any], path: tuple[str | int, ...]) -> Deadline | None:
+        wrong = "time_zone" in self.data and self.zone is None
+        policy = self._policy(table, path) if "late" in table else self.policy
+        times: dict[str, datetime] = {}
+        extensions = self.mistakes.value(table, path, "extensions", dict) or {}
+        for student, value in extensions.items():
+            at = (*path, "extensions", student)
+            time = read_time(value, at, self.zone, self.mistakes, is_zone_wrong=wrong)
+            if time:
+                times[student] = time
+        if "due" not in table:
+            for key in (key for key in ("extensions", "late") if key in table):
+                self.mistakes.add((*path, key), f"{key} has no effect without due. Add a due date")
+            return None
+        due = read_time(table["due"], (*path, "due"), self.zone, self.mistakes, is_zone_wrong=wrong)
+        if due is None:
+            return None
+        for student, time in times.items():
+            if time.astimezone(UTC) < due.astimezone(UTC):
+                words = f"the extension of {student} ends before the assignment is due"
+                self.mistakes.add((*path, "extensions", student), words)
+        return Deadline(due, policy, times)
+
+    def _policy(self, table: Mapping[str, Any], path: tuple[str | int, ...]) -> LatePolicy | None:
+        """Return the late policy in a table, or None if it has none or a price of zero."""
+        mistakes, at = self.mistakes, (*path, "late")
+        late = mistakes.value(table, path, "late", dict)
+        if late is None:
+            return None
+        mistakes.check_keys(late, at, OF_LATE)
+        given = [key for key in ("points_per_day", "percent_per_day") if key in late]
+        if len(given) != 1:
+            words = "late must have points_per_day or percent_per_day"
+            mistakes.add(at, f"{words}, and not both" if given else words)
+            return None
+        if late[given[0]] == 0 and late.keys() == {*given}:
+            return None
+        per_day = mistakes.number(late, at, given[0])
+        cap = mistakes.number(late, at, "cap")
+        if per_day is None:
+            return None
+        unit = "percent" if given[0] == "percent_per_day" else "points"
+        if cap is not None and cap < per_day:
+            words = f"cap is less than {given[0]}: it must be the {unit} of several days"
+            mistakes.add((*at, "cap"), words)
+        if unit == "percent" and max(per_day, cap or 0) > 100:
+            key = "cap" if (cap or 0) > 100 else given[0]
+            mistakes.add((*at, key), f"{key} must be at most 100 percent, got {shown(late[key])}")
+        return LatePolicy(per_day, "percent" if unit == "percent" else "points", cap)
+
+    def _path(self, table: Mapping[str, Any], path: tuple[str | int, ...], key: str) -> Path | None:
+        """Return the file or folder that a key names. It is a mistake if it does not exist."""
+        name = self.mistakes.value(table, path, key, str)
+        if name is None:
+            return None
+        found = self.folder / str(name)
+        if found.is_dir() if key == "hidden_checks" else found.is_file():
+            return found
+        what = "folder" if key == "hidden_checks" else "file"
+        there = [other.name for other in self.folder.iterdir()] if self.folder.is_dir() else []
+        wanted = nearest(name, there) or f"It is looked for in {str(self.folder.resolve())!r}."
+        self.mistakes.add((*path, key), f"{key}: there is no {what} {name!r}. {wanted}")
+        return None
+
+    def _hidden(
+        self, table: Mapping[str, Any], path: tuple[str | int, ...], chapters: list[Chapter]
+    ) -> Path | None:
+        """Return the folder of the hidden checks, which has a folder of an assigned chapter."""
+        hidden = self._path(table, path, "hidden_checks")
+        if hidden and chapters and not any((hidden / c.name).is_dir() for c in chapters):
+            wanted = " or ".join(chapter.name for chapter in chapters)
+            words = f"hidden_checks: {str(table['hidden_checks'])!r} must contain a folder {wanted}"
+            self.mistakes.add((*path, "hidden_checks"), words)
+        return hidden

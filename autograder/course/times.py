@@ -1,0 +1,126 @@
+"""When each submission was handed in, according to the files that come with the submissions.
+
+The time stamps of files and folders are not used: copying or unpacking them changes the times.
+"""
+
+from __future__ import annotations
+
+import csv
+import unicodedata
+from collections.abc import Iterator
+from datetime import UTC, datetime, tzinfo
+from pathlib import Path
+from typing import Any
+
+import yaml  # type: ignore[import-untyped]
+
+from autograder.course.dates import parse_time
+from autograder.course.late import HandedIn
+from autograder.submissions.find import Submission
+
+TIMES = "times.csv"
+OF_GRADESCOPE = "submission_metadata.yml"
+OF_GITHUB = "grades.csv"  # the grades of GitHub Classroom, saved under this name
+REPOSITORY, SUBMITTED = "student_repository_name", "submission_timestamp"
+
+
+def times_of(folder: Path, submissions: list[Submission], zone: tzinfo) -> dict[str, HandedIn]:
+    """Return what is known about the time of each submission, keyed by student.
+
+    If several sources know a time, times.csv counts most. Times without a zone are in ``zone``.
+
+    Raises:
+        ValueError: A file is not valid. The message names its lines.
+    """
+    known: dict[str, HandedIn] = {}
+    for name, said in [
+        *_of_canvas(submissions),
+        *_of_github(folder),
+        *_of_gradescope(folder),
+        *_of_instructor(folder / TIMES, zone),
+    ]:
+        known[_key(name)] = said
+    found = {}
+    for submission in submissions:
+        for name in (submission.path.name, submission.path.stem, *submission.names):
+            if _key(name) in known:
+                found[submission.student] = known[_key(name)]
+    return found
+
+
+def _of_instructor(path: Path, zone: tzinfo) -> Iterator[tuple[str, HandedIn]]:
+    """Yield the times in times.csv, which has the columns student and submitted."""
+    if not path.exists():
+        return
+    try:
+        text = path.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{path} is not UTF-8. Save it as CSV UTF-8") from error
+    lines = text.splitlines() or [""]
+    separator = ";" if ";" in lines[0] else ","
+    header, *rows = csv.reader(lines, delimiter=separator)
+    if [cell.strip().lower() for cell in header] != ["student", "submitted"]:
+        raise ValueError(f"{path}, line 1: the header must be student,submitted, got {lines[0]!r}")
+    wrong, seen = [], set()
+    for line, row in enumerate(rows, start=2):
+        cells = [cell.strip() for cell in row]
+        if not any(cells):
+            continue
+        if len(cells) != 2:
+            wrong.append(f"  line {line}: there must be 2 cells, got {len(cells)}")
+        elif cells[0] in seen:
+            wrong.append(f"  line {line}: a second time for {cells[0]!r}. Give only one")
+        else:
+            seen.add(cells[0])
+            try:
+                yield cells[0], HandedIn(TIMES, parse_time(cells[1], zone))
+            except ValueError:
+                example = "2026-10-23 20:15 or 2026-10-23T20:15:00+02:00"
+                wrong.append(f"  line {line}: a time looks like {example}, got {cells[1]!r}")
+    if wrong:
+        raise ValueError("\n".join([f"{path}:", *wrong]))
+
+
+def _of_gradescope(folder: Path) -> Iterator[tuple[str, HandedIn]]:
+    """Yield the times in the metadata of an export, which names the folders of submissions."""
+    path = folder / OF_GRADESCOPE
+    if not path.is_file():
+        return
+    try:
+        data = yaml.safe_load(path.read_text(encoding="utf-8"))
+    except (yaml.YAMLError, UnicodeDecodeError) as error:
+        raise ValueError(f"{path} is not valid YAML: {error}") from error
+    for name, about in data.items() if isinstance(data, dict) else ():
+        if time := _time(about.get(":created_at") if isinstance(about, dict) else None):
+            yield str(name), HandedIn("Gradescope", time)
+
+
+def _of_github(folder: Path) -> Iterator[tuple[str, HandedIn]]:
+    """Yield the times in the grades of GitHub Classroom, which names the students' repositories."""
+    path = folder / OF_GITHUB
+    if not path.is_file():
+        return
+    with path.open(encoding="utf-8-sig", errors="replace", newline="") as file:
+        for row in csv.DictReader(file):
+            if row.get(REPOSITORY) and (time := _time(row.get(SUBMITTED))):
+                yield row[REPOSITORY], HandedIn("GitHub Classroom", time)
+
+
+def _of_canvas(submissions: list[Submission]) -> Iterator[tuple[str, HandedIn]]:
+    """Yield what the names of downloads from Canvas say: late or not, but no time."""
+    for submission in submissions:
+        if submission.export and submission.export.platform == "canvas":
+            yield submission.path.name, HandedIn("Canvas", late=submission.late)
+
+
+def _time(value: Any) -> datetime | None:
+    """Return a time from a platform, which means UTC if it names no zone; None if there is none."""
+    try:
+        return parse_time(value.isoformat() if isinstance(value, datetime) else str(value), UTC)
+    except ValueError:
+        return None
+
+
+def _key(name: str) -> str:
+    """Return a name in which an accented letter is one character, however it was typed."""
+    return unicodedata.normalize("NFC", name.strip())

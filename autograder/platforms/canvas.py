@@ -1,0 +1,62 @@
+"""Write canvas.csv, which the gradebook of Canvas imports."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from collections.abc import Mapping
+from pathlib import Path
+
+from autograder.clean import clean_line
+from autograder.reports.gradebook import FORMULA, as_cell
+from autograder.reports.texts import number, replace_file
+from autograder.submissions.class_list import ClassList, Member
+
+HEADER = ["Student", "ID", "SIS User ID", "SIS Login ID", "Section"]
+# Canvas ignores columns with such words in their titles.
+NOT_IMPORTED = re.compile(r"(Current|Final) (Score|Points|Grade)|Override (Score|Grade|Status)")
+OTHER_COLUMNS = (*HEADER, "LastName", "FirstName", "Integration ID", "Root Account")
+
+
+def write_canvas(
+    path: Path, people: ClassList, grades: Mapping[str, float], title: str, points: float
+) -> None:
+    """Write a row for each student of the roster, in the form that Canvas documents.
+
+    Canvas looks for the ID, then for the SIS user ID, the login and the name. An empty cell is no
+    grade. ``title`` is that of an assignment, "Lab 1 (12345)", or of a new one.
+    """
+    rows = [[*HEADER, title], ["    Points Possible", "", "", "", "", number(points)]]
+    for member in people.members:
+        if who := member.student:
+            name = as_cell(who.name)
+            login = who.login or who.email
+            grade = number(grades.get(member.shown))
+            rows.append([name, _canvas_id(member), who.id, login, "", grade])
+    text = io.StringIO(newline="")
+    csv.writer(text).writerows(rows)
+    replace_file(path, text.getvalue())
+
+
+def check_title(title: str) -> str:
+    """Return the title of a column if Canvas imports it. Raises ValueError otherwise."""
+    if not title.strip() or clean_line(title) != title or FORMULA.search(title):
+        raise ValueError(
+            f"--title must be one line of text, and not begin like a formula, got {title!r}"
+        )
+    if title in OTHER_COLUMNS or NOT_IMPORTED.search(title):
+        raise ValueError(f"--title must not be the name of a column of Canvas's, got {title!r}")
+    return title
+
+
+def _canvas_id(member: Member) -> str:
+    """Return the user's id in Canvas: the one in the file's name, or else the roster's.
+
+    Canvas reads the number at the start of any text, so nothing else may be in this column.
+    """
+    export = member.submission.export if member.submission else None
+    if export and export.platform == "canvas" and export.number.isdecimal():
+        return export.number
+    own = member.student.id if member.student else ""
+    return own if re.fullmatch(r"[1-9][0-9]*", own) else ""

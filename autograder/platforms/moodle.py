@@ -1,0 +1,62 @@
+"""Write moodle.csv, which Moodle's gradebook imports, and the worksheet of an assignment."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Mapping
+from pathlib import Path
+
+from autograder.reports.gradebook import as_cell
+from autograder.reports.texts import number, replace_file
+from autograder.submissions.class_list import ClassList
+
+MOST = 100.0  # the largest grade that Moodle imports, unless the site allows unlimited grades
+NO_GRADE = "-"  # Moodle reads an empty cell as 0 if the column becomes a new grade item
+WORKSHEET = [
+    *("Identifier", "Full name", "Grade", "Maximum Grade", "Grade can be changed"),
+    "Last modified (grade)",
+]
+
+
+def write_moodle(path: Path, people: ClassList, grades: Mapping[str, float], title: str) -> None:
+    """Write a row for each student of the roster. One unknown student would stop the import.
+
+    If the cell by which Moodle looks for a student were empty, the grade would go to the student
+    above. So the columns of logins and emails are there only if everybody has one.
+    """
+    students = [(member, member.student) for member in people.members if member.student]
+    columns = {"ID number": [who.id for _, who in students]}
+    if all(who.login for _, who in students):
+        columns["Username"] = [who.login for _, who in students]
+    if all(who.email for _, who in students):
+        columns["Email address"] = [who.email for _, who in students]
+    columns["Full name"] = [as_cell(who.name) for _, who in students]
+    columns[title] = [number(grades.get(one.shown)) or NO_GRADE for one, _ in students]
+    _write(path, [[*columns], *map(list, zip(*columns.values(), strict=True))])
+
+
+def write_worksheet(
+    path: Path, people: ClassList, grades: Mapping[str, float], points: float
+) -> bool:
+    """Write the grading worksheet of the assignment from which the submissions were downloaded.
+
+    Moodle needs no roster for it, since the folders name the participants. Nothing is written, and
+    False returned, if nothing comes from Moodle. There is no column for comments, because empty
+    cells in it would delete those that Moodle has.
+    """
+    rows = []
+    for member in people.members:
+        export = member.submission.export if member.submission else None
+        if export and export.platform == "moodle":
+            who = f"Participant {export.number}", as_cell(export.name)
+            rows.append([*who, number(grades.get(member.shown)), number(points), "Yes", "-"])
+    if rows:
+        _write(path, [WORKSHEET, *rows])
+    return bool(rows)
+
+
+def _write(path: Path, rows: list[list[str]]) -> None:
+    text = io.StringIO(newline="")
+    csv.writer(text).writerows(rows)
+    replace_file(path, text.getvalue())

@@ -1,0 +1,144 @@
+"""Who is in a class: the students of the roster, and the submissions that belong to them."""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from autograder.submissions.find import Submission, printable
+from autograder.submissions.roster import Student, key, letters
+
+_Index = defaultdict[str, list[Student]]
+
+
+@dataclass(frozen=True)
+class Member:
+    """A student of the roster, a submission, or both.
+
+    ``shown`` is the name in all reports. ``folder`` is the name that the submission itself gives.
+    """
+
+    shown: str
+    student: Student | None
+    submission: Submission | None
+
+    @property
+    def folder(self) -> str:
+        return self.submission.student if self.submission else ""
+
+    @property
+    def aliases(self) -> tuple[str, ...]:
+        """Every name of the student in the folder and the roster."""
+        who = self.student
+        known = (who.name, who.id, who.email, who.login) if who else ()
+        return tuple(name for name in (self.folder, *known) if name)
+
+
+@dataclass(frozen=True)
+class ClassList:
+    """The members of a class. Without a roster, they are those who handed something in."""
+
+    members: list[Member]
+    has_roster: bool = False
+
+    @property
+    def submissions(self) -> list[Submission]:
+        """The submissions, each under the name that the reports show, sorted by it."""
+        renamed = [
+            replace(member.submission, student=member.shown, aliases=member.aliases)
+            for member in self.members
+            if member.submission
+        ]
+        return sorted(renamed, key=lambda submission: submission.student)
+
+    @property
+    def missing(self) -> list[str]:
+        """The students of the roster who handed nothing in."""
+        return [member.shown for member in self.members if not member.submission]
+
+    @property
+    def unmatched(self) -> list[str]:
+        """The submissions that belong to nobody in the roster."""
+        return [m.shown for m in self.members if self.has_roster and not m.student]
+
+    @property
+    def names(self) -> dict[str, str]:
+        """The shown name of everybody who handed something in, by every name that is unique."""
+        claims = defaultdict(set)
+        for member in self.members:
+            for name in (member.shown, *member.aliases):
+                claims[name].add(member.shown)
+        submitted = {member.shown for member in self.members if member.submission}
+        return {
+            name: min(shown)
+            for name, shown in claims.items()
+            if len(shown) == 1 and shown <= submitted
+        }
+
+    def renamed(self, name: Callable[[Member], str]) -> ClassList:
+        """Return the class with another name shown for each member."""
+        members = [replace(member, shown=name(member)) for member in self.members]
+        return replace(self, members=sorted(members, key=lambda member: member.shown))
+
+
+def match(
+    submissions: list[Submission], roster: list[Student] | None, path: Path | None
+) -> ClassList:
+    """Return the class: each submission with its student, and everybody who has none.
+
+    Raises:
+        ValueError: A submission matches two students, or a student two submissions. The message
+            names the lines of the roster, which is in ``path``.
+    """
+    if roster is None:
+        return ClassList([Member(one.student, None, one) for one in submissions])
+    by_key, by_name = _Index(list), _Index(list)
+    for student in roster:
+        for text in student.keys:
+            by_key[text].append(student)
+        for text in student.names - {""}:
+            by_name[text].append(student)
+    found: dict[int, Submission] = {}
+    members = []
+    for submission in submissions:
+        students = _students_of(submission, by_key, by_name)
+        if len(students) > 1:
+            lines = " and ".join(str(student.line) for student in students)
+            raise ValueError(
+                f"{path}, lines {lines}: both match the submission {submission.path.name!r}. "
+                "Name it after the id of its student"
+            )
+        if not students:
+            members.append(Member(submission.student, None, submission))
+            continue
+        line = students[0].line
+        if line in found:
+            raise ValueError(
+                f"{path}, line {line}: {students[0].name} matches two submissions, "
+                f"{found[line].path.name!r} and {submission.path.name!r}. Keep one of them"
+            )
+        found[line] = submission
+    alike = Counter(letters(student.name) for student in roster)
+    for student in roster:
+        name = student.name
+        if alike[letters(name)] > 1:
+            name = f"{name} ({student.id})"
+        members.append(Member(printable(name), student, found.get(student.line)))
+    return ClassList(sorted(members, key=lambda member: member.shown), has_roster=True)
+
+
+def _students_of(submission: Submission, by_key: _Index, by_name: _Index) -> list[Student]:
+    """Return the students whom the name of a submission fits: one, unless something is wrong."""
+    export = submission.export
+    identity = submission.student
+    if export:  # Moodle's number is not the student's, but that of a participant in one assignment
+        identity = export.number if export.platform == "canvas" else ""
+    alike = by_name[letters(export.name if export else submission.student)]
+    same = by_key[key(identity)]
+    if not same:
+        return alike
+    if export and alike and not any(student in alike for student in same):
+        return [*same, *alike]  # the id is that of another system
+    return same

@@ -1,0 +1,95 @@
+"""Codes in place of names, and the file that says which code is whose."""
+
+from __future__ import annotations
+
+import base64
+import csv
+import hashlib
+import hmac
+import io
+import os
+import re
+import secrets
+from pathlib import Path
+
+from autograder.reports.gradebook import as_cell
+from autograder.submissions.class_list import ClassList, Member
+from autograder.submissions.csv_rows import read_csv
+
+COLUMNS = ["code", "id", "name", "email", "login", "submission"]
+CODE = re.compile(r"[a-z2-7]{5}-[a-z2-7]{5}")
+SECRET = "(secret)"  # the first cell of the row that holds it
+QUOTED = re.compile(r"'.*'", re.DOTALL)
+
+
+def with_codes(people: ClassList, path: Path) -> ClassList:
+    """Return the class with codes for names, and write the key: which code is whose.
+
+    A code depends on the secret in the key and on the student's id, or on the name of the
+    submission if nobody in the roster has handed it in. With the same key, it is the same again.
+
+    Raises:
+        ValueError: The key is damaged.
+        OSError: The key cannot be read or written.
+    """
+    secret = _secret_in(path) if path.exists() else "s" + secrets.token_hex(20)
+    coded = people.renamed(lambda member: _code(secret, member))
+    rows = [COLUMNS, [SECRET, secret]]
+    for member in coded.members:
+        who = member.student
+        known = [who.id, who.name, who.email, who.login] if who else [""] * 4
+        rows.append([member.shown, *map(as_cell, [*known, member.folder])])
+    text = io.StringIO(newline="")
+    csv.writer(text).writerows(rows)
+    _write_private(path, text.getvalue())
+    return coded
+
+
+def key_path(roster: Path | None, out: Path) -> Path:
+    """Return the path of the key: beside the roster, or else beside the folder of the reports."""
+    beside = (roster or out).resolve()
+    return beside.with_name(f"{beside.stem if roster else beside.name}-key.csv")
+
+
+def without_names(note: str) -> str:
+    """Return a note without what it quotes: names of folders, which may contain a student's."""
+    return QUOTED.sub("one of them", note)
+
+
+def refuse_names(out: Path) -> None:
+    """Raise ValueError if a folder contains reports under names."""
+    for kind in ("results", "feedback", "gradescope"):
+        for path in [*(out / kind).glob("*"), *(out / "earlier" / kind).glob("*")]:
+            name = path.name if path.is_dir() else path.stem
+            if not CODE.fullmatch(name):
+                raise ValueError(
+                    f"--anonymous needs another --out: {str(out)!r} contains reports with names, "
+                    f"such as {path.relative_to(out)}"
+                )
+
+
+def _code(secret: str, member: Member) -> str:
+    who = f"id {member.student.id}" if member.student else f"submission {member.folder}"
+    digest = hmac.new(secret.encode(), who.encode("utf-8", "surrogatepass"), hashlib.sha256)
+    letters = base64.b32encode(digest.digest()).decode().lower()
+    return f"{letters[:5]}-{letters[5:10]}"
+
+
+def _secret_in(path: Path) -> str:
+    _, _, cells = next(read_csv(path).rows("cell"), (2, 2, ["", ""]))
+    if cells[0] != SECRET or not re.fullmatch(r"s[0-9a-f]{40}", cells[1]):
+        raise ValueError(
+            f"{path}, line 2: the secret is missing. Restore the file, or delete it to get new "
+            "codes"
+        )
+    return cells[1]
+
+
+def _write_private(path: Path, text: str) -> None:
+    """Write a file that only its owner can read, in one step."""
+    temporary = path.with_name(path.name + ".tmp")
+    temporary.unlink(missing_ok=True)
+    flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL
+    with os.fdopen(os.open(temporary, flags, 0o600), "w", encoding="utf-8", newline="") as file:
+        file.write(text)
+    temporary.replace(path)

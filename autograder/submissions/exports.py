@@ -1,0 +1,62 @@
+"""The names that Canvas and Moodle give to submissions when an instructor downloads them."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Literal
+
+# lastfirst_LATE_userid_uploadid_work-1.zip. LATE_ is there only if it is late.
+CANVAS = re.compile(
+    r"(?:(?P<late>LATE_)?anon_(?P<anonymous>[^_]+)|(?P<name>.+?)_(?P<too_late>LATE_)?(?P<id>[0-9]+))"
+    r"_(?P<upload>[0-9]+)_(?P<file>.+)"
+)
+# Full Name_12345_assignsubmission_file, for a folder; older versions end in _. Without folders,
+# the name of the file follows.
+MOODLE = re.compile(
+    r"(?P<name>.+)_(?P<id>[0-9]+)_assignsubmission_(?P<kind>[a-z]+)(?:_(?P<file>.*))?"
+)
+RESUBMITTED = re.compile(r"-([0-9]+)$")
+
+
+@dataclass(frozen=True)
+class Exported:
+    """What the name of a submission says.
+
+    For Canvas, ``name`` is lastfirst without spaces, and ``number`` is the user's id. For Moodle,
+    ``name`` is the full name, and ``number`` is the participant in this one assignment. ``order``
+    is larger for a later upload.
+    """
+
+    platform: Literal["canvas", "moodle"]
+    name: str
+    number: str
+    late: bool
+    order: tuple[int, int]
+    is_file: bool = True  # False for text that was typed into the platform
+
+    @property
+    def student(self) -> str:
+        """The name under which the student is graded without a roster."""
+        return f"{self.name}_{self.number}"
+
+
+def read_export(name: str) -> Exported | None:
+    """Return what a platform's name says, without .zip at its end; None for any other name."""
+    if found := MOODLE.fullmatch(name):
+        order = 0, _resubmission(found["file"] or "")
+        is_file = found["kind"] == "file"
+        return Exported("moodle", found["name"], found["id"], False, order, is_file)
+    if found := CANVAS.fullmatch(name):
+        order = int(found["upload"]), _resubmission(found["file"])
+        late = bool(found["late"] or found["too_late"])
+        if found["anonymous"]:
+            return Exported("canvas", "anon", found["anonymous"], late, order)
+        return Exported("canvas", found["name"], found["id"], late, order)
+    return None
+
+
+def _resubmission(file: str) -> int:
+    """Return 2 for the second resubmission, work-2.zip, and 0 for the first upload."""
+    found = RESUBMITTED.search(file)
+    return int(found[1]) if found else 0

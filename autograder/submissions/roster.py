@@ -1,0 +1,109 @@
+"""The roster of a class: a CSV with the columns id, name, email and login."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from dataclasses import dataclass
+from pathlib import Path
+
+from autograder.clean import clean_line
+from autograder.submissions.csv_rows import Table, read_csv
+
+COLUMNS = ("id", "name", "email", "login")
+UNIQUE = ("id", "email", "login")  # by which a platform finds a student
+# A platform finds students by these cells, so nothing can be put before a formula in them.
+FORMULA = re.compile(r"[=+\-@＝＋－＠]")  # noqa: RUF001
+
+
+@dataclass(frozen=True)
+class Student:
+    """A row of the roster. ``email`` and ``login`` may be empty."""
+
+    id: str
+    name: str
+    email: str
+    login: str
+    line: int
+
+    @property
+    def keys(self) -> set[str]:
+        """What alone identifies the student, in the form of ``key``."""
+        return {key(text) for text in (self.id, self.email, self.login) if text}
+
+    @property
+    def names(self) -> set[str]:
+        """The forms of the name that a folder or a platform may use, in the form of ``letters``.
+
+        Canvas puts the last name first. A roster may do so too: "Doe, Jane".
+        """
+        last, comma, first = self.name.partition(",")
+        *given, family = self.name.split()
+        return {letters(self.name), letters(first + last if comma else family + "".join(given))}
+
+
+def read_roster(path: Path) -> list[Student]:
+    """Return the students in a roster, in its order.
+
+    The columns may be in any order and among others, and separated by commas or semicolons.
+
+    Raises:
+        ValueError: The roster contains a mistake. The message names the line.
+        OSError: The file cannot be read.
+    """
+    table = read_csv(path)
+    places = _places(table)
+    other = "," if table.separator == ";" else ";"
+    students: list[Student] = []
+    lines: dict[tuple[str, str], int] = {}
+    for line, _, cells in table.rows("cell"):
+        where = f"{path}, line {line}"
+        if other in cells[0] and not any(cells[1:]):
+            raise ValueError(
+                f"{where}: cells must be separated by {table.separator!r}, as in the header, "
+                f"got {cells[0]!r}"
+            )
+        values = {name: clean_line(cells[place]).strip() for name, place in places.items()}
+        for name in ("id", "name"):
+            if not values[name]:
+                raise ValueError(f"{where}: the {name} is empty")
+        for name in UNIQUE:
+            value = values[name]
+            if FORMULA.match(value):
+                raise ValueError(
+                    f"{where}: the {name} must not begin like a formula of a spreadsheet, "
+                    f"got {value!r}"
+                )
+            before = lines.setdefault((name, key(value)), line) if value else line
+            if before != line:
+                raise ValueError(
+                    f"{where}: the {name} {value!r} is already in line {before}. Give each "
+                    "student one row"
+                )
+        students.append(Student(**values, line=line))
+    if not students:
+        raise ValueError(f"{path} has no students below its header")
+    return students
+
+
+def key(text: str) -> str:
+    """Return an id, email or login in the form in which two of them are compared."""
+    return unicodedata.normalize("NFC", text.strip()).casefold()
+
+
+def letters(name: str) -> str:
+    """Return only the letters and digits of a name, without case. Platforms drop the rest."""
+    text = unicodedata.normalize("NFKC", name).casefold()
+    return "".join(character for character in text if character.isalnum())
+
+
+def _places(table: Table) -> dict[str, int]:
+    """Return the position of each column."""
+    for name in COLUMNS:
+        if (count := table.header.count(name)) != 1:
+            problem = f"there are {count} columns {name!r}" if count else f"no column {name!r}"
+            raise ValueError(
+                f"{table.path}, line 1: {problem}. The header must have {','.join(COLUMNS)}, "
+                f"got {table.first_line!r}"
+            )
+    return {name: table.header.index(name) for name in COLUMNS}

@@ -1,0 +1,181 @@
+"""Unpack the zip of a whole class, as Canvas and Moodle make it, into a folder beside it.
+
+It contains what students uploaded, so nothing in it is trusted.
+"""
+
+from __future__ import annotations
+
+import errno
+import hashlib
+import json
+import shutil
+import zipfile
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from rich.console import Console
+from rich.progress import track
+
+from autograder.records import from_json, to_json
+from autograder.submissions.find import SILENT, printable
+from autograder.submissions.folders import NotTakenError
+from autograder.submissions.zips import DAMAGED, UNREADABLE, is_unsafe, path_in_zip, read_entry
+
+MARKER = ".unpacked.json"
+COUNTS = (".zip", ".py", ".md")  # all other files are ignored in a submission
+# Bytes. A student's zip may have 5 MB. A larger one is unpacked too, so that grading can report it.
+LARGEST_FILE = 50_000_000
+MOST_OF_ONE = 100_000_000  # of one student
+MOST_IN_ALL = 2_000_000_000
+MOST_FILES = 100_000
+# Errors that are due to a name in the zip, not to this machine.
+NAMES = (errno.EEXIST, errno.ENOTDIR, errno.EISDIR, errno.ENAMETOOLONG, errno.EILSEQ, errno.EINVAL)
+
+
+@dataclass(frozen=True)
+class Unpacked:
+    """What the folder contains: from which zip, as a digest, and what was left out."""
+
+    zip: str
+    names: list[str]
+    notes: list[str]
+
+
+@dataclass(frozen=True)
+class _File:
+    """A file in the zip. The first of its ``parts`` names the student's submission."""
+
+    parts: list[str]
+    entry: zipfile.ZipInfo
+
+
+def class_folder(path: Path) -> Path:
+    """Return the folder of a class. If it is a zip, unpack it into a folder of the same name.
+
+    If the zip has changed, it is unpacked again. The marks.csv in the folder stays.
+
+    Raises:
+        ValueError: It is not a zip that can be unpacked, or the folder belongs to somebody else.
+        OSError: A file cannot be read or written.
+    """
+    if not path.is_file():
+        return path
+    if path.suffix.lower() != ".zip":
+        raise ValueError(f"the submissions must be a folder or a .zip file, got {str(path)!r}")
+    folder = path.with_suffix("")
+    before, digest = _read_marker(folder), _digest(path)
+    console = Console(highlight=False)
+    unpacked = before if before.zip == digest else _unpack(path, folder, before, digest, console)
+    for note in unpacked.notes:
+        console.print(note, markup=False, soft_wrap=True)
+    line = f"{path.name} is unpacked in {folder}: {len(unpacked.names)} entries"
+    console.print(line, markup=False, soft_wrap=True)
+    return folder
+
+
+def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Console) -> Unpacked:
+    """Replace what an earlier zip has left in the folder with the content of this one."""
+    try:
+        file = zipfile.ZipFile(path)
+    except UNREADABLE as error:
+        raise ValueError(f"{path} cannot be unpacked: {DAMAGED}") from error
+    with file:
+        files, notes = _plan(path, file)
+        names = sorted({one.parts[0] for one in files})
+        folder.mkdir(exist_ok=True)
+        for there in [*folder.iterdir()]:
+            if there.name in before.names:
+                _remove(there)
+            elif there.name in names:
+                raise ValueError(f"{there} is not from {path.name}: move it away")
+        _write_marker(folder, Unpacked("", names, []))  # an interrupted run starts again
+        silent = not console.is_terminal
+        shown = track(files, "unpacking", console=console, transient=True, disable=silent)
+        notes += _write(folder, file, shown)
+    unpacked = Unpacked(digest, names, notes)
+    _write_marker(folder, unpacked)
+    return unpacked
+
+
+def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
+    """Return what to write, and notes on what is left out."""
+    if len(file.infolist()) > MOST_FILES:
+        raise ValueError(f"{path} contains more than {MOST_FILES:,} files and folders")
+    files: list[_File] = []
+    notes: list[str] = []
+    for entry in file.infolist():
+        name = path_in_zip(entry)
+        parts = name.split("/")
+        if is_unsafe(name) or ".." in parts or not name.isprintable():
+            notes.append(f"{printable(name)} was left out: its path is not that of an upload")
+        elif any(part.startswith(".") or part in SILENT for part in parts):
+            continue
+        elif len(parts) == 1 and not (entry.is_dir() or name.lower().endswith(".zip")):
+            notes.append(f"{name} was left out: it is neither a folder nor a .zip file")
+        else:
+            files.append(_File(parts, entry))
+    return files, notes
+
+
+def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[str]:
+    """Write the files that can count in a submission, and return notes on what is left out."""
+    notes: list[str] = []
+    sizes: Counter[str] = Counter()
+    for one in files:
+        student = one.parts[0]
+        target = folder.joinpath(*one.parts)
+        try:
+            if len(one.parts) > 1 or one.entry.is_dir():
+                (folder / student).mkdir(exist_ok=True)  # however little was handed in
+            if one.entry.is_dir() or not target.name.lower().endswith(COUNTS):
+                continue
+            content = read_entry(file, one.entry, LARGEST_FILE)
+            sizes[student] += len(content)
+            if sizes[student] > MOST_OF_ONE:
+                raise NotTakenError(f"its student uploaded more than {MOST_OF_ONE:,} bytes")
+            if sizes.total() > MOST_IN_ALL:
+                raise ValueError(f"{file.filename} contains more than {MOST_IN_ALL:,} bytes")
+            target.parent.mkdir(parents=True, exist_ok=True)
+            with target.open("xb") as out:  # never through a link, or over another file
+                out.write(content)
+        except NotTakenError as error:
+            notes.append(f"{'/'.join(one.parts)} was left out: {error}")
+        except OSError as error:
+            if error.errno not in NAMES:
+                raise
+            notes.append(f"{'/'.join(one.parts)} was left out: {error.strerror}")
+    return notes
+
+
+def _read_marker(folder: Path) -> Unpacked:
+    if not folder.exists():
+        return Unpacked("", [], [])
+    try:
+        data = json.loads((folder / MARKER).read_text(encoding="utf-8"))
+        return from_json(Unpacked, data)
+    except (OSError, ValueError) as error:
+        raise ValueError(
+            f"{folder} is already there, but not unpacked from {folder.name}.zip: grade that "
+            "folder, or move it away"
+        ) from error
+
+
+def _write_marker(folder: Path, unpacked: Unpacked) -> None:
+    text = json.dumps(to_json(unpacked), indent=1)
+    (folder / MARKER).write_text(text + "\n", encoding="utf-8")
+
+
+def _remove(path: Path) -> None:
+    if path.is_dir() and not path.is_symlink():
+        shutil.rmtree(path)
+    else:
+        path.unlink(missing_ok=True)
+
+
+def _digest(path: Path) -> str:
+    if (size := path.stat().st_size) > MOST_IN_ALL:
+        raise ValueError(f"{path} is larger than {MOST_IN_ALL:,} bytes: it has {size:,}")
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()

@@ -1,0 +1,222 @@
+"""Models of a chain of rods: the exact path, our models, and pymunk's pin joints.
+
+The work is the number of resolved contacts. A model that solves for all rods at once counts each
+rod once per evaluation, and pymunk visits its joints several times per step.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from itertools import pairwise
+from typing import Any
+
+import numpy
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import (
+    Integrator,
+    explicit_euler,
+    runge_kutta_4,
+    semi_implicit_euler,
+)
+from ch07_constraints.angle_chain import AngleChain
+from ch07_constraints.contacts import Contact, ContactResolver
+from ch07_constraints.direct_chain import DirectChain
+from ch07_constraints.links import AnchoredRod, Rod
+from ch07_constraints.rod_tensions import RodTensions
+from ch07_constraints.smooth_net import hermite
+from studies.accuracy.scene import MANY, RATE, STEPS, Model, Outcome, Place, in_frames, solved
+from studies.runs.constraints import resolving
+
+LONG = 12  # frames, in which long steps are counted
+LONG_STEPS = (1, 2, 3, 4, 6, 8, 9, 10)
+COUNTED = "contacts resolved, or rods solved for"
+
+
+@dataclass(frozen=True)
+class Chain:
+    """A chain of rods that starts at rest, straight and at an angle, and runs for some frames.
+
+    It is attached to the origin. All rods have the same ``length`` in m. ``masses`` are in kg, from
+    the first particle to the tip. ``angle`` is in radians from straight down, and ``gravity`` is in
+    m/s^2.
+    """
+
+    length: float
+    masses: Sequence[float]
+    angle: float
+    gravity: float
+    frames: int
+
+    def particles(self) -> list[Particle]:
+        """Return the particles in their initial state, from the first to the tip."""
+        x, y = self.length * math.sin(self.angle), -self.length * math.cos(self.angle)
+        down = Vector3(0.0, -self.gravity)
+        return [
+            Particle(Vector3(i * x, i * y), acceleration=down, mass=mass)
+            for i, mass in enumerate(self.masses, 1)
+        ]
+
+    def rods(self, particles: Sequence[Particle]) -> list[Any]:
+        """Return the book's rods between these particles."""
+        first = AnchoredRod(particles[0], Vector3(), self.length)
+        return [first, *(Rod(a, b, self.length) for a, b in pairwise(particles))]
+
+    def angles(self) -> tuple[list[float], Sequence[float], list[float]]:
+        """Return the initial lengths, masses and angles."""
+        count = len(self.masses)
+        return [self.length] * count, self.masses, [self.angle] * count
+
+    def truth(self) -> Callable[[float], Place]:
+        """Return the exact path, found by SciPy from Lagrange's equations for the angles.
+
+        If M is the sum of the masses from the farther one of two rods to the tip, these are
+        sum_j M l (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) = -M_i g sin a_i.
+        """
+        count = len(self.masses)
+        below = numpy.cumsum(self.masses[::-1])[::-1]
+        hung = self.length * below[numpy.maximum.outer(range(count), range(count))]
+
+        def rates(_: float, state: Any) -> Any:
+            a, w = state[:count], state[count:]
+            apart = a[:, None] - a
+            pull = (hung * numpy.sin(apart)) @ w**2 + below * self.gravity * numpy.sin(a)
+            return numpy.append(w, numpy.linalg.solve(hung * numpy.cos(apart), -pull))
+
+        def place(state: Any) -> Place:
+            x = numpy.cumsum(self.length * numpy.sin(state[:count]))
+            y = numpy.cumsum(-self.length * numpy.cos(state[:count]))
+            return tuple(map(float, numpy.stack([x, y], axis=1).ravel()))
+
+        start = [*[self.angle] * count, *[0.0] * count]
+        return solved(rates, start, place, self.frames)
+
+
+def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
+    """Return the models for any chain, with these numbers of steps per frame. Pymunk's are last."""
+    return [
+        Model("by its angles, Runge-Kutta 4", partial(by_angles, chain), steps),
+        Model("by its angles in long steps", partial(by_long_steps, chain), LONG_STEPS),
+        Model("rods as forces, Runge-Kutta 4", partial(by_tensions, chain), steps),
+        Model("direct chain", partial(by_direct_chain, chain), steps),
+        *(
+            Model(f"{name}, rods", partial(by_resolver, chain, integrator, chain.rods), steps, by)
+            for name, integrator, by in (
+                ("explicit Euler", explicit_euler, "the book"),
+                ("semi-implicit Euler", semi_implicit_euler, "ours"),
+            )
+        ),
+        *(
+            Model(name, partial(by_pin_joints, chain, iterations), MANY, "pymunk")
+            for name, iterations in (
+                ("pymunk, pin joints", 10),  # its default
+                ("pymunk, pin joints, 1 iteration", 1),
+            )
+        ),
+    ]
+
+
+def by_angles(chain: Chain, steps: int) -> Outcome:
+    """Step the angles alone by Runge-Kutta 4, with four evaluations per step."""
+    angles = AngleChain(*chain.angles(), gravity=chain.gravity)
+    places = in_frames(angles.step, lambda: flat(angles.positions), chain.frames, steps)
+    return Outcome(places, 4 * chain.frames * steps * len(chain.masses))
+
+
+def by_long_steps(chain: Chain, steps: int) -> Outcome:
+    """Step the angles so many times in LONG frames, and read cubics between the steps' ends."""
+    angles = AngleChain(*chain.angles(), gravity=chain.gravity)
+    length, places, made = LONG / steps, [], 0  # frames of a step
+    old, fast = [*angles.angles], [*angles.angular_velocities]
+    for frame in range(1, chain.frames + 1):
+        while made * length < frame - 1e-9:
+            old, fast = [*angles.angles], [*angles.angular_velocities]
+            angles.step(length / RATE)
+            made += 1
+        share = 1.0 - (made * length - frame) / length
+        new, later = angles.angles, angles.angular_velocities
+        turned = hermite(old, fast, new, later, length / RATE, share)
+        place, x, y = [], 0.0, 0.0
+        for angle in turned:
+            x += chain.length * math.sin(angle)
+            y -= chain.length * math.cos(angle)
+            place += [x, y]
+        places.append(tuple(place))
+    return Outcome(places, 4 * made * len(chain.masses))
+
+
+def by_tensions(chain: Chain, steps: int) -> Outcome:
+    """Step the particles by Runge-Kutta 4, with the tensions of the rods as forces."""
+    particles = chain.particles()
+    rods = RodTensions(particles, Vector3())
+    places = in_frames(
+        lambda duration: runge_kutta_4(particles, rods.update_forces, duration),
+        lambda: places_of(particles),
+        chain.frames,
+        steps,
+    )
+    return Outcome(places, 4 * chain.frames * steps * len(particles))
+
+
+def by_direct_chain(chain: Chain, steps: int) -> Outcome:
+    """Step the particles, solving for the impulses of all rods at once."""
+    particles = chain.particles()
+    solver = DirectChain(particles, Vector3())
+    places = in_frames(solver.step, lambda: places_of(particles), chain.frames, steps)
+    return Outcome(places, chain.frames * steps * len(particles))
+
+
+def by_resolver(
+    chain: Chain,
+    integrator: Integrator,
+    rods: Callable[[Sequence[Particle]], list[Any]],
+    steps: int,
+) -> Outcome:
+    """Step the particles and resolve the contacts of their rods."""
+    particles = chain.particles()
+    resolver, work = ContactResolver(), 0
+
+    def resolve(contacts: list[Contact], duration: float) -> None:
+        nonlocal work
+        resolver.resolve_contacts(contacts, duration)
+        work += resolver.iterations_used
+
+    step = resolving(integrator, particles, rods(particles), resolve)
+    places = in_frames(step, lambda: places_of(particles), chain.frames, steps)
+    return Outcome(places, work)
+
+
+def by_pin_joints(chain: Chain, iterations: int, steps: int) -> Outcome:
+    """Connect the particles with pin joints in pymunk, with this number of solver iterations."""
+    import pymunk
+
+    space = pymunk.Space()
+    space.gravity, space.iterations = (0.0, -chain.gravity), iterations
+    before, bodies = space.static_body, []
+    for particle in chain.particles():
+        body = pymunk.Body(particle.mass, math.inf)
+        body.position = (particle.position.x, particle.position.y)
+        space.add(body, pymunk.PinJoint(before, body))
+        bodies.append(body)
+        before = body
+    places = in_frames(
+        space.step,
+        lambda: tuple(part for body in bodies for part in body.position),
+        chain.frames,
+        steps,
+    )
+    return Outcome(places, chain.frames * steps * iterations * len(bodies))
+
+
+def places_of(particles: Sequence[Particle]) -> Place:
+    """Return the coordinates of all particles in the X-Y plane."""
+    return flat([particle.position for particle in particles])
+
+
+def flat(vectors: Sequence[Vector3]) -> Place:
+    """Return the x and y of all vectors in one sequence."""
+    return tuple([part for vector in vectors for part in (vector.x, vector.y)])

@@ -1,0 +1,163 @@
+"""Scenes of one body: a shot, a fall, two orbits, and a floating block."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING
+
+from ch02_vectors.vector import Vector3
+from ch04_particle_engine.closed_form import state_after
+from ch04_particle_engine.exact_frames import places_in_frames
+from ch05_forces.closed_form import quadratic_fall
+from ch05_forces.forces import Drag, Gravity, InverseSquareGravity
+from ch05_forces.particle import Particle
+from ch06_springs.closed_form import damped_spring_state
+from ch06_springs.integrators import explicit_euler
+from ch06_springs.springs import Buoyancy
+from studies.accuracy.scene import (
+    RATE,
+    Made,
+    Model,
+    Outcome,
+    Place,
+    Scene,
+    by_forces,
+    by_formula,
+    by_integrators,
+    by_pymunk,
+    space_with,
+)
+from studies.runs.drag_flight import PROJECTILE, make_particle, make_space
+
+if TYPE_CHECKING:
+    import pymunk
+
+G = 9.81  # m/s^2
+
+
+def projectile() -> Scene:
+    """Return a shot with linear drag, by the closed form, by damping, and by drag as a force."""
+    frames = round(PROJECTILE.duration * RATE)
+    k1 = -math.log(PROJECTILE.damping)
+
+    def place_at(time: float) -> Place:
+        place, _ = state_after(shot, time)
+        return place.x, place.y
+
+    def truth(time: float) -> Place:
+        return PROJECTILE.exact(time).position[:2]
+
+    def thrown(damping: float) -> Particle:
+        start = PROJECTILE.start
+        vectors = (start.position, start.velocity, PROJECTILE.acceleration)
+        return Particle(*(Vector3(*vector) for vector in vectors), damping=damping)
+
+    def with_damping() -> Made:
+        return thrown(PROJECTILE.damping), ()
+
+    def with_drag() -> Made:
+        return thrown(1.0), [Drag(k1, 0.0)]
+
+    def in_space() -> tuple[pymunk.Space, pymunk.Body]:
+        space, (body,) = make_space(PROJECTILE)
+        return space, body
+
+    shot = make_particle(PROJECTILE)
+    damped = Model(
+        "damping in the particle", by_forces(with_damping, explicit_euler, frames), by="the book"
+    )
+
+    def in_equal_frames(_: int) -> Outcome:
+        return Outcome([*places_in_frames(shot, 1.0 / RATE, frames)], frames)
+
+    closed = [by_formula(place_at, frames), Model("exact steps", in_equal_frames, (1,))]
+    models = [*closed, damped, *by_integrators(with_drag, frames)]
+    models.append(by_pymunk("pymunk", in_space, frames))
+    return Scene("projectile with linear drag", frames, 30.0, truth, models)
+
+
+def quadratic_drag() -> Scene:
+    """Return a fall from rest with quadratic drag, almost to its terminal speed."""
+    frames, k2 = 180, 0.05
+
+    def place_at(time: float) -> Place:
+        return 0.0, -quadratic_fall(1.0, G, k2, time)[1]
+
+    def truth(time: float) -> Place:
+        u = math.sqrt(G / k2)
+        return 0.0, -u * u / G * math.log(math.cosh(G * time / u))
+
+    def make() -> Made:
+        return Particle(), [Gravity(Vector3(0.0, -G, 0.0)), Drag(0.0, k2)]
+
+    def pull(_x: float, _y: float, vx: float, vy: float) -> tuple[float, float]:
+        speed = math.hypot(vx, vy)
+        return -k2 * speed * vx, -G - k2 * speed * vy
+
+    models = [by_formula(place_at, frames), *by_integrators(make, frames)]
+    still = partial(space_with, (0.0, 0.0), (0.0, 0.0), 1.0)
+    models.append(by_pymunk("pymunk, force by hand", still, frames, pull))
+    return Scene("fall with quadratic drag", frames, 30.0, truth, models)
+
+
+def orbit(e: float, turns: int, period: float) -> Scene:
+    """Return an orbit around a center, with eccentricity e and a semi-major axis of 1 m.
+
+    The period is in s. The orbit begins at the point nearest to the center.
+    """
+    frames = math.floor(turns * period * RATE)
+    rate = 2.0 * math.pi / period
+    mu, speed = rate * rate, rate * math.sqrt((1.0 + e) / (1.0 - e))
+
+    def truth(time: float) -> Place:
+        mean = rate * time  # Kepler's equation M = E - e sin E, by Newton's method
+        anomaly = mean + math.copysign(0.85 * e, math.sin(mean))  # Danby's start always converges
+        for _ in range(60):
+            anomaly -= (anomaly - e * math.sin(anomaly) - mean) / (1.0 - e * math.cos(anomaly))
+        return math.cos(anomaly) - e, math.sqrt(1.0 - e * e) * math.sin(anomaly)
+
+    def make() -> Made:
+        start = Particle(Vector3(1.0 - e), Vector3(0.0, speed))
+        return start, [InverseSquareGravity(Vector3(), mu)]
+
+    def pull(x: float, y: float, _vx: float, _vy: float) -> tuple[float, float]:
+        cube = math.hypot(x, y) ** 3
+        return -mu * x / cube, -mu * y / cube
+
+    begun = partial(space_with, (1.0 - e, 0.0), (0.0, speed), 1.0)
+    models = by_integrators(make, frames)
+    models.append(by_pymunk("pymunk, force by hand", begun, frames, pull))
+    return Scene(f"orbit of eccentricity {e:g}", frames, 1.0, truth, models)
+
+
+def floating_block() -> Scene:
+    """Return a block that bobs in water, always partly submerged, and so moves as on a spring."""
+    frames, s, volume, mass = 240, 0.05, 0.001, 0.5
+    stiffness = 1000.0 * volume * G / (2.0 * s)  # increase of the buoyancy per meter of depth
+    low, amplitude = s * (1.0 - 2.0 * mass / (1000.0 * volume)), 0.04
+
+    def place_at(time: float) -> Place:
+        return 0.0, low + damped_spring_state(amplitude, 0.0, stiffness, 0.0, mass, time)[0]
+
+    def truth(time: float) -> Place:
+        return 0.0, low + amplitude * math.cos(math.sqrt(stiffness / mass) * time)
+
+    def make() -> Made:
+        block = Particle(Vector3(0.0, low + amplitude), mass=mass)
+        return block, [Gravity(Vector3(0.0, -G, 0.0)), Buoyancy(s, volume, 0.0)]
+
+    def pull(_x: float, y: float, _vx: float, _vy: float) -> tuple[float, float]:
+        share = min(max((s - y) / (2.0 * s), 0.0), 1.0)
+        return 0.0, 1000.0 * volume * G * share - mass * G
+
+    begun = partial(space_with, (0.0, low + amplitude), (0.0, 0.0), mass)
+    models = [by_formula(place_at, frames), *by_integrators(make, frames)]
+    models.append(by_pymunk("pymunk, force by hand", begun, frames, pull))
+    return Scene("floating block", frames, amplitude, truth, models)
+
+
+# One orbit is like a planet's. The other is like a comet's, with 60 frames per turn.
+ORBITS = [partial(orbit, 0.5, 3, 2.0 * math.pi), partial(orbit, 0.9, 1, 1.0)]
+FLIGHTS: list[Callable[[], Scene]] = [projectile, quadratic_drag, *ORBITS, floating_block]

@@ -1,0 +1,202 @@
+"""Scenes of bouncing balls: one ball with and without losses, and one ball on another.
+
+The work is the number of searches for contacts: one per step, or one per impact and frame. For a
+ball that is computed from its impacts alone, it is the number of heights.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import Integrator, explicit_euler, semi_implicit_euler
+from ch07_constraints.bouncing_ball import heights_in_frames
+from ch07_constraints.contacts import ContactResolver
+from ch07_constraints.detectors import Detectors, GroundPlane, Impact, ParticlePairs
+from ch07_constraints.time_division import time_division_step
+from studies.accuracy.scene import MANY, RATE, Model, Outcome, Place, Scene, in_frames
+from studies.runs.constraints import resolving
+
+G = 10.0  # m/s^2
+RADIUS = 0.1  # m
+
+
+class Balls:
+    """Balls above each other that start at rest. Heights are those of centers, lowest first."""
+
+    def __init__(
+        self, heights: Sequence[float], masses: Sequence[float], ground: float, pair: float
+    ) -> None:
+        self.heights, self.masses = heights, masses
+        self.ground, self.pair = ground, pair  # restitutions
+
+    def particles(self) -> list[Particle]:
+        """Return the balls as particles."""
+        return [
+            Particle(Vector3(0.0, y), acceleration=Vector3(0.0, -G), mass=mass)
+            for y, mass in zip(self.heights, self.masses, strict=True)
+        ]
+
+    def detectors(self, particles: list[Particle]) -> Detectors:
+        """Return the detectors of the balls' contacts."""
+        ground = GroundPlane(particles, radius=RADIUS, restitution=self.ground)
+        if len(particles) == 1:
+            return Detectors(ground)
+        return Detectors(ground, ParticlePairs(particles, RADIUS, self.pair))
+
+    def places_at(self, times: Sequence[float]) -> list[Place]:
+        """Return the heights at these times, computed from impact to impact in plain numbers."""
+        heights, speeds, now = [*self.heights], [0.0] * len(self.heights), 0.0
+        found = []
+        for time in times:
+            while (impact := self._next(heights, speeds))[0] <= time - now:
+                after, i = impact
+                heights, speeds = _fall(heights, speeds, after)
+                self._collide(speeds, i)
+                now += after
+            heights, speeds = _fall(heights, speeds, time - now)
+            now = time
+            found.append(tuple(heights))
+        return found
+
+    def _next(self, heights: list[float], speeds: list[float]) -> tuple[float, int]:
+        """Return the time until the next impact, and the index of the upper ball in it."""
+        first, v = heights[0] - RADIUS, speeds[0]
+        impacts = [((v + math.sqrt(max(v * v + 2.0 * G * first, 0.0))) / G, 0)]
+        for i in range(1, len(heights)):
+            gap, closing = heights[i] - heights[i - 1] - 2.0 * RADIUS, speeds[i - 1] - speeds[i]
+            if closing > 0.0:
+                impacts.append((max(gap, 0.0) / closing, i))
+        return min(impacts)
+
+    def _collide(self, speeds: list[float], i: int) -> None:
+        if i == 0:
+            speeds[0] *= -self.ground
+            return
+        m, n = self.masses[i - 1], self.masses[i]
+        change = (1.0 + self.pair) * (speeds[i - 1] - speeds[i]) / (m + n)
+        speeds[i - 1] -= n * change
+        speeds[i] += m * change
+
+
+def _fall(
+    heights: list[float], speeds: list[float], time: float
+) -> tuple[list[float], list[float]]:
+    pairs = zip(heights, speeds, strict=True)
+    return [y + v * time - 0.5 * G * time * time for y, v in pairs], [v - G * time for v in speeds]
+
+
+def by_time_division(balls: Balls, frames: int, steps: int) -> Outcome:
+    """Advance from impact to impact."""
+    particles = balls.particles()
+    detectors, work = balls.detectors(particles), 0
+
+    class Counted:
+        contacts = detectors.contacts
+
+        def next_impact(self, duration: float) -> Impact | None:
+            nonlocal work
+            work += 1
+            return detectors.next_impact(duration)
+
+    places = in_frames(
+        lambda duration: time_division_step(particles, Counted(), duration),
+        lambda: _heights(particles),
+        frames,
+        steps,
+    )
+    return Outcome(places, work)
+
+
+def by_its_impacts(balls: Balls, frames: int, _: int) -> Outcome:
+    """Compute a single ball only at the times at which its height is needed."""
+    (height,) = balls.heights
+    heights = heights_in_frames(height - RADIUS, 0.0, balls.ground, 1.0 / RATE, frames, G)
+    return Outcome([(RADIUS + height,) for height in heights], frames)
+
+
+def by_resolver(integrator: Integrator, balls: Balls, frames: int, steps: int) -> Outcome:
+    """Make a step, then detect and resolve contacts."""
+    particles = balls.particles()
+    detectors, resolver = balls.detectors(particles), ContactResolver()
+    step = resolving(integrator, particles, [detectors], resolver.resolve_contacts)
+    return Outcome(in_frames(step, lambda: _heights(particles), frames, steps), frames * steps)
+
+
+def _heights(particles: list[Particle]) -> Place:
+    return tuple(particle.position.y for particle in particles)
+
+
+def by_pymunk(balls: Balls, frames: int, steps: int) -> Outcome:
+    """Run the balls in pymunk, where restitution is the product of two elasticities."""
+    import pymunk
+
+    space = pymunk.Space()
+    space.gravity = (0.0, -G)
+    bodies: list[Any] = []
+    # The ground has 1, the lowest ball has the ground's restitution, and the next ball has the
+    # value that gives the pair's restitution.
+    elasticity = [balls.ground, balls.pair / balls.ground]
+    for i, (y, mass) in enumerate(zip(balls.heights, balls.masses, strict=True)):
+        body = pymunk.Body(mass, math.inf)
+        body.position = (0.0, y)
+        shape = pymunk.Circle(body, RADIUS)
+        shape.elasticity = elasticity[i]
+        space.add(body, shape)
+        bodies.append(body)
+    floor = pymunk.Segment(space.static_body, (-9.0, 0.0), (9.0, 0.0), 0.0)
+    floor.elasticity = 1.0
+    space.add(floor)
+    places = in_frames(space.step, lambda: tuple(body.position.y for body in bodies), frames, steps)
+    return Outcome(places, frames * steps)
+
+
+def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
+    """Return the scene of these balls with every model."""
+    exact = balls.places_at([frame / RATE for frame in range(1, frames + 1)])
+
+    def truth(time: float) -> Place:
+        return exact[round(time * RATE) - 1]
+
+    models = [Model("time division", partial(by_time_division, balls, frames), (1,))]
+    if len(balls.heights) == 1:
+        models.append(Model("its impacts alone", partial(by_its_impacts, balls, frames), (1,)))
+    models += [
+        Model(
+            "explicit Euler, then contacts",
+            partial(by_resolver, explicit_euler, balls, frames),
+            MANY,
+            "the book",
+        ),
+        Model(
+            "semi-implicit Euler, then contacts",
+            partial(by_resolver, semi_implicit_euler, balls, frames),
+            MANY,
+        ),
+        Model("pymunk", partial(by_pymunk, balls, frames), MANY, "pymunk"),
+    ]
+    return Scene(name, frames, scale, truth, models, "searches for contacts")
+
+
+def bouncing_ball(restitution: float) -> Scene:
+    """Return a ball that is dropped from 2 m, for 3 s."""
+    balls = Balls((2.0 + RADIUS,), (1.0,), restitution, 1.0)
+    return scene_of(f"bouncing ball, restitution {restitution:g}", balls, 180, 2.0)
+
+
+def two_balls() -> Scene:
+    """Return a light ball on a heavy ball, dropped from 1 m, for 1.5 s (exercise 7.3)."""
+    gap = 1e-3
+    balls = Balls((1.0 + RADIUS, 1.0 + 3.0 * RADIUS + gap), (1.0, 0.1), 0.9, 0.8)
+    return scene_of("a light ball dropped on a heavy one", balls, 90, 1.0)
+
+
+IMPACTS: list[Callable[[], Scene]] = [
+    partial(bouncing_ball, 1.0),
+    partial(bouncing_ball, 0.8),
+    two_balls,
+]

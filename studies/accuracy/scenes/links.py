@@ -1,0 +1,81 @@
+"""Scenes of rods: a pendulum, a double pendulum, a heavy tip on five rods, and a rope."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from functools import partial
+from itertools import pairwise
+from typing import Any
+
+from scipy.special import ellipj  # type: ignore[import-untyped]
+
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import semi_implicit_euler
+from ch07_constraints.angle_pendulum import AnglePendulum, DoublePendulum
+from ch07_constraints.links import TwoSidedRod
+from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene, in_frames
+from studies.accuracy.scenes.chains import COUNTED, Chain, by_resolver, flat, models_of
+
+G = 9.81  # m/s^2
+ROUND_G = 10.0  # m/s^2, in the scenes of the pendulum and of the rope
+
+
+def pendulum() -> Scene:
+    """Return a pendulum of 1 m that is released horizontally, for 5 s."""
+    chain = Chain(1.0, [1.0], 0.5 * math.pi, ROUND_G, frames=300)
+
+    def truth(time: float) -> Place:
+        """Use Jacobi's functions: sin(angle / 2) is sin(start / 2) cn / dn of t sqrt(g / l)."""
+        m = math.sin(0.25 * math.pi) ** 2
+        _, cn, dn, _ = ellipj(math.sqrt(ROUND_G) * time, m)
+        half = math.asin(math.sqrt(m) * cn / dn)
+        return math.sin(2.0 * half), -math.cos(2.0 * half)
+
+    def by_angle(steps: int) -> Outcome:
+        bob = AnglePendulum(1.0, 0.5 * math.pi, gravity=ROUND_G)
+        places = in_frames(bob.step, lambda: (bob.position.x, bob.position.y), chain.frames, steps)
+        return Outcome(places, 4 * chain.frames * steps)
+
+    by_particles = models_of(chain)[2:]  # without the models by angles, which by_angle replaces
+    models = [Model("by its angle, Runge-Kutta 4", by_angle), *by_particles]
+    return Scene("pendulum from horizontal", chain.frames, 1.0, truth, models, COUNTED)
+
+
+def double_pendulum() -> Scene:
+    """Return two bobs of 1 kg on two rods of 1 m, both at 60 degrees at first, for 2 s."""
+    chain = Chain(1.0, [1.0, 1.0], math.radians(60.0), G, frames=120)
+
+    def by_two_angles(steps: int) -> Outcome:
+        bobs = DoublePendulum(*chain.angles(), gravity=G)
+        places = in_frames(bobs.step, lambda: flat(bobs.positions), chain.frames, steps)
+        return Outcome(places, 4 * chain.frames * steps)
+
+    models = [Model("by its two angles, Runge-Kutta 4", by_two_angles), *models_of(chain)]
+    return Scene("double pendulum", chain.frames, 1.0, chain.truth(), models, COUNTED)
+
+
+def heavy_tip() -> Scene:
+    """Return a bob of 10 kg on five rods of 1 m with joints of 1 kg, at 60 degrees, for 2 s."""
+    chain = Chain(1.0, [1.0, 1.0, 1.0, 1.0, 10.0], math.radians(60.0), G, frames=120)
+    models = models_of(chain)
+    return Scene("five rods, heavy tip", chain.frames, 1.0, chain.truth(), models, COUNTED)
+
+
+def rope() -> Scene:
+    """Return a rope of thirty rods of 0.1 m and 0.1 kg, released at 30 degrees, for 1 s."""
+    chain = Chain(0.1, [0.1] * 30, math.radians(30.0), ROUND_G, frames=60)
+    steps = STEPS[:6]
+
+    def two_sided(particles: Sequence[Particle]) -> list[Any]:
+        still = Particle(mass=math.inf)
+        return [TwoSidedRod(a, b, chain.length) for a, b in pairwise([still, *particles])]
+
+    *ours, ten, one = models_of(chain, steps)
+    run = partial(by_resolver, chain, semi_implicit_euler, two_sided)
+    ours.append(Model("semi-implicit Euler, two-sided rods", run, steps))
+    models = [*ours, ten, one]
+    return Scene("rope of 30 links", chain.frames, 3.0, chain.truth(), models, COUNTED)
+
+
+LINKED: list[Callable[[], Scene]] = [pendulum, double_pendulum, heavy_tip, rope]

@@ -1,0 +1,150 @@
+"""Scenes of nets: a rope bridge that swings and one that is walked over, and a net that catches."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+from itertools import pairwise
+from typing import Any
+
+import numpy
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch07_constraints.direct_net import DirectNet
+from ch07_constraints.smooth_net import SmoothNet
+from ch08_mass_aggregate.bridge_plan import CABLE_LENGTH, PLANK_MASS, ROWS
+from ch08_mass_aggregate.equilibrium import equilibrium
+from ch08_mass_aggregate.world import ParticleWorld
+from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene
+from studies.accuracy.scenes.bridge import MASSES, cables, hanging
+from studies.accuracy.scenes.planes import (
+    COUNTED,
+    Plane,
+    Walker,
+    by_long_steps,
+    by_net,
+    by_slide_joints,
+)
+from studies.accuracy.scenes.taut import Tie
+
+FINE = 8  # steps a frame, of our own run that the truth is compared with
+
+
+def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) -> Scene:
+    """Return the scene of a plane, which is made when it is first run.
+
+    The truth is SciPy's, and ``differs`` compares it with our own run in short steps.
+    """
+    plane = cache(make)
+
+    @cache
+    def exact() -> list[Place]:
+        return [tuple(map(float, place)) for place in plane().exact()]
+
+    def differs() -> float:
+        own = by_net(plane(), SmoothNet, FINE).places
+        return float(abs(numpy.array(own) - numpy.array(exact())).max()) / scale
+
+    def run(by: Callable[..., Outcome], *chosen: Any) -> Callable[[int], Outcome]:
+        return lambda steps: by(plane(), *chosen, steps)
+
+    models = [
+        Model("direct net", run(by_net, DirectNet), STEPS[:6]),
+        Model("smooth net, order 4", run(by_net, SmoothNet), STEPS[:4]),
+        Model("smooth net in long steps", run(by_long_steps), (1, 2, 3, 4, 6)),
+        Model("pymunk, slide joints", run(by_slide_joints, 10), STEPS, "pymunk"),
+        Model("pymunk, slide joints, 3 iterations", run(by_slide_joints, 3), STEPS, "pymunk"),
+    ]
+    return Scene(
+        name, frames, scale, lambda t: exact()[round(t * RATE) - 1], models, COUNTED, differs
+    )
+
+
+def bridge_ties() -> list[Tie]:
+    """Return the cables of one side of the rope bridge, as they are seen from that side."""
+    return [(start, end, length, 1) for start, end, length in cables()]
+
+
+def hung() -> list[tuple[float, float]]:
+    """Return where the rows of a side hang, with a load on the third."""
+    return [(x, y) for x, y in hanging()]
+
+
+def settled(plane: Plane, wind: float = 0.0) -> Plane:
+    """Return a plane whose knots are where they stay at rest, in a wind along X in m/s^2."""
+    knots = plane.particles()
+    for knot in knots:
+        knot.acceleration.x = wind
+    world = ParticleWorld(knots, plane.links(knots))
+    if plane.walker:
+        start, _, weight = plane.walker
+        world.registry.add(knots[0], Walker(knots, Particle(Vector3(start)), weight))
+    equilibrium(world)
+    return replace(plane, places=[(knot.position.x, knot.position.y) for knot in knots])
+
+
+def swinging() -> Scene:
+    """A side of the bridge that hangs aside in a wind of 3 m/s^2, which stops: then 2 s of swing.
+
+    All its cables stay taut. There is no damping.
+    """
+
+    def make() -> Plane:
+        return settled(Plane(MASSES, hung(), bridge_ties(), 120), wind=3.0)
+
+    return scene_of("rope bridge swinging", 120, CABLE_LENGTH, make)
+
+
+def walked_over() -> Scene:
+    """A side of the bridge, over which half of a ball of 5 kg walks at 2 m/s, for 3.6 s.
+
+    The weight of the ball is on the two rows beside it. All cables stay taut.
+    """
+
+    def make() -> Plane:
+        walker = (-3.6, 2.0, 0.5 * 5.0 * 9.81)
+        return settled(Plane([PLANK_MASS] * ROWS, hung(), bridge_ties(), 216, walker))
+
+    return scene_of("rope bridge walked over", 216, CABLE_LENGTH, make)
+
+
+def catching() -> Scene:
+    """A net of 6 by 6 cables between two poles, and a ball of 1 kg that falls in, for 0.6 s.
+
+    Cables across have knots of 0.2 kg every 0.55 m in the top row, and every 0.59 m below it, so
+    that they hang slack there. Cables of 0.45 m hang down from knot to knot. The ball falls 0.3 m,
+    a bit beside the middle. It touches what comes within its radius of 0.5 m in the upper two rows.
+    """
+    size, gap, radius = 6, 0.5, 0.5
+
+    def make() -> Plane:
+        ties: list[Tie] = []
+        for row in range(size):
+            y, length = -gap * row, 0.59 if row else 0.55
+            knots = [size * row + column for column in range(size)]
+            ties.append(((-3.5 * gap, y), knots[0], length, 1))
+            ties += [(a, b, length, 1) for a, b in pairwise(knots)]
+            ties.append(((3.5 * gap, y), knots[-1], length, 1))
+            ties += [(knot - size, knot, 0.45, 1) for knot in knots if row]
+        places = [
+            (gap * (column - 2.5), -gap * row - 0.05)
+            for row in range(size)
+            for column in range(size)
+        ]
+        net = settled(Plane([0.2] * size**2, places, ties, 36))
+        top = net.places[2][1] + math.sqrt(radius**2 - 0.04) + 0.3
+        struts: list[Tie] = [(size**2, knot, radius, -1) for knot in range(2 * size)]
+        return replace(
+            net,
+            masses=[*net.masses, 1.0],
+            places=[*net.places, (0.07, top)],
+            ties=[*ties, *struts],
+        )
+
+    return scene_of("net of 6 by 6 cables", 36, gap, make)
+
+
+NETS: list[Callable[[], Scene]] = [swinging, walked_over, catching]

@@ -1,0 +1,193 @@
+"""Ways to run a net in a plane: its true motion, our nets of order 2 and 4, and pymunk's joints.
+
+What is counted is links solved for: four times a step for a net of order 4. Pymunk goes through its
+joints in each step as often as it has iterations.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import ForceRegistry
+from ch05_forces.particle import Particle
+from ch07_constraints.direct_net import DirectNet
+from ch07_constraints.links import AnchoredCable, Cable
+from ch07_constraints.net import Strut
+from ch07_constraints.smooth_net import SmoothNet, hermite
+from studies.accuracy.scene import RATE, Outcome, Place, in_frames
+from studies.accuracy.scenes.taut import TautMotion, Tie
+
+COUNTED = "links solved for"
+LONG = 12  # frames, in which a net of order 4 makes few steps
+FAR = 1e3  # m: no slide joint gets as long
+
+
+@dataclass(frozen=True)
+class Plane:
+    """Knots with masses in kg at their start positions, and the ties between them; see TautMotion.
+
+    ``walker`` is what walks over the knots in their order: its x at the start in m, its speed in
+    m/s, and its weight in N, which the two knots beside it bear in proportion.
+    """
+
+    masses: Sequence[float]
+    places: Sequence[tuple[float, float]]
+    ties: Sequence[Tie]
+    frames: int
+    walker: tuple[float, float, float] | None = None
+    gravity: float = 9.81
+
+    def load(self, time: float, places: Any) -> Any:
+        """Return the weights on all knots, and that of the walker."""
+        forces = numpy.outer(self.masses, (0.0, -self.gravity))
+        if self.walker:
+            start, pace, weight = self.walker
+            knot, share = borne([place[0] for place in places.reshape(-1, 2)], start + pace * time)
+            forces[knot, 1] -= (1.0 - share) * weight
+            forces[knot + 1, 1] -= share * weight
+        return forces.ravel()
+
+    def exact(self) -> Any:
+        """Return the positions at the end of each frame, by SciPy."""
+        motion = TautMotion(self.masses, self.ties, self.load)
+        times = [frame / RATE for frame in range(1, self.frames + 1)]
+        still = numpy.zeros((len(self.masses), 2))
+        return motion.run(numpy.array(self.places), still, times)
+
+    def particles(self) -> list[Particle]:
+        """Return the knots of one copy."""
+        down = Vector3(0.0, -self.gravity)
+        return [
+            Particle(Vector3(x, y), acceleration=down, mass=mass)
+            for mass, (x, y) in zip(self.masses, self.places, strict=True)
+        ]
+
+    def links(self, knots: Sequence[Particle]) -> list[Any]:
+        """Return the links of chapter 7 that are these ties."""
+        found: list[Any] = []
+        for start, end, length, kind in self.ties:
+            if not isinstance(start, int):
+                found.append(AnchoredCable(knots[end], Vector3(*start), length))
+            elif kind > 0:
+                found.append(Cable(knots[start], knots[end], length))
+            else:
+                found.append(Strut(knots[start], knots[end], length))
+        return found
+
+
+def borne(xs: Sequence[float], x: float) -> tuple[int, float]:
+    """Return after which knot a walker is, and which fraction of the way to the next one."""
+    knot = sum(x >= other for other in xs[1:-1])
+    return knot, min(max((x - xs[knot]) / (xs[knot + 1] - xs[knot]), 0.0), 1.0)
+
+
+class Walker:
+    """Generates the weight of a walker; it is registered for one knot, and pulls at two."""
+
+    def __init__(self, knots: Sequence[Particle], walker: Particle, weight: float) -> None:
+        self.knots, self.walker, self.weight = knots, walker, weight
+
+    def update_force(self, _: Particle, __: float) -> None:
+        """Add the weight to the two knots beside the walker, in proportion."""
+        xs = [knot.position.x for knot in self.knots]
+        knot, share = borne(xs, self.walker.position.x)
+        self.knots[knot].add_force(Vector3(0.0, (share - 1.0) * self.weight))
+        self.knots[knot + 1].add_force(Vector3(0.0, -share * self.weight))
+
+
+def made(plane: Plane, kind: type[DirectNet] | type[SmoothNet]) -> tuple[list[Particle], Any]:
+    """Return the knots, and what makes a step of their net."""
+    knots = plane.particles()
+    registry, walkers = ForceRegistry(), []
+    if plane.walker:
+        start, pace, weight = plane.walker
+        walkers.append(Particle(Vector3(start), Vector3(pace)))
+        registry.add(knots[0], Walker(knots, walkers[0], weight))
+    net = kind(plane.links(knots), walkers)
+    forces = registry.update_forces if walkers else None
+
+    def step(duration: float) -> None:
+        if isinstance(net, SmoothNet):
+            net.step(duration, forces)
+        else:
+            if forces:
+                forces(duration)
+            net.step(duration)
+
+    return knots, step
+
+
+def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) -> Outcome:
+    """Step the net, and read the positions of the knots in every frame."""
+    knots, step = made(plane, kind)
+
+    def place() -> Place:
+        return tuple([part for knot in knots for part in (knot.position.x, knot.position.y)])
+
+    stages = 4 if kind is SmoothNet else 1
+    work = stages * plane.frames * steps * len(plane.ties)
+    return Outcome(in_frames(step, place, plane.frames, steps), work)
+
+
+def by_long_steps(plane: Plane, steps: int) -> Outcome:
+    """Make so many steps of order 4 in LONG frames, and read cubics between their ends.
+
+    That is good for smooth motion: there is no cubic through an impact.
+    """
+    knots, step = made(plane, SmoothNet)
+
+    def state() -> tuple[list[float], list[float]]:
+        points, moves = [k.position for k in knots], [k.velocity for k in knots]
+        return [c for p in points for c in (p.x, p.y)], [c for v in moves for c in (v.x, v.y)]
+
+    every, places = LONG // steps, []
+    duration = every / RATE
+    old, fast = state()
+    for _ in range(plane.frames // every):
+        step(duration)
+        new, later = state()
+        for frame in range(1, every):
+            places.append(tuple(hermite(old, fast, new, later, duration, frame / every)))
+        places.append(tuple(new))
+        old, fast = new, later
+    return Outcome(places, 4 * plane.frames // every * len(plane.ties))
+
+
+def by_slide_joints(plane: Plane, iterations: int, steps: int) -> Outcome:
+    """Let pymunk hold the knots by slide joints, with so many iterations of its solver a step."""
+    import pymunk
+
+    space = pymunk.Space()
+    space.gravity, space.iterations = (0.0, -plane.gravity), iterations
+    bodies = [pymunk.Body(mass, math.inf) for mass in plane.masses]
+    still = space.static_body
+    for body, point in zip(bodies, plane.places, strict=True):
+        body.position = point
+    space.add(*bodies)
+    for start, end, length, kind in plane.ties:
+        held, at = (bodies[start], (0.0, 0.0)) if isinstance(start, int) else (still, start)
+        limits = (0.0, length) if kind > 0 else (length, FAR)
+        space.add(pymunk.SlideJoint(held, bodies[end], at, (0.0, 0.0), *limits))
+    first, pace, weight = plane.walker or (0.0, 0.0, 0.0)
+    time = 0.0
+
+    def step(duration: float) -> None:
+        nonlocal time
+        if weight:
+            knot, share = borne([body.position.x for body in bodies], first + pace * time)
+            bodies[knot].apply_force_at_local_point((0.0, (share - 1.0) * weight))
+            bodies[knot + 1].apply_force_at_local_point((0.0, -share * weight))
+            time += duration
+        space.step(duration)
+
+    def place() -> Place:
+        return tuple([part for body in bodies for part in body.position])
+
+    places = in_frames(step, place, plane.frames, steps)
+    return Outcome(places, plane.frames * steps * iterations * len(plane.ties))

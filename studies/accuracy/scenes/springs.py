@@ -1,0 +1,146 @@
+"""Scenes of one body on a spring: along a line with four stiffnesses, and an elastic pendulum."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import TYPE_CHECKING
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch06_springs.closed_form import damped_spring_state
+from ch06_springs.integrators import backward_euler, semi_implicit_euler, trapezoidal
+from ch06_springs.springs import AnchoredSpring, FakeStiffSpring
+from studies.accuracy.scene import (
+    Made,
+    Model,
+    Outcome,
+    Place,
+    Scene,
+    by_forces,
+    by_formula,
+    by_integrators,
+    by_pymunk,
+    in_frames,
+    solved,
+    space_with,
+)
+from studies.runs.stability import Solver
+
+if TYPE_CHECKING:
+    import pymunk
+
+FRAMES = 120
+
+
+def spring(stiffness: float, damping: float) -> Scene:
+    """Return a body of 1 kg that is released 1 m from the anchor of a spring of rest length 0."""
+
+    def place_at(time: float) -> Place:
+        return damped_spring_state(1.0, 0.0, stiffness, damping, 1.0, time)[0], 0.0
+
+    def truth(time: float) -> Place:
+        """Use the two complex exponentials. The roots are never equal in these scenes."""
+        root = cmath.sqrt(0.25 * damping * damping - stiffness)
+        a, b = -0.5 * damping + root, -0.5 * damping - root
+        return ((b * cmath.exp(a * time) - a * cmath.exp(b * time)) / (b - a)).real, 0.0
+
+    def make() -> Made:
+        return Particle(Vector3(1.0)), [AnchoredSpring(Vector3(), stiffness, 0.0, damping)]
+
+    def make_fake() -> Made:
+        return Particle(Vector3(1.0)), [FakeStiffSpring(Vector3(), stiffness, damping)]
+
+    def in_space() -> tuple[pymunk.Space, pymunk.Body]:
+        import pymunk  # here, because a chapter's plots do not need it
+
+        space, body = space_with((1.0, 0.0), (0.0, 0.0), 1.0)
+        still = space.static_body
+        space.add(pymunk.DampedSpring(body, still, (0, 0), (0, 0), 0.0, stiffness, damping))
+        return space, body
+
+    def pull(x: float, y: float, vx: float, vy: float) -> tuple[float, float]:
+        return -stiffness * x - damping * vx, -stiffness * y - damping * vy
+
+    models = [
+        by_formula(place_at, FRAMES),
+        *by_integrators(make, FRAMES),
+        Model("backward Euler", partial(by_solver, backward_euler, stiffness, damping)),
+        Model("trapezoidal rule", partial(by_solver, trapezoidal, stiffness, damping)),
+        Model("faked stiff spring", by_forces(make_fake, semi_implicit_euler, FRAMES)),
+        by_pymunk("pymunk's spring", in_space, FRAMES),
+        by_pymunk(
+            "pymunk, force by hand",
+            partial(space_with, (1.0, 0.0), (0.0, 0.0), 1.0),
+            FRAMES,
+            pull,
+        ),
+    ]
+    name = f"spring, k = {stiffness:g} N/m, c = {damping:.3g} N s/m"
+    return Scene(name, FRAMES, 1.0, truth, models)
+
+
+def elastic_pendulum() -> Scene:
+    """Return a body of 1 kg that swings on an undamped spring of 200 N/m and 1 m, for 2 s.
+
+    It starts beside the anchor, at 1.2 m, with 1.5 m/s upward. Its motion has no closed form.
+    """
+    stiffness, rest, gravity = 200.0, 1.0, 9.81
+    place, velocity = (1.2, 0.0), (0.0, 1.5)
+
+    def pull(x: float, y: float, _vx: float, _vy: float) -> tuple[float, float]:
+        length = math.hypot(x, y)
+        tension = stiffness * (length - rest)
+        return -tension * x / length, -tension * y / length
+
+    def rates(_: float, state: Sequence[float]) -> list[float]:
+        x, y, vx, vy = state
+        ax, ay = pull(x, y, vx, vy)
+        return [vx, vy, ax, ay - gravity]
+
+    def make() -> Made:
+        body = Particle(Vector3(*place), Vector3(*velocity), Vector3(0.0, -gravity))
+        return body, [AnchoredSpring(Vector3(), stiffness, rest)]
+
+    def falling() -> tuple[pymunk.Space, pymunk.Body]:
+        space, body = space_with(place, velocity, 1.0)
+        space.gravity = (0.0, -gravity)
+        return space, body
+
+    def on_spring() -> tuple[pymunk.Space, pymunk.Body]:
+        import pymunk
+
+        space, body = falling()
+        still = space.static_body
+        space.add(pymunk.DampedSpring(body, still, (0, 0), (0, 0), rest, stiffness, 0.0))
+        return space, body
+
+    models = [
+        *by_integrators(make, FRAMES),
+        by_pymunk("pymunk's spring", on_spring, FRAMES),
+        by_pymunk("pymunk, force by hand", falling, FRAMES, pull),
+    ]
+    truth = solved(rates, [*place, *velocity], lambda state: (state[0], state[1]), FRAMES)
+    return Scene("elastic pendulum", FRAMES, rest, truth, models)
+
+
+def by_solver(solver: Solver, stiffness: float, damping: float, steps: int) -> Outcome:
+    """Step a linear spring by a solver, which evaluates one formula per step."""
+    x, v = 1.0, 0.0
+
+    def step(duration: float) -> None:
+        nonlocal x, v
+        x, v = solver(x, v, stiffness, damping, 1.0, duration)
+
+    return Outcome(in_frames(step, lambda: (x, 0.0), FRAMES, steps), FRAMES * steps)
+
+
+# All springs have a tenth of critical damping, c = 0.2 sqrt(k), except for one with a hundredth.
+SPRINGS: list[Callable[[], Scene]] = [
+    *(partial(spring, k, 0.2 * math.sqrt(k)) for k in (10.0, 100.0, 1e4)),
+    partial(spring, 1e6, 20.0),
+    partial(spring, 1e6, 200.0),
+    elastic_pendulum,
+]

@@ -1,0 +1,136 @@
+"""Chart speed against accuracy: run every scene with all of our models, and with pymunk.
+
+The command writes one page with all charts, a picture and its numbers for each scene, and a table
+of all scenes, to build/charts/. A full run also updates the page and the overview that the
+repository keeps. If a run is interrupted, start it again and it resumes.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import platform
+import re
+import sys
+from datetime import date
+from importlib import metadata
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from matplotlib import pyplot
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+from rich.table import Table
+
+from autograder.manifest import ROOT
+from studies.reason import shown
+
+if TYPE_CHECKING:
+    from studies.accuracy.results import Row
+
+# The number of rounds, and the time in s for the slowest run of our models and of pymunk's. Pymunk
+# gets more time, because it needs many steps to become as accurate as our models.
+QUICK = (3, 0.05, 0.05)
+FULL = (9, 0.6, 6.0)
+
+
+def main(arguments: list[str]) -> int:
+    """Measure and draw. Return 0. A scene that does not exist is an error of the command line."""
+    parser = argparse.ArgumentParser(prog="python -m studies charts", description=__doc__)
+    parser.add_argument(
+        "--quick", action="store_true", help="take a minute: fewer points, fewer rounds"
+    )
+    parser.add_argument("--scene", default="", help="only scenes with this text in their name")
+    parser.add_argument(
+        "--out", type=Path, default=ROOT / "build" / "charts", help="the folder for the charts"
+    )
+    options = parser.parse_args(arguments)
+    sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
+    # These modules import chapters.
+    from studies.accuracy import chart, measure, results
+    from studies.accuracy.catalog import scenes_with
+    from studies.charts import kept, page
+
+    pyplot.switch_backend("agg")
+    try:
+        scenes = scenes_with(options.scene)
+    except ValueError as error:
+        parser.error(str(error))
+    rounds, slowest, theirs = QUICK if options.quick else FULL
+    console = Console(highlight=False)
+    options.out.mkdir(parents=True, exist_ok=True)
+    resumed = options.out / "measured.json"
+    sign = measure.sign_of([scene.name for scene in scenes], slowest, theirs)
+    columns = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=console, transient=True) as progress:
+        measured = measure.load(resumed, sign)
+        if measured is None:
+            task = progress.add_task("", total=None)
+            measured = measure.explore(
+                scenes, slowest, theirs, lambda what: progress.update(task, description=what)
+            )
+            progress.remove_task(task)
+        elif measured.rounds:
+            console.print(f"resuming an earlier run with {measured.rounds} of {rounds} rounds")
+        left = max(rounds - measured.rounds, 0)
+        task = progress.add_task("timing", total=left * len(measured.points))
+        for _ in range(left):
+            measure.time_once(measured, scenes, lambda: progress.advance(task))
+            measure.save(measured, resumed, sign)
+    for scene in scenes:
+        own = [point for point in measured.points if point.scene == scene.name]
+        png = options.out / f"{re.sub('[^a-z0-9]+', '_', scene.name.lower()).strip('_')}.png"
+        chart.draw(own, scene.counted, png)
+        console.print(f"{scene.name}: {shown(png)}", soft_wrap=True)
+        if scene.differs:
+            apart = f"{scene.differs():.1g} of the scale"
+            console.print(f"  its exact solution and our own finest run differ by {apart}")
+    rows = results.table(measured.points)
+    chart.draw_overview(rows, options.out / "overview.png")
+    words = [[*map(chart.told, (row.ours, row.pymunk)), chart.told_ratio(row)] for row in rows]
+    _print(rows, words, console)
+    if any(row.is_extrapolated for row in rows):
+        console.print("~: pymunk's time is extrapolated from its measured order of convergence.")
+    _write(rows, words, options.out / "table.csv")
+    page.write(scenes, measured.points, _how(measured.rounds, options.quick), options.out)
+    is_whole = not options.quick and not options.scene
+    if is_whole:
+        kept.keep(rows, options.out)
+    console.print(
+        f"overview of all scenes: {shown(options.out / 'overview.png')}\n"
+        f"{rounds} rounds; all numbers: {shown(options.out / 'table.csv')}\n"
+        f"all charts on one page: {shown(options.out / 'index.html')}",
+        soft_wrap=True,
+    )
+    if is_whole:
+        files = ", ".join((kept.PICTURE, kept.PAGE, *kept.READMES))
+        console.print(f"updated for readers: {files}", soft_wrap=True)
+    return 0
+
+
+def _how(rounds: int, is_quick: bool) -> str:
+    """Return a sentence about how the page was measured."""
+    quick = " in a quick run, with fewer steps for all models" if is_quick else ""
+    versions = f"Python {platform.python_version()} and pymunk {metadata.version('pymunk')}"
+    return (
+        f"Measured on {date.today():%Y-%m-%d}{quick}, with {versions}. Each time is the median of "
+        f"{rounds} rounds."
+    )
+
+
+def _print(rows: list[Row], words: list[list[str]], console: Console) -> None:
+    table = Table("scene", "error", box=SIMPLE_HEAD, pad_edge=False)
+    for heading in ("ours", "pymunk", "pymunk / ours"):
+        table.add_column(heading, justify="right")
+    for row, told in zip(rows, words, strict=True):
+        table.add_row(row.scene, f"{row.tolerance:g}", *told)
+    console.print(table)
+
+
+def _write(rows: list[Row], words: list[list[str]], path: Path) -> None:
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file)
+        writer.writerow(("scene", "tolerance", "ours", "pymunk", "pymunk / ours"))
+        for row, told in zip(rows, words, strict=True):
+            writer.writerow((row.scene, row.tolerance, *told))

@@ -1,0 +1,45 @@
+"""Logarithmic axes of a chart in SVG: where a value is, and which powers of ten have a label."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+MOST = 5  # labels on an axis
+
+
+@dataclass(frozen=True)
+class Axis:
+    """An axis from ``low`` to ``high``, which are drawn at ``start`` and ``end``."""
+
+    low: float
+    high: float
+    start: float
+    end: float
+
+    def at(self, value: float) -> float:
+        """Return the coordinate of a value, rounded to a tenth. Values beyond an end are at it."""
+        share = math.log(value / self.low) / math.log(self.high / self.low)
+        return round(self.start + min(max(share, 0.0), 1.0) * (self.end - self.start), 1)
+
+    def ticks(self) -> list[tuple[float, str]]:
+        """Return the coordinates and labels of powers of ten, at most MOST of them."""
+        first, last = math.ceil(math.log10(self.low)), math.floor(math.log10(self.high))
+        stride = max(1, math.ceil((last - first + 1) / MOST))
+        first = math.ceil(first / stride) * stride  # so that 1 is one of them
+        return [(self.at(10.0**n), shown(n)) for n in range(first, last + 1, stride)]
+
+
+def axis_for(values: Iterable[float], start: float, end: float) -> Axis:
+    """Return an axis that has room for these positive values, and for a power of ten."""
+    seen = [*values]
+    low, high = min(seen) / 1.6, max(seen) * 1.6
+    while math.ceil(math.log10(low)) > math.floor(math.log10(high)):
+        low, high = low / 1.3, high * 1.3
+    return Axis(low, high, start, end)
+
+
+def shown(power: int) -> str:
+    """Return a power of ten in figures, or as 1e-6 if it is long."""
+    return f"{10.0**power:g}" if -3 <= power <= 4 else f"1e{power}"

@@ -1,0 +1,63 @@
+"""What a full `make charts` keeps in the repository: the picture, its description and the page."""
+
+from __future__ import annotations
+
+import math
+import re
+import shutil
+import textwrap
+from collections.abc import Sequence
+from pathlib import Path
+
+from autograder.manifest import ROOT
+from studies.accuracy.results import Row
+
+PICTURE, PAGE = "studies/accuracy/overview.png", "studies/accuracy/charts.html"
+READMES = ("README.md", "studies/README.md")
+SHOWN = re.compile(r"!\[[^\]]*\](?=\([^)]*overview\.png\))")
+
+
+def keep(rows: Sequence[Row], out: Path, root: Path = ROOT) -> None:
+    """Copy the picture and the page of a run, and describe the picture where it is shown."""
+    shutil.copyfile(out / "overview.png", root / PICTURE)
+    shutil.copyfile(out / "index.html", root / PAGE)
+    for name in READMES:
+        path = root / name
+        text = path.read_text(encoding="utf-8")
+        new = SHOWN.sub(_wrapped(described(rows)), text)
+        path.write_text(new, encoding="utf-8", newline="\n")
+
+
+def _wrapped(alt: str) -> str:
+    return "\n".join(textwrap.wrap(f"![{alt}]", 105, break_long_words=False))
+
+
+def described(rows: Sequence[Row]) -> str:
+    """Return in words what the overview shows: how much longer, or shorter, pymunk takes."""
+    scenes = len({row.scene for row in rows})
+    ratios = {row.ratio: row for row in rows if row.ratio}
+    told = [
+        f"For each of {scenes} scenes, pymunk's time as a multiple of ours at errors of 1e-2, 1e-4 "
+        "and 1e-6 of the scene's size."
+    ]
+    if slower := [ratio for ratio in ratios if ratio > 1.0]:
+        most = max(slower)
+        told.append(
+            f"Pymunk takes longer in {len(slower)} of {len(ratios)} comparisons, at most "
+            f"{_rounded(most)} times as long ({ratios[most].scene})."
+        )
+    if faster := [ratio for ratio in ratios if ratio < 1.0]:
+        least = min(faster)
+        told.append(
+            f"It is faster in {len(faster)}, and takes at least 1/{_rounded(1.0 / least)} of our "
+            f"time ({ratios[least].scene})."
+        )
+    missed = sum(row.ours.time is not None and row.pymunk.time is None for row in rows)
+    told.append(f"In {missed} more, only our models reach the error.")
+    return " ".join(told)
+
+
+def _rounded(value: float) -> str:
+    """Return a number with two digits, which is as much as a picture shows."""
+    digits = max(0, 1 - math.floor(math.log10(value)))
+    return f"{float(f'{value:.2g}'):,.{digits}f}"

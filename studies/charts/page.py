@@ -1,0 +1,66 @@
+"""Write all charts as one page that needs no other file, and their data as CSV."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Sequence
+from pathlib import Path
+from urllib.parse import quote
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+from studies.accuracy.measure import Point
+from studies.accuracy.results import table
+from studies.accuracy.scene import Scene
+from studies.charts.panels import HEIGHT, IDS, MARKS, WIDTH, panel
+from studies.charts.ratios import ratios
+
+HERE = Path(__file__).parent
+COLUMNS = (
+    *("scene", "model", "by", "steps per frame, or 1 / tolerance", "error / scale"),
+    *("time, ms", "lower quartile, ms", "upper quartile, ms", "work", "what is counted as work"),
+)
+
+
+def write(scenes: Sequence[Scene], points: Sequence[Point], how: str, out: Path) -> None:
+    """Write ``index.html`` and ``points.csv``. ``how`` is a sentence about the measurement."""
+    own = {scene.name: [p for p in points if p.scene == scene.name] for scene in scenes}
+    panels = [panel(scene, own[scene.name]) for scene in scenes]
+    data = csv_of(scenes, own)
+    axis, compared = ratios(table(points))
+    environment = Environment(
+        loader=FileSystemLoader(HERE),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    page = environment.get_template("page.html").render(
+        panels=panels,
+        models=sorted({drawn.name for each in panels for drawn in each.models}),
+        ratios=compared,
+        axis=axis,
+        how=how,
+        data=quote(data, safe=" ,/()=+"),
+        marks={IDS[mark]: path for mark, path in MARKS.items()},
+        width=WIDTH,
+        height=HEIGHT,
+        style=(HERE / "style.css").read_text(encoding="utf-8"),
+        script=(HERE / "script.js").read_text(encoding="utf-8"),
+    )
+    (out / "index.html").write_text(page, encoding="utf-8", newline="\n")
+    (out / "points.csv").write_text(data, encoding="utf-8", newline="")
+
+
+def csv_of(scenes: Sequence[Scene], own: dict[str, list[Point]]) -> str:
+    """Return all points as a CSV table."""
+    file = io.StringIO()
+    writer = csv.writer(file, lineterminator="\n")
+    writer.writerow(COLUMNS)
+    for scene in scenes:
+        for p in own[scene.name]:
+            times = (1e3 * time for time in (p.time, *p.spread))
+            start = (scene.name, p.model, p.by, p.steps, p.error)
+            writer.writerow((*start, *(f"{time:.4g}" for time in times), p.work, scene.counted))
+    return file.getvalue()

@@ -1,0 +1,57 @@
+"""The last table of the page: pymunk's time as a multiple of ours, as a number and as a mark."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from studies.accuracy.chart import told, told_ratio
+from studies.accuracy.results import Row
+from studies.charts.axes import Axis, axis_for
+
+
+@dataclass(frozen=True)
+class Ratio:
+    """A row of the table. ``at`` is the position of its mark in %, and None if there is no mark.
+
+    ``kind`` is "exact", "extrapolated", or, for a bound, "more" or "less".
+    """
+
+    scene: str
+    error: str
+    ours: str
+    pymunk: str
+    told: str
+    at: float | None
+    kind: str
+
+
+def ratios(rows: Sequence[Row]) -> tuple[Axis, list[Ratio]]:
+    """Return the axis of the marks, and the rows of the table."""
+    marks = [_mark(row) for row in rows]
+    axis = axis_for([1.0, *(value for value, _ in marks if value)], 0.0, 100.0)
+    return axis, [
+        Ratio(
+            row.scene,
+            f"{row.tolerance:g}",
+            told(row.ours),
+            told(row.pymunk),
+            told_ratio(row),
+            axis.at(value) if value else None,
+            kind,
+        )
+        for row, (value, kind) in zip(rows, marks, strict=True)
+    ]
+
+
+def _mark(row: Row) -> tuple[float | None, str]:
+    """Return the ratio that a mark shows, or its bound, and the kind of the mark."""
+    if row.ratio:
+        return row.ratio, "extrapolated" if row.is_extrapolated else "exact"
+    low, high = row.bounds
+    if low > 0.0 and not row.pymunk.never:
+        return low, "more"
+    if high < math.inf and not row.ours.never:
+        return high, "less"
+    return None, ""

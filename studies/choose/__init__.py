@@ -1,0 +1,98 @@
+"""Find the cheapest model of a scene that meets a tolerance, by measuring all models.
+
+The command also shows the next cheaper model and its error. A scene is part of the name of one of
+ours, or a Python file that describes your own, as studies/choose/example.py does. Without an
+exact solution, errors are estimated by halving the steps.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rich.console import Console
+
+from autograder.manifest import ROOT
+
+if TYPE_CHECKING:
+    from studies.accuracy.measure import Point
+    from studies.accuracy.scene import Scene
+
+ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
+
+
+def main(arguments: list[str]) -> int:
+    """Measure and report. Return 1 if no model of ours meets the tolerance."""
+    parser = argparse.ArgumentParser(prog="python -m studies choose", description=__doc__)
+    parser.add_argument("scene", help="part of a scene's name, such as pendulum, or a .py file")
+    parser.add_argument(
+        "--tolerance",
+        type=float,
+        default=1e-3,
+        help="allowed error, in units of the scene's scale, or for a file in those of its measure",
+    )
+    options = parser.parse_args(arguments)
+    if not 0.0 < options.tolerance < math.inf:
+        parser.error(f"--tolerance must be positive and finite, got {options.tolerance!r}")
+    sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
+    # These modules import chapters.
+    if options.scene.endswith(".py"):
+        from studies.choose.report import choose
+        from studies.choose.scene import SceneError
+
+        try:
+            return choose(Path(options.scene), options.tolerance, Console(highlight=False))
+        except SceneError as error:
+            parser.error(str(error))
+    from studies.accuracy import measure, results
+    from studies.accuracy.catalog import scenes_with
+    from studies.accuracy.scene import RATE
+
+    try:
+        scenes = scenes_with(options.scene)
+    except ValueError as error:
+        parser.error(str(error))
+    console = Console(highlight=False)
+    with console.status("measuring") as status:
+        measured = measure.explore(scenes, SLOWEST, SLOWEST, status.update)
+        for done in range(ROUNDS):
+            status.update(f"timing, round {done + 1} of {ROUNDS}")
+            measure.time_once(measured, scenes, lambda: None)
+    missed = False
+    for scene in scenes:
+        own = [point for point in measured.points if point.scene == scene.name]
+        console.print(
+            f"{scene.name}: {scene.frames / RATE:.3g} s, error at most {options.tolerance:g} of "
+            f"its scale of {scene.scale:.3g} m",
+            style="bold",
+            soft_wrap=True,
+        )
+        ours, others = results.split(own)
+        found, cheaper = results.cheapest(ours, options.tolerance)
+        theirs, _ = results.cheapest(others, options.tolerance)
+        missed |= found is None
+        for title, point, none in (
+            ("cheapest", found, "none of our models meets it within the time limit"),
+            ("next cheaper", cheaper, "no model is cheaper"),
+            ("pymunk", theirs, "does not meet it within the time limit"),
+        ):
+            told = _told(scene, point) if point else none
+            if point and point is cheaper:
+                fails = point.error > options.tolerance
+                told += ": not accurate enough" if fails else ": accurate only by chance"
+            console.print(f"  {title + ':':14}{told}", soft_wrap=True)
+    return 1 if missed else 0
+
+
+def _told(scene: Scene, point: Point) -> str:
+    """Describe a point of the chart: its model, cost and error."""
+    model = next(model for model in scene.models if model.name == point.model)
+    steps = "once" if point.steps == 1 else f"{point.steps} steps"
+    choice = f"tolerance {1.0 / point.steps:g}" if model.takes_tolerance else f"{steps} per frame"
+    return (
+        f"{point.model}, {choice}: {1e3 * point.time:.3g} ms, {point.work} "
+        f"{scene.counted}, error {point.error:.2g}"
+    )

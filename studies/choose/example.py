@@ -1,0 +1,26 @@
+"""A lamp of 2 kg that swings on a springy cord, with drag. It has no closed form.
+
+Copy this file, describe your own scene, and run `make choose SCENE=my_scene.py TOLERANCE=1e-3`.
+"""
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.forces import Drag
+from ch05_forces.particle import Particle
+from ch06_springs.springs import AnchoredSpring
+from ch08_mass_aggregate.world import ParticleWorld
+
+DURATION = 2.0  # s
+
+
+def build() -> ParticleWorld:
+    """Return the scene at its start. It is built again for every run."""
+    lamp = Particle(Vector3(1.2, 0.0, 0.0), acceleration=Vector3(0.0, -9.81, 0.0), mass=2.0)
+    world = ParticleWorld([lamp])
+    world.registry.add(lamp, AnchoredSpring(Vector3(), 400.0, 1.0))
+    world.registry.add(lamp, Drag(0.1, 0.05))
+    return world
+
+
+def measure(world: ParticleWorld) -> Vector3:
+    """Return what must be accurate in every frame. Without this function it is all positions."""
+    return world.particles[0].position

@@ -1,0 +1,86 @@
+"""Estimate the error of runs without an exact solution, by halving their steps (Richardson).
+
+If a model has order p, halving its steps divides its error by 2^p. So the difference d between a
+run and the run with half its steps is nearly the error of the first one, and d / (2^p - 1) is
+nearly the error of the second one. The order that the differences show must be steady, otherwise
+the error cannot be estimated: this happens if bodies collide, and if a motion is chaotic.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+Run = Sequence[Sequence[float]]  # what is measured, for each frame
+
+ROUNDING = 1e-12  # a difference, as a fraction of what is measured, that comes from rounding
+NEAR = 0.3  # between orders that agree, and between an order and the expected one, as a fraction
+LEAST = 0.7  # an order below this is no convergence
+
+
+@dataclass(frozen=True)
+class Halved:
+    """Estimated errors, one per run, and the orders that were seen, from coarse steps to fine ones.
+
+    Without steady orders, the errors are only guesses. The runs are exact if they differ only by
+    rounding.
+    """
+
+    errors: list[float]
+    orders: list[float]
+    is_steady: bool = False
+    is_exact: bool = False
+
+
+def halved(
+    runs: Sequence[Run | None], ratio: float, order: float, *, may_repeat: bool = False
+) -> Halved:
+    """Return the estimated errors of the runs of one model.
+
+    From one run to the next, the steps become shorter by the factor ``ratio``. A run that failed is
+    None. Its error is infinite, and so are the errors of all runs before it. The error of a run is
+    its distance from the finest run, plus the estimated error of that one.
+
+    ``order`` is the highest order that the model can have. An order that is seen to be higher is
+    chance, so it is not used. If runs ``may_repeat`` each other, as with tolerances that all
+    allow the same steps, equal runs are no sign that they are exact.
+    """
+    first = max((i + 1 for i, run in enumerate(runs) if run is None), default=0)
+    good: list[Run] = [run for run in runs[first:] if run is not None]
+    failed = [math.inf] * first
+    if len(good) < 2:
+        return Halved([*failed, *[math.inf] * len(good)], [])
+    least = ROUNDING * max(abs(value) for values in good[-1] for value in values)
+    gaps = [distance(a, b) for a, b in pairwise(good)]
+    above = [gap for gap in gaps if gap > least]
+    orders = [math.log(a / b, ratio) for a, b in pairwise(above)]
+    is_exact = len(gaps) > 1 and max(gaps[-2:]) <= least
+    is_exact = is_exact and (all(gaps[-2:]) or not may_repeat)
+    is_steady = is_exact or _is_steady(orders, order)
+    if is_exact:
+        left = least
+    elif is_steady:
+        left = gaps[-1] / (ratio ** min(orders[-1], order) - 1.0)
+    else:
+        left = max(gaps[-3:]) or math.inf
+    errors = [*failed, *(distance(run, good[-1]) + left for run in good)]
+    return Halved(errors, orders, is_steady, is_exact)
+
+
+def _is_steady(orders: Sequence[float], order: float) -> bool:
+    """Return whether the last two orders are the expected one, or the last three agree."""
+    if len(orders) >= 2 and all(abs(seen - order) <= NEAR * order for seen in orders[-2:]):
+        return True
+    last = orders[-3:]
+    return len(last) == 3 and min(last) >= LEAST and max(last) - min(last) <= NEAR
+
+
+def distance(a: Run, b: Run) -> float:
+    """Return the largest difference between two runs, in any frame."""
+    return max(
+        abs(x - y)
+        for mine, other in zip(a, b, strict=True)
+        for x, y in zip(mine, other, strict=True)
+    )

@@ -1,0 +1,147 @@
+"""Report the cheapest model of a reader's scene, and warn where its error cannot be estimated."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.table import Table
+
+from studies.accuracy.measure import Point
+from studies.accuracy.results import cheapest, first_within
+from studies.accuracy.scene import RATE
+from studies.choose import runs
+from studies.choose.halving import distance
+from studies.choose.runs import Tried
+from studies.choose.scene import OwnScene, load
+
+LOW = 0.7  # of the expected order: a lower order is worth a warning
+APART = 3.0  # times their estimated errors: two models that differ by more contradict each other
+
+
+def choose(path: Path, tolerance: float, console: Console) -> int:
+    """Measure and report. Return 1 if no model is known to meet the tolerance.
+
+    Raises:
+        SceneError: If the file does not describe a scene.
+    """
+    scene = load(path)
+    with console.status("measuring") as status:
+        found = runs.explore(scene, tolerance, status.update)
+        status.update("timing")
+        runs.time_all(scene, found, tolerance)
+    console.print(
+        f"{scene.path}: {scene.frames / RATE:.3g} s, error at most {tolerance:g} in every frame",
+        style="bold",
+        soft_wrap=True,
+    )
+    steady = [point for tried in found if tried.halved.is_steady for point in tried.points(scene)]
+    chosen, cheaper = cheapest(steady, tolerance)
+    for title, point, none in (
+        ("cheapest", chosen, "no model is known to meet it within the time limit"),
+        ("next cheaper", cheaper, "no model is cheaper"),
+    ):
+        told = _told(found, point) if point else none
+        if point and point is cheaper:
+            fails = point.error > tolerance
+            told += ": not accurate enough" if fails else ": accurate only by chance"
+        if chosen or title == "cheapest":
+            console.print(f"  {title + ':':14}{told}", soft_wrap=True)
+    console.print(_table(found, scene, tolerance))
+    for warning in warnings(found, chosen):
+        console.print(f"Warning: {warning}", soft_wrap=True)
+    return 0 if chosen else 1
+
+
+def _told(found: list[Tried], point: Point) -> str:
+    model = next(tried.model for tried in found if tried.model.name == point.model)
+    choice = model.chosen(point.steps)
+    return f"{point.model}, {choice}: {1e3 * point.time:.3g} ms, error about {point.error:.1g}"
+
+
+def _table(found: list[Tried], scene: OwnScene, tolerance: float) -> Table:
+    """Return a row for each model: what it needs for the tolerance, or its finest run."""
+    table = Table("model", "steps / frame", box=SIMPLE_HEAD, pad_edge=False)
+    for heading in ("error", "ms", "order"):
+        table.add_column(heading, justify="right")
+    for tried in found:
+        points = tried.points(scene)
+        first = first_within(points, tolerance)
+        point = points[-1] if first is None else points[first]
+        choice = tried.model.chosen(point.steps).replace(" steps per frame", "")
+        guess = "" if tried.halved.is_steady else "? "
+        table.add_row(
+            tried.model.name,
+            f"not with {choice}" if first is None else choice,
+            f"{guess}{point.error:.1g}" if math.isfinite(point.error) else "failed",
+            f"{1e3 * point.time:.3g}",
+            _order(tried),
+        )
+    return table
+
+
+def _order(tried: Tried) -> str:
+    """Return the order that the last runs of a model show, beside the one that it should have."""
+    if tried.halved.is_exact:
+        return "exact"
+    seen = f"{tried.halved.orders[-1]:.1f}" if tried.halved.orders else "?"
+    return f"{seen} of {tried.model.order}"
+
+
+def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
+    """Return what a reader should know before trusting the estimated errors."""
+    told = []
+    unsteady = [tried for tried in found if not tried.halved.is_steady]
+    if unsteady:
+        told.append(
+            "halving the steps does not converge with the expected order for some models, so their "
+            f"errors (marked ?) are only guesses: {'; '.join(map(_seen, unsteady))}"
+        )
+    if not chosen and len(unsteady) == len(found):
+        told.append(
+            "no model converges. If the motion is chaotic, shorten DURATION, or measure something "
+            "that depends less on the start. Where bodies collide or cables become taut, errors "
+            "fall irregularly: allow for a few times the error"
+        )
+    for tried in found:
+        name, order, seen = tried.model.name, tried.model.order, tried.halved.orders
+        # Leapfrog has order 1 if a force depends on the velocity, which is no surprise.
+        if tried.halved.is_steady and seen and seen[-1] < LOW * order and name != "leapfrog":
+            told.append(
+                f"{name} converges with order {seen[-1]:.1f} instead of {order}, as where a force "
+                "has a jump or a kink. Its error is estimated with the lower order"
+            )
+    if chosen and (other := _contradicting(found, chosen)):
+        told.append(other)
+    return told
+
+
+def _seen(tried: Tried) -> str:
+    """Return the name of a model and the last orders that were seen, or why there are none."""
+    shown = ", ".join(f"{each:.1f}" for each in tried.halved.orders[-3:])
+    if not shown:
+        return f"{tried.model.name} ({tried.failure or 'its runs hardly differ'})"
+    return f"{tried.model.name} ({shown} instead of {tried.model.order})"
+
+
+def _contradicting(found: list[Tried], chosen: Point) -> str:
+    """Return a warning if the most accurate other model does not confirm the chosen one."""
+    mine = next(tried for tried in found if tried.model.name == chosen.model)
+    run = mine.runs[mine.model.choices.index(chosen.steps)]
+    others = [tried for tried in found if tried is not mine and tried.halved.is_steady]
+    if not others:
+        only = f"no model but {chosen.model} converges, so none confirms its error"
+        return "" if mine.halved.is_exact or len(found) == 1 else only
+    other = min(others, key=lambda tried: tried.halved.errors[-1])
+    finest = other.runs[-1]
+    assert run is not None
+    assert finest is not None  # a model whose last run failed is not steady
+    apart = distance(run, finest)
+    if apart <= APART * (chosen.error + other.halved.errors[-1]):
+        return ""
+    return (
+        f"{chosen.model} and {other.model.name} differ by {apart:.1g}, which is more than their "
+        "estimated errors, so at least one of them is wrong"
+    )

@@ -1,0 +1,160 @@
+"""Run a reader's scene with every model, with shorter and shorter steps, and time the runs."""
+
+from __future__ import annotations
+
+import math
+import random
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+from studies.accuracy.measure import LEAST, LONG, Point
+from studies.accuracy.results import first_within
+from studies.accuracy.scene import RATE
+from studies.choose.halving import Halved, Run, distance, halved
+from studies.choose.models import Model, models_of
+from studies.choose.scene import OwnScene, SceneError, why
+
+ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
+ORDERS = 3  # that are seen of a model before it is given up, which takes five runs
+STILL = 1e-12  # a displacement, as a fraction of what is measured, that is no motion
+
+
+@dataclass
+class Tried:
+    """A model, and its runs with its first choices: what they measured, and their times in s.
+
+    ``halved`` has their estimated errors, and ``failure`` says how the last failed run ended.
+    """
+
+    model: Model
+    runs: list[Run | None] = field(default_factory=list)
+    times: list[list[float]] = field(default_factory=list)
+    halved: Halved = field(default_factory=lambda: Halved([], []))
+    failure: str = ""
+
+    def add(self, run: Run | str, taken: float) -> None:
+        """Add a run, or the reason why it failed, and estimate the errors again."""
+        if isinstance(run, str):
+            self.failure = run
+        self.runs.append(None if isinstance(run, str) else run)
+        self.times.append([taken])
+        model = self.model
+        ratio = model.choices[1] / model.choices[0]
+        # If even the tightest tolerance repeats the run, then the run is exact.
+        may_repeat = model.takes_tolerance and len(self.runs) < len(model.choices)
+        self.halved = halved(self.runs, ratio, model.order, may_repeat=may_repeat)
+
+    def is_enough(self, tolerance: float) -> bool:
+        """Return whether the errors are known, and a run with two finer ones is within them."""
+        found = self.halved
+        within = all(error <= tolerance for error in found.errors[-3:])
+        return found.is_exact or (found.is_steady and within)
+
+    def has_order(self) -> bool:
+        """Return whether there are enough runs to see whether the order is steady."""
+        return len(self.halved.orders) >= ORDERS
+
+    def points(self, scene: OwnScene) -> list[Point]:
+        """Return the runs as points. Their work is the number of steps."""
+        return [
+            Point(
+                str(scene.path),
+                self.model.name,
+                "ours",
+                choice,
+                error,
+                choice * scene.frames,
+                times,
+            )
+            for choice, error, times in zip(
+                self.model.choices, self.halved.errors, self.times, strict=False
+            )
+        ]
+
+
+def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> list[Tried]:
+    """Run the scene with all of its models, until each is accurate enough or takes too long.
+
+    Raises:
+        SceneError: If the scene cannot be run, or if nothing that is measured changes.
+    """
+    start = scene.check()
+    found = []
+    for model in models_of(scene.built()):
+        tried = Tried(model)
+        for choice in model.choices:
+            hear(f"{model.name}, {model.chosen(choice)}")
+            run, taken = run_once(scene, model, choice)
+            tried.add(run, taken)
+            if tried.is_enough(tolerance) or (taken > SLOWEST and tried.has_order()):
+                break
+        found.append(tried)
+    runs = [run for tried in found for run in tried.runs if run is not None]
+    if not runs:
+        raise SceneError(f"{scene.path}: no model could run the scene; {found[-1].failure}")
+    size = max(map(abs, start))
+    if all(distance(run, [start] * scene.frames) <= STILL * size for run in runs):
+        seconds = scene.frames / RATE
+        raise SceneError(f"{scene.path}: nothing that is measured moves in {seconds:g} s")
+    return found
+
+
+def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, float]:
+    """Run a scene once. Return what was measured, or why it failed, and the processor time in s.
+
+    A run fails if its steps are too long for its forces, or if its numbers are not finite.
+
+    Raises:
+        SceneError: If the scene itself raises any other error.
+    """
+    world, values = scene.built(), []
+    start = time.process_time()
+    try:
+        step, steps = model.steps_of(world, choice)
+        duration = 1.0 / (RATE * steps)
+        for _ in range(scene.frames):
+            for _ in range(steps):
+                step(duration)
+            values.append(scene.measured(world))
+    except SceneError:
+        raise
+    except (ArithmeticError, ValueError) as error:
+        return f"{model.name} {why(error, scene.path)}", time.process_time() - start
+    except Exception as error:
+        raise SceneError(f"{scene.path}: {model.name} {why(error, scene.path)}") from error
+    taken = time.process_time() - start
+    if not all(math.isfinite(value) for place in values for value in place):
+        return f"{model.name} gave numbers that are not finite", taken
+    if any(len(place) != len(values[0]) for place in values):
+        raise SceneError(f"{scene.path}: measure() must always return as many numbers")
+    return values, taken
+
+
+def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
+    """Time runs again, in random order, so that other load does not affect a single model.
+
+    These are the runs that may be chosen: of models whose error is known, up to the first run that
+    is within the tolerance.
+    """
+    every = []
+    for tried in found:
+        if tried.halved.is_steady:
+            points = tried.points(scene)
+            first = first_within(points, tolerance)
+            every += [
+                (tried.model, point) for point in points[: None if first is None else first + 1]
+            ]
+    for _ in range(ROUNDS):
+        for model, point in random.sample(every, len(every)):
+            if point.times[0] < LONG:
+                point.times.append(seconds_of(scene, model, point.steps))
+
+
+def seconds_of(scene: OwnScene, model: Model, choice: int) -> float:
+    """Return the processor time of a run in s. A short run is repeated and averaged."""
+    total, count = 0.0, 0
+    while total < LEAST:
+        total += run_once(scene, model, choice)[1]
+        count += 1
+    return total / count

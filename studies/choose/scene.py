@@ -1,0 +1,168 @@
+"""A scene from a reader's file: how it is built, how long it runs, and what is measured in it."""
+
+from __future__ import annotations
+
+import importlib.util
+import math
+import sys
+import traceback
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from ch02_vectors.vector import Vector3
+from ch08_mass_aggregate.world import ParticleWorld
+from studies.accuracy.scene import RATE
+
+Values = tuple[float, ...]  # what is measured at the end of a frame
+NAME = "scene_file"  # of the module that a file becomes
+
+
+class SceneError(ValueError):
+    """Raised for a file that does not describe a scene. The message says what is wrong with it."""
+
+
+@dataclass(frozen=True)
+class OwnScene:
+    """A scene of a number of frames. ``build`` returns it at its start, and ``measure`` reads it.
+
+    The functions are the reader's own, so ``built`` and ``measured`` check what they return.
+    """
+
+    path: Path
+    frames: int
+    build: Callable[[], Any]
+    measure: Callable[[Any], Any]
+
+    def built(self) -> ParticleWorld:
+        """Return a new world.
+
+        Raises:
+            SceneError: If build raises an exception, or returns no world with a particle.
+        """
+        world = self._asked("build", self.build)
+        if not isinstance(world, ParticleWorld):
+            raise SceneError(f"{self.path}: build() must return a ParticleWorld, got {world!r}")
+        if not world.particles:
+            raise SceneError(f"{self.path}: the world that build() returns has no particles")
+        return world
+
+    def measured(self, world: ParticleWorld) -> Values:
+        """Return what is measured, as plain numbers. They may be infinite or NaN.
+
+        Raises:
+            SceneError: If measure raises an exception, or returns anything but numbers and vectors.
+        """
+        found = self._asked("measure", lambda: self.measure(world))
+        try:
+            return tuple(_numbers(found))
+        except TypeError:
+            wanted = "a number, a Vector3, or a list of these"
+            message = f"{self.path}: measure() must return {wanted}, got {found!r}"
+            raise SceneError(message) from None
+
+    def check(self) -> Values:
+        """Return what is measured at the start, after building the scene twice.
+
+        Raises:
+            SceneError: If the two are not the same scene, if they share a particle, or if what is
+                measured is nothing or not finite.
+        """
+        first, second = self.built(), self.built()
+        if {*map(id, first.particles)} & {*map(id, second.particles)}:
+            raise SceneError(
+                f"{self.path}: build() must make new particles at every call, because each run "
+                "starts anew; it returned the same particle twice"
+            )
+        values, again = self.measured(first), self.measured(second)
+        if not values:
+            raise SceneError(f"{self.path}: measure() returned no numbers")
+        if not all(map(math.isfinite, values)):
+            raise SceneError(f"{self.path}: measure() must be finite at the start, got {values}")
+        if values != again:
+            raise SceneError(
+                f"{self.path}: build() must make the same scene at every call, but measure() is "
+                f"{values} at first and then {again}; give random numbers a seed"
+            )
+        return values
+
+    def _asked(self, what: str, call: Callable[[], Any]) -> Any:
+        try:
+            return call()
+        except (Exception, SystemExit) as error:
+            raise SceneError(f"{self.path}: {what}() {why(error, self.path)}") from error
+
+
+def load(path: Path) -> OwnScene:
+    """Return the scene that a file describes.
+
+    Raises:
+        SceneError: If there is no such file, if it cannot be run, or if it lacks a name.
+    """
+    module = _run(path)
+    build, measure = _function(path, module, "build"), _function(path, module, "measure")
+    if build is None:
+        raise SceneError(
+            f"{path}: build is missing: a function that returns a ParticleWorld, as in "
+            "studies/choose/example.py"
+        )
+    if not hasattr(module, "DURATION"):
+        raise SceneError(f"{path}: DURATION is missing: the time in s that the scene runs")
+    duration = module.DURATION
+    is_number = isinstance(duration, (int, float)) and not isinstance(duration, bool)
+    if not is_number or not 0.5 / RATE < duration < math.inf:
+        wanted = f"a number of seconds, at least one frame of 1/{RATE:g} s"
+        raise SceneError(f"{path}: DURATION must be {wanted}, got {duration!r}")
+    return OwnScene(path, round(duration * RATE), build, measure or positions)
+
+
+def why(error: BaseException, path: Path) -> str:
+    """Return the error with which something stopped, and the last line of the file in its way."""
+    frames = traceback.extract_tb(error.__traceback__)
+    lines = [frame.lineno for frame in frames if Path(frame.filename) == path.absolute()]
+    if isinstance(error, SyntaxError) and Path(error.filename or "") == path.absolute():
+        lines.append(error.lineno)
+    where = f" in line {lines[-1]}" if lines else ""
+    told = error.msg if isinstance(error, SyntaxError) else error
+    return f"stopped{where} with {type(error).__name__}: {told}"
+
+
+def positions(world: ParticleWorld) -> list[Vector3]:
+    """Return the positions of all particles that can move."""
+    return [particle.position for particle in world.particles if particle.inverse_mass]
+
+
+def _run(path: Path) -> ModuleType:
+    if not path.is_file():
+        raise SceneError(f"{path}: there is no such file")
+    spec = importlib.util.spec_from_file_location(NAME, path.absolute())
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[NAME] = module  # where a dataclass of the file looks itself up
+    try:
+        spec.loader.exec_module(module)
+    except (Exception, SystemExit) as error:
+        raise SceneError(f"{path}: the file {why(error, path)}") from error
+    return module
+
+
+def _function(path: Path, module: ModuleType, name: str) -> Callable[..., Any] | None:
+    """Return a function of the file, or None if it is missing."""
+    found = getattr(module, name, None)
+    if found is not None and not callable(found):
+        raise SceneError(f"{path}: {name} must be a function, got {found!r}")
+    return found
+
+
+def _numbers(found: Any) -> Iterable[float]:
+    """Yield the numbers in what measure returned. Raise TypeError for anything else."""
+    if isinstance(found, (int, float)):
+        yield float(found)
+    elif isinstance(found, str):
+        raise TypeError
+    else:
+        for part in found:
+            yield from _numbers(part)

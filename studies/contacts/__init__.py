@@ -1,0 +1,77 @@
+"""Compare the contact solvers of chapter 7: error over time, for stacks, ropes and mass ratios.
+
+The command prints, for each scene, how long each solver takes per frame to stay within an error. A
+complete run stores its numbers for `make figures`, which draws the picture of the lesson.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from matplotlib import pyplot
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+from rich.table import Table
+
+from autograder.manifest import ROOT
+from studies.reason import shown
+
+QUICK, FULL = (1, 0.02), (3, 0.3)  # rounds, and the time in s for the slowest run of a solver
+
+
+def main(arguments: list[str]) -> int:
+    """Measure, print, draw and store. Return 0."""
+    parser = argparse.ArgumentParser(prog="python -m studies contacts", description=__doc__)
+    parser.add_argument(
+        "--quick", action="store_true", help="at most a minute: fewer steps, one round, not stored"
+    )
+    parser.add_argument(
+        "--out", type=Path, default=ROOT / "build" / "contacts", help="the folder for the results"
+    )
+    options = parser.parse_args(arguments)
+    if options.out.exists() and not options.out.is_dir():
+        parser.error(f"--out must be a folder, got the file {options.out}")
+    sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
+    # These modules import chapters.
+    from studies.accuracy import measure
+    from studies.contacts import chart, kept, scenes
+
+    pyplot.switch_backend("agg")
+    console = Console(highlight=False)
+    rounds, slowest = QUICK if options.quick else FULL
+    every = scenes.scenes()
+    columns = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn())
+    with Progress(*columns, console=console, transient=True) as progress:
+        task = progress.add_task("", total=None)
+        measured = measure.explore(
+            every, slowest, slowest, lambda what: progress.update(task, description=what)
+        )
+        progress.remove_task(task)
+        task = progress.add_task("timing", total=rounds * len(measured.points))
+        for _ in range(rounds):
+            measure.time_once(measured, every, lambda: progress.advance(task))
+    points = kept.rounded(measured.points)
+    table = Table(box=SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0))
+    for heading in chart.COLUMNS:
+        longest = max(map(len, heading.split()))
+        table.add_column(heading, no_wrap=heading == "scene", min_width=longest)
+    for row in chart.table(points):
+        table.add_row(*row)
+    console.print("Time in ms per frame within which a solver stays within an error for 1 s:")
+    console.print(table)
+    console.print("-: not reached by the longest run, or no model of this scene.")
+    options.out.mkdir(parents=True, exist_ok=True)
+    png, numbers = options.out / "contact_solvers.png", options.out / "points.json"
+    chart.draw(points).savefig(png, dpi=110)
+    kept.keep(points, numbers)
+    console.print(f"picture: {shown(png)}\nall points: {shown(numbers)}", soft_wrap=True)
+    if not options.quick:
+        kept.keep(points)
+        console.print(
+            f"Written to {shown(kept.FILE)}. Run make figures to draw the lesson's picture.",
+            soft_wrap=True,
+        )
+    return 0

@@ -1,0 +1,117 @@
+"""The table and the picture of the contact solvers, from measured points."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from matplotlib import pyplot
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from studies.accuracy.measure import Point
+from studies.accuracy.results import models_of, time_to
+from studies.contacts.kept import kept
+from studies.contacts.scenes import (
+    BOOK,
+    COLD,
+    IMPULSES,
+    NET,
+    RATIOS,
+    ROPE,
+    SMALL,
+    SOLVERS,
+    STACK,
+    SWING,
+    named,
+)
+from studies.drawing import BLUE, GRAY, GREEN, ORANGE, RED, SKY, Picture
+
+TOLERANCES = (1e-1, 1e-2, 1e-3)
+COLUMNS = ("scene", "error", *SOLVERS)
+STYLES = {
+    BOOK: (RED, "s"),
+    COLD: (SKY, "v"),
+    IMPULSES: (BLUE, "o"),
+    SMALL: (ORANGE, "D"),
+    NET: (GREEN, "^"),
+}
+FLOOR, CEILING = 1e-6, 10.0  # errors outside are not drawn
+
+
+def of_scene(points: Sequence[Point], scene: str) -> dict[str, list[Point]]:
+    """Return the points of a scene by solver."""
+    return models_of([point for point in points if point.scene == scene])
+
+
+def time_within(points: Sequence[Point], scene: str, solver: str, tolerance: float) -> float | None:
+    """Return the time in ms per frame within which a solver stays within an error, or None."""
+    own = of_scene(points, scene).get(solver)
+    return time_to(own, tolerance) if own else None
+
+
+def table(points: Sequence[Point]) -> list[list[str]]:
+    """Return a row of text for each scene and error. A dash means that it was not reached."""
+    rows = []
+    for scene in dict.fromkeys(point.scene for point in points):
+        for tolerance in TOLERANCES:
+            times = [time_within(points, scene, solver, tolerance) for solver in SOLVERS]
+            told = ["-" if time is None else f"{time:.2g}" for time in times]
+            rows.append([scene, f"{tolerance:g}", *told])
+    return rows
+
+
+def draw(points: Sequence[Point]) -> Figure:
+    """Draw the error over time for two scenes, and the time over the mass ratio for two more."""
+    figure, panels = pyplot.subplots(2, 2, figsize=(11, 8.4), layout="constrained")
+    stack, swing = of_scene(points, named(STACK, 1)), of_scene(points, f"{SWING}, energy")
+    _errors(panels[0, 0], stack, "overlap in a stack", "overlap / diameter")
+    _errors(panels[0, 1], swing, "change in energy of a swinging rope", "change / energy")
+    _ratios(panels[1, 0], points, STACK, "overlap of a stack")
+    _ratios(panels[1, 1], points, ROPE, "stretch of a rope")
+    handles, labels = [], []
+    for axes in panels.flat:
+        for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
+            if label not in labels:
+                handles.append(handle)
+                labels.append(label)
+    figure.legend(handles, labels, loc="outside lower center", ncols=3)
+    return figure
+
+
+def contact_solvers() -> Picture:
+    """Draw the picture of the lesson from the committed points."""
+    points = kept()
+    return Picture(draw(points), COLUMNS, table(points))
+
+
+def _errors(axes: Axes, models: dict[str, list[Point]], title: str, what: str) -> None:
+    for solver, own in models.items():
+        color, marker = STYLES[solver]
+        seen = [point for point in own if FLOOR <= point.error <= CEILING]
+        axes.loglog(
+            [point.time for point in seen],
+            [point.error for point in seen],
+            color=color,
+            marker=marker,
+            ms=5,
+            label=solver,
+        )
+    axes.axhline(1e-2, color=GRAY, lw=1, ls=":")
+    axes.set(title=f"largest {title} in 1 s", xlabel="time, ms per frame", ylabel=f"largest {what}")
+    axes.grid(alpha=0.3)
+
+
+def _ratios(axes: Axes, points: Sequence[Point], name: str, what: str) -> None:
+    for solver, (color, marker) in STYLES.items():
+        times = [time_within(points, named(name, ratio), solver, 1e-2) for ratio in RATIOS]
+        seen = [(ratio, t) for ratio, t in zip(RATIOS, times, strict=True) if t is not None]
+        if seen:
+            axes.loglog(*zip(*seen, strict=True), color=color, marker=marker, ms=5, label=solver)
+    axes.set_xticks(RATIOS, [f"{ratio:,}" for ratio in RATIOS])
+    axes.set_xticks([], minor=True)
+    axes.set(
+        title=f"time to keep the {what} below 1 %",
+        xlabel="mass ratio (no mark: not reached by the longest run)",
+        ylabel="time, ms per frame",
+    )
+    axes.grid(alpha=0.3)

@@ -1,0 +1,44 @@
+"""The committed points of the last complete run of `make contacts`."""
+
+from __future__ import annotations
+
+import json
+import platform
+from collections.abc import Sequence
+from dataclasses import replace
+from datetime import date
+from pathlib import Path
+
+from studies.accuracy.measure import Point
+from studies.contacts.scenes import FRAMES
+
+FILE = Path(__file__).with_name("figures.json")
+
+
+def rounded(points: Sequence[Point]) -> list[Point]:
+    """Return points with their median time per frame in ms, all with three digits."""
+
+    def digits(value: float) -> float:
+        return float(f"{value:.3g}")
+
+    return [
+        replace(point, error=digits(point.error), times=[digits(1e3 * point.time / FRAMES)])
+        for point in points
+    ]
+
+
+def keep(points: Sequence[Point], file: Path = FILE) -> None:
+    """Write points with the date and the Python version, one point per line."""
+    start = {"measured": date.today().isoformat(), "python": platform.python_version()}
+    lines = [json.dumps([p.scene, p.model, p.by, p.steps, p.error, p.time]) for p in points]
+    text = json.dumps(start, indent=1)[:-2] + ',\n "points": [\n  ' + ",\n  ".join(lines)
+    file.write_text(text + "\n ]\n}\n", encoding="utf-8")
+
+
+def kept(file: Path = FILE) -> list[Point]:
+    """Return the points of the last complete run. Their times are in ms per frame."""
+    rows = json.loads(file.read_text(encoding="utf-8"))["points"]
+    return [
+        Point(scene, model, by, steps, error, 0, [time])
+        for scene, model, by, steps, error, time in rows
+    ]

@@ -1,0 +1,168 @@
+"""Stacks and ropes at rest, and a rope that swings, by every solver of chapter 7.
+
+Each scene measures one error, whose exact value is 0: the largest overlap of spheres that touch, as
+a fraction of their diameter; the change in length of a rope, as a fraction of its length; or the
+change in energy, as a fraction of the energy that the swinging rope has at its lowest point. It is
+the largest error at the end of any frame in 1 s. The work is the number of steps.
+
+The mass ratio is that of the top sphere, or of the weight at the end of the rope, to one of the
+others, which have 1 kg each. Gravity is 10 m/s^2.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from itertools import pairwise
+from typing import Any
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch07_constraints.contacts import ContactGenerator
+from ch07_constraints.detectors import GroundPlane, ParticlePairs
+from ch07_constraints.direct_net import DirectNet
+from ch07_constraints.heap_resolver import HeapResolver
+from ch07_constraints.links import Rod, TwoSidedRod
+from ch07_constraints.sequential_impulses import SequentialImpulses
+from ch07_constraints.small_steps import SmallSteps
+from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
+from studies.accuracy.scene import RATE, STEPS, Model, Outcome, Place, Scene, in_frames
+
+FRAMES = 60
+COUNT = 10  # spheres, or rods
+RADIUS, LENGTH = 0.5, 0.1  # m, of a sphere and of a rod
+ANGLE = math.radians(60.0)  # from which the rope swings
+RATIOS = (1, 10, 100, 1000)
+DOWN = Vector3(0.0, -10.0)
+
+BOOK, IMPULSES, COLD = "the book's resolver", "sequential impulses", "without warm starting"
+SMALL, NET = "soft constraints", "direct net"
+STACK, ROPE, SWING = "stack", "rope", "swing"
+
+Move = Callable[[float], object]
+
+
+@dataclass(frozen=True)
+class Bodies:
+    """Particles with what keeps them in place, and the error that a scene measures.
+
+    ``error`` takes the duration of a step. Its result has no unit.
+    """
+
+    particles: list[Particle]
+    generators: list[ContactGenerator]
+    error: Callable[[float], float]
+
+
+class ColdStart(SequentialImpulses):
+    """Sequential impulses that forget the impulses of the last step."""
+
+    def step(self, duration: float) -> None:
+        self.impulses.clear()
+        super().step(duration)
+
+
+def by_book(particles: list[Particle], generators: Iterable[ContactGenerator]) -> Move:
+    """Return the step of a world with the book's resolver, in its fast form."""
+    world = ParticleWorld(particles, generators)
+    world.resolver = HeapResolver()
+    return world.step
+
+
+SOLVERS: dict[str, Callable[[list[Particle], list[Any]], Move]] = {
+    BOOK: by_book,
+    COLD: lambda particles, generators: ColdStart(particles, generators).step,
+    IMPULSES: lambda particles, generators: SequentialImpulses(particles, generators).step,
+    SMALL: lambda particles, generators: SmallSteps(particles, generators).step,
+    NET: lambda _, links: DirectNet(links).step,
+}
+
+
+def stack(ratio: float) -> Bodies:
+    """Return spheres on the ground, one on top of the other, each just touching the next."""
+    spheres = [
+        Particle(Vector3(0.0, (2 * i + 1) * RADIUS), acceleration=DOWN) for i in range(COUNT)
+    ]
+    spheres[-1].mass = ratio
+
+    def overlap(_: float) -> float:
+        heights = [-RADIUS, *(sphere.position.y for sphere in spheres)]
+        return max(0.0, *(1.0 - (b - a) / (2.0 * RADIUS) for a, b in pairwise(heights)))
+
+    ground, pairs = GroundPlane(spheres, radius=RADIUS), ParticlePairs(spheres, RADIUS)
+    return Bodies(spheres, [ground, pairs], overlap)
+
+
+def rope(ratio: float, angle: float = 0.0, two_sided: bool = True) -> Bodies:
+    """Return a straight rope of rods below an immovable particle, at an angle."""
+    along = Vector3(LENGTH * math.sin(angle), -LENGTH * math.cos(angle))
+    joints = [Particle(along * i, acceleration=DOWN) for i in range(COUNT + 1)]
+    joints[0].mass, joints[-1].mass = math.inf, ratio
+    link = TwoSidedRod if two_sided else Rod
+    rods: list[ContactGenerator] = [link(a, b, LENGTH) for a, b in pairwise(joints)]
+
+    def stretch(_: float) -> float:
+        lengths = [(b.position - a.position).magnitude() for a, b in pairwise(joints)]
+        return abs(math.fsum(lengths) / (COUNT * LENGTH) - 1.0)
+
+    return Bodies(joints, rods, stretch)
+
+
+def swinging(two_sided: bool = True) -> Bodies:
+    """Return the rope without a weight, released at an angle. Its error is one of energy."""
+    bodies = rope(1.0, ANGLE, two_sided)
+    start = mechanical_energy(bodies.particles)
+    lowest = mechanical_energy(rope(1.0).particles)
+
+    def change(duration: float) -> float:
+        # A velocity is that between two positions, so it belongs to the point halfway.
+        halfway = sum(
+            0.5 * duration * particle.mass * particle.acceleration.dot(particle.velocity)
+            for particle in bodies.particles[1:]
+        )
+        return abs(mechanical_energy(bodies.particles) + halfway - start) / (start - lowest)
+
+    return Bodies(bodies.particles, bodies.generators, change)
+
+
+def run(make: Callable[[], Bodies], solver: str, steps: int) -> Outcome:
+    """Run a scene, and return its error at the end of every frame."""
+    bodies, duration = make(), 1.0 / (RATE * steps)
+    step = SOLVERS[solver](bodies.particles, bodies.generators)
+    places = in_frames(step, lambda: (bodies.error(duration),), FRAMES, steps)
+    return Outcome(places, FRAMES * steps)
+
+
+def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> Scene:
+    """Return a scene with a model for each solver. Small steps need no two-sided rods."""
+    models = []
+    for solver in solvers:
+        one_sided = solver == SMALL and NET in solvers
+        built = partial(make, two_sided=False) if one_sided else make
+        by = "the book" if solver == BOOK else "ours"
+        models.append(Model(solver, partial(run, built, solver), STEPS[:8], by))
+    return Scene(name, FRAMES, 1.0, exact, models, "steps")
+
+
+def exact(_: float) -> Place:
+    """Return the exact error at any time, which is 0."""
+    return (0.0,)
+
+
+def named(name: str, ratio: int) -> str:
+    """Return the name of the scene with this mass ratio."""
+    return f"{name}, ratio {ratio:,}"
+
+
+def scenes() -> list[Scene]:
+    """Return all scenes, in the order of the table."""
+    of_stacks = [BOOK, COLD, IMPULSES, SMALL]
+    of_ropes = [BOOK, IMPULSES, SMALL, NET]
+    return [
+        *(scene_of(named(STACK, r), partial(stack, r), of_stacks) for r in RATIOS),
+        *(scene_of(named(ROPE, r), partial(rope, r), of_ropes) for r in RATIOS),
+        scene_of(f"{SWING}, stretch", partial(rope, 1.0, ANGLE), of_ropes),
+        scene_of(f"{SWING}, energy", swinging, of_ropes),
+    ]

@@ -1,0 +1,110 @@
+"""Find the largest stable stiffness and drag of each method, and compare them with theory.
+
+The limits are found by bisection. At 1.02 times a limit, oscillations must grow. Far inside the
+limits, the change in energy over ten thousand oscillations is measured. Maps show the growth around
+the limits. Curves show how soon a simulation diverges just outside the limits.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import math
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from matplotlib import pyplot
+from rich.box import SIMPLE_HEAD
+from rich.console import Console
+from rich.table import Table
+
+from autograder.manifest import ROOT
+from studies.reason import shown
+
+if TYPE_CHECKING:
+    from studies.limits.search import Bound
+
+SWINGS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10_000]
+WORST = 0.05  # largest relative error allowed for a limit
+
+
+def main(arguments: list[str]) -> int:
+    """Print, draw and write the results. Return 1 if a limit is off by more than 5 %."""
+    parser = argparse.ArgumentParser(prog="python -m studies limits", description=__doc__)
+    parser.add_argument(
+        "--out",
+        type=Path,
+        default=ROOT / "build" / "limits.csv",
+        help="the file for the numbers; the pictures are written next to it",
+    )
+    options = parser.parse_args(arguments)
+    sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
+    # These modules import chapters.
+    from studies.limits import maps, search
+
+    pyplot.switch_backend("agg")
+    console = Console(highlight=False)
+    with console.status("finding the limits of springs"):
+        springs = search.spring_limits()
+    with console.status("finding the limits of drag"):
+        drags = search.drag_limits()
+    with console.status(f"simulating {SWINGS[-1]} oscillations"):
+        drifts = search.energy_drifts(SWINGS)
+    with console.status("simulating unstable springs"):
+        losses = maps.divergence()
+    tables = ((springs, "case", "k h^2 / m"), (drags, "case", "k1 h / m"))
+    for bounds, where, what in tables:
+        console.print(_table(bounds, where, what))
+    table = Table("method", f"energy after {SWINGS[-1]} oscillations", box=SIMPLE_HEAD)
+    for name, ratios in drifts.items():
+        table.add_row(name, f"{ratios[-1]:.6g}")
+    console.print(table)
+    options.out.parent.mkdir(parents=True, exist_ok=True)
+    with options.out.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file)
+        for bounds, where, what in tables:
+            heading = ("method", where, f"limit of {what}", "theory", "steps to x 1e6")
+            writer.writerows([heading, *bounds])
+        writer.writerow(("method", *(f"energy after {count} oscillations" for count in SWINGS)))
+        writer.writerows((name, *ratios) for name, ratios in drifts.items())
+        writer.writerows([maps.LOSS_COLUMNS, *losses])
+    picture = options.out.with_suffix(".png")
+    curves = options.out.with_name(f"{options.out.stem}_divergence.png")
+    with console.status("drawing maps"):
+        maps.draw_maps(picture)
+    maps.draw_divergence(losses, drifts, SWINGS, curves)
+    console.print(
+        "Column 'steps': number of steps until an oscillation at "
+        f"{search.OUTSIDE} times the limit\n"
+        f"is 1e6 times as large. A limit of 0 means growth even at {search.LEAST:g}.\n"
+        "Energies are relative to the initial energy, at k h^2 / m = "
+        f"{search.STIFFNESS * search.FRAME**2:.3g},\n"
+        "where explicit Euler is unstable.\n"
+        f"\nMaps: {shown(picture)}\nTime to divergence, energies: {shown(curves)}\n"
+        f"All numbers: {shown(options.out)}",
+        soft_wrap=True,
+    )
+    off = [each for each in (*springs, *drags) if not _is_near(each)]
+    for each in off:
+        console.print(f"differs from theory by more than 5 %: {each.method}, {each.at}")
+    return 1 if off else 0
+
+
+def _is_near(bound: Bound) -> bool:
+    return math.isclose(bound.found, bound.theory, rel_tol=WORST)
+
+
+def _table(bounds: list[Bound], where: str, what: str) -> Table:
+    headings = ("method", where, "limit", "theory", "error, %", "steps")
+    table = Table(*headings, title=f"Limits of {what}", box=SIMPLE_HEAD, pad_edge=False)
+    for name, at, found, true, steps in bounds:
+        off = f"{100.0 * (found / true - 1.0):.1g}" if 0.0 < true < math.inf else ""
+        reached = "over 1e6" if found == math.inf else _number(found)
+        lasts = "" if math.isnan(steps) else f"{steps:.0f}"
+        table.add_row(name, at, reached, _number(true), off, lasts)
+    return table
+
+
+def _number(value: float) -> str:
+    return "none" if value == math.inf else f"{value:.6g}"

@@ -1,0 +1,213 @@
+"""Pictures of the limits of methods: growth around the limits, and the time to divergence.
+
+The curves follow from the eigenvalue of one step. The measured steps beside them come from
+simulations.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+
+from matplotlib import pyplot
+from matplotlib.axes import Axes
+
+from studies.drawing import BLACK, COLORS, GRAY, growth_bar, growth_map
+from studies.limits.search import (
+    FRAME,
+    HUGE,
+    STIFFNESS,
+    first,
+    growth_at,
+    stepping,
+    theory_at,
+)
+from studies.runs.stability import INTEGRATORS, SOLVERS, swing
+
+SHADES = COLORS | {"pymunk's spring": BLACK, "pymunk, by hand": GRAY}
+# Pymunk's results lie on the curves of equal methods, so their marks must show on top of others.
+MARKS = dict(zip(SHADES, "oo^vsoox+", strict=True))
+KAPPAS = [0.01 * 10.0 ** (i / 16.0) for i in range(56)]
+DOTS = (0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0, 1.5, 2.0)  # dampings at which limits are measured
+# The damping at which each method has a limit above 0: d^h, or c h / m.
+LOST = {
+    "explicit Euler": 0.5,
+    "semi-implicit Euler": 1.0,
+    "leapfrog": 1.0,
+    "velocity Verlet": 1.0,
+    "Runge-Kutta 4": 1.0,
+    "pymunk's spring": 0.0,
+    "pymunk, by hand": 0.5,
+}
+BEYOND = (0.001, 0.003, 0.01, 0.02, 0.03, 0.1, 0.3, 1.0)  # k / limit - 1
+LOSS_COLUMNS = (
+    "method",
+    "damping",
+    "k / limit - 1",
+    "steps to x 1e6 by the eigenvalue",
+    "steps of a simulation from release",
+    "steps of a simulation from x 1e3 to x 1e9",
+)
+Loss = tuple[str, float, float, float, int, int]
+
+
+def draw_maps(png: Path) -> None:
+    """Draw growth over stiffness and damping for each method, with theoretical and measured limits.
+
+    The measured limits are found by bisection.
+    """
+    figure, panels = pyplot.subplots(3, 3, figsize=(14, 12), layout="constrained")
+    off = []
+    for axes, name in zip(panels.flat, SHADES, strict=True):
+        by_particle = name in INTEGRATORS
+        full, corner, words = (
+            (1.0, "lower left", "particle, d$^h$")
+            if by_particle
+            else (2.0, "upper left", "spring, c h / m")
+        )
+        dampings = [full * i / 40.0 for i in range(4 if by_particle else 0, 41)]
+        grown = [[growth_at(name, d, kappa) for kappa in KAPPAS] for d in dampings]
+        colored = growth_map(axes, KAPPAS, dampings, grown)
+        axes.set(xscale="log", xlim=(KAPPAS[0], KAPPAS[-1]))
+        axes.set(xlabel="k h$^2$ / m", ylabel=f"damping of the {words}")
+        if name in SOLVERS:
+            most = max(map(max, grown))
+            axes.set_title(f"{name}\nalways stable: at most x {most:.4f}", fontsize=10)
+            continue
+        fine = [dampings[0] + (full - dampings[0]) * i / 999.0 for i in range(1000)]
+        curve = [(true, d) for d in fine if (true := theory_at(name, d))]
+        axes.plot(*zip(*curve, strict=True), color=BLACK, label="theory")
+        found = {d: first(partial(growth_at, name, d)) for d in dampings if d in DOTS}
+        off += [found[d] / true - 1.0 for d in found if (true := theory_at(name, d))]
+        axes.plot([*found.values()], [*found], "o", color="white", mec=BLACK, label="bisection")
+        axes.legend(fontsize=8, loc=corner)
+        free = found[1.0 if by_particle else 0.0]
+        half = "d$^h$" if by_particle else "c h / m"
+        axes.set_title(
+            f"{name}\nlimit {free:.3g} undamped, {found[0.5]:.3g} at {half} = 0.5", fontsize=10
+        )
+    growth_bar(figure, panels, colored)
+    worst = 100.0 * max(map(abs, off))
+    figure.suptitle(
+        f"Limits of k h$^2$ / m: bisection differs from theory by at most {worst:.1g} %"
+    )
+    figure.savefig(png, dpi=110)
+    pyplot.close(figure)
+
+
+def divergence() -> list[Loss]:
+    """Return the steps to divergence beyond the limits, by the eigenvalue and by simulation."""
+    rows = []
+    for name, damping in LOST.items():
+        for beyond in BEYOND:
+            kappa = theory_at(name, damping) * (1.0 + beyond)
+            predicted = math.log(HUGE) / math.log(growth_at(name, damping, kappa))
+            rows.append(
+                (name, damping, beyond, predicted, *steps_to_loss(name, damping, kappa, predicted))
+            )
+    return rows
+
+
+def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> tuple[int, int]:
+    """Return the steps until an oscillation is 1e6 times as large, from release and in between.
+
+    The second number is that of the steps from 1e3 to 1e9 times the initial size. ``predicted`` is
+    the expected number. The size of an oscillation combines x and v / sqrt(k / m).
+    """
+    integrator, pull, d = stepping(name, kappa, damping)
+    chi = math.sqrt(pull.stiffness)
+    run = swing(integrator, pull, FRAME, round(1.6 * predicted) + 50, 1e20, d)
+    pairs = zip(run.places, run.velocities, strict=True)
+    sizes = [math.hypot(x, v / chi) for x, v in pairs]
+
+    def when(size: float) -> int:
+        return next(i for i, each in enumerate(sizes) if each >= size)
+
+    return when(HUGE), when(1e3 * HUGE) - when(1e3)
+
+
+def draw_divergence(
+    losses: Sequence[Loss], drifts: dict[str, list[float]], swings: Sequence[int], png: Path
+) -> None:
+    """Draw the time to divergence by distance from the limit, its error, and energies over time."""
+    figure, (left, middle, right) = pyplot.subplots(1, 3, figsize=(17, 5.4), layout="constrained")
+    _draw_steps(left, losses)
+    _draw_errors(middle, losses)
+    _draw_energies(right, drifts, swings)
+    for axes in (left, middle, right):
+        axes.grid(alpha=0.3)
+        axes.legend(fontsize=8)
+    figure.savefig(png, dpi=110)
+    pyplot.close(figure)
+
+
+def _draw_steps(axes: Axes, losses: Sequence[Loss]) -> None:
+    """Draw the steps from release as marks, and ln(1e6) / ln(growth) as lines."""
+    for name, damping in LOST.items():
+        own = [row[2:] for row in losses if row[0] == name]
+        color, mark = SHADES[name], MARKS[name]
+        beyond = [row[0] for row in own]
+        axes.plot(beyond, [row[1] for row in own], color=color, lw=1)
+        words = "d$^h$" if name in INTEGRATORS else "c h / m"
+        label = f"{name}, {words} = {damping:g}"
+        axes.plot(beyond, [row[2] for row in own], mark, color=color, mfc="none", label=label)
+    axes.set(xscale="log", yscale="log", xlabel="k / limit - 1")
+    axes.set_ylabel("steps until an oscillation is 1e6 times as large")
+    low, high = (limit(row[4] for row in losses if row[2] == 0.02) for limit in (min, max))
+    axes.set_title(
+        f"2 % outside the limit, an oscillation diverges in {low} to {high} steps\n"
+        "(lines: ln 1e6 / ln |eigenvalue|; marks: simulated from rest)",
+        fontsize=10,
+    )
+
+
+def _draw_errors(axes: Axes, losses: Sequence[Loss]) -> None:
+    """Draw the relative difference between the simulated and the predicted number of steps.
+
+    An oscillation from rest is the sum of two eigenvectors. Near a limit the two are almost equal,
+    so the growing part may be much larger than the sum, or half of it. The oscillation then reaches
+    a million times its size sooner or later than predicted. Far outside the limit, rounding to
+    whole steps makes a difference.
+    """
+    for name in LOST:
+        own = [row[2:] for row in losses if row[0] == name]
+        color, mark = SHADES[name], MARKS[name]
+        beyond = [row[0] for row in own]
+        from_rest = [100.0 * (row[2] / row[1] - 1.0) for row in own]
+        axes.plot(beyond, from_rest, f"{mark}:", color=color, mfc="none", lw=0.8, label=name)
+        evenly = [100.0 * (row[3] / row[1] - 1.0) for row in own]
+        axes.plot(beyond, evenly, "-", color=color, lw=1.5)
+    clear = [row for row in losses if abs(row[5] - row[3]) > 1.0]  # by more than one step
+    most = 100.0 * max((abs(row[5] / row[3] - 1.0) for row in clear), default=0.0)
+    rest = 100.0 * max(abs(row[4] / row[3] - 1.0) for row in losses)
+    axes.axhline(0.0, color=BLACK, lw=0.8)
+    axes.set(xscale="log", xlabel="k / limit - 1", ylabel="steps simulated / predicted - 1, %")
+    axes.set_title(
+        f"In steady growth (lines) the error is within a step, or at most {most:.1g} %;\n"
+        f"from rest (marks) the size of the growing eigenvector adds up to {rest:.2g} %",
+        fontsize=10,
+    )
+
+
+def _draw_energies(axes: Axes, drifts: dict[str, list[float]], swings: Sequence[int]) -> None:
+    """Draw energies over oscillations, and the theoretical energy of Runge-Kutta 4."""
+    for name, ratios in drifts.items():
+        color, mark = SHADES[name], MARKS[name]
+        axes.semilogx(swings, ratios, f"{mark}-", color=color, mfc="none", lw=1, ms=5, label=name)
+    kappa = STIFFNESS * FRAME**2
+    # The fourth-order series of e^(i a) has the squared magnitude 1 - a^6 / 72 + a^8 / 576.
+    step = math.log1p(-(kappa**3) / 72.0 + kappa**4 / 576.0)
+    each = 2.0 * math.pi / math.sqrt(kappa)
+    by_theory = [math.exp(count * each * step) for count in swings]
+    axes.plot(swings, by_theory, "--", color=BLACK, lw=1, label="Runge-Kutta 4, theory")
+    leaking = ("Runge-Kutta 4", "backward Euler")
+    most = max(abs(own[-1] - 1.0) for name, own in drifts.items() if name not in leaking)
+    axes.set(xlabel="oscillations", ylabel="energy / initial energy, mean over an oscillation")
+    axes.set_title(
+        f"After {swings[-1]:,} oscillations at k h$^2$ / m = {kappa:.3g}, Runge-Kutta 4 keeps "
+        f"{drifts['Runge-Kutta 4'][-1]:.3g}\nof its energy and backward Euler "
+        f"{drifts['backward Euler'][-1]:.1g}. The others are within {100.0 * most:.1g} %",
+        fontsize=10,
+    )

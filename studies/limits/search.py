@@ -1,0 +1,263 @@
+"""Measure limits of stability by bisection, and energies inside the limits.
+
+There are limits for springs, for drag and for a penalty ground. A step is a linear map of position
+and velocity. A spring reaches its limit when the magnitude of the larger eigenvalue exceeds 1. Drag
+reaches its limit when the magnitude of the factor of the velocity does. Pymunk is measured in the
+same way.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import partial
+from typing import NamedTuple
+
+import pymunk
+
+from ch05_forces.forces import Drag
+from ch06_springs.integrators import Integrator
+from studies.runs.stability import (
+    INTEGRATORS,
+    SOLVERS,
+    Pull,
+    Solver,
+    bounces,
+    faked_growth,
+    growth,
+    limit_of,
+    methods,
+    solving,
+    step_matrix,
+    theory,
+)
+
+FRAME = 1.0 / 60.0
+KEPT = (1.0, 0.9, 0.5)  # fraction of the velocity that a step keeps, by the particle's damping
+DAMPERS = (0.0, 0.5)  # c h / m of the spring, for methods in which the spring has the damping
+LEAST, MOST = 1e-3, 1e6  # range of k h^2 / m and of k1 h / m
+OUTSIDE, HUGE = 1.02, 1e6
+STIFFNESS = 100.0  # N/m, for 38 frames per oscillation
+State = tuple[float, float]
+Growth = Callable[[float], float]
+
+
+class Bound(NamedTuple):
+    """A limit in one case, as measured and from theory. It is infinite if there is no limit.
+
+    ``steps`` is the number of steps in which an oscillation just outside the limit grows by the
+    factor HUGE, or NaN if nothing grows.
+    """
+
+    method: str
+    at: str
+    found: float
+    theory: float
+    steps: float
+
+
+def pymunk_step(
+    by_hand: bool, x: float, v: float, k: float, c: float, mass: float, duration: float
+) -> State:
+    """Return position and velocity of a pymunk body on a spring after a step, as a Solver does."""
+    space = pymunk.Space()
+    body = pymunk.Body(mass, 1.0)
+    body.position, body.velocity = (x, 0.0), (v, 0.0)
+    space.add(body)
+    if by_hand:
+        body.apply_force_at_world_point((-k * x - c * v, 0.0), body.position)
+    else:
+        still = space.static_body
+        space.add(pymunk.DampedSpring(body, still, (0, 0), (0, 0), 0.0, k, c))
+    space.step(duration)
+    return body.position.x, body.velocity.x
+
+
+def pymunk_damping(x: float, v: float, k: float, c: float, mass: float, duration: float) -> State:
+    """Return the same for a body in a pymunk space whose damping d is e^(-c / m)."""
+    del k
+    space = pymunk.Space()
+    space.damping = math.exp(-c / mass)
+    body = pymunk.Body(mass, 1.0)
+    body.position, body.velocity = (x, 0.0), (v, 0.0)
+    space.add(body)
+    space.step(duration)
+    return body.position.x, body.velocity.x
+
+
+PYMUNK: dict[str, Solver] = {
+    "pymunk's spring": partial(pymunk_step, False),
+    "pymunk, by hand": partial(pymunk_step, True),
+}
+
+
+def stepping(name: str, kappa: float, damping: float) -> tuple[Integrator, Pull, float]:
+    """Return a method, its spring with k h^2 / m = kappa, and the particle's damping d.
+
+    ``damping`` is d^h of the particle for an integrator, and c h / m of the spring for the others.
+    """
+    k = kappa / FRAME**2
+    if name in INTEGRATORS:
+        return INTEGRATORS[name], Pull(k), damping ** (1.0 / FRAME)
+    return solving((SOLVERS | PYMUNK)[name], k, damping / FRAME), Pull(k), 1.0
+
+
+def growth_at(name: str, damping: float, kappa: float) -> float:
+    """Return the growth per step of a method, given by name, at k h^2 / m = kappa."""
+    integrator, pull, d = stepping(name, kappa, damping)
+    return growth(integrator, pull, FRAME, d)
+
+
+def theory_at(name: str, damping: float) -> float:
+    """Return the k h^2 / m above which a spring explodes, with the damping of ``stepping``.
+
+    Pymunk steps its spring by p' = p + v h, v' = (v + a' h) e^(-c h / m). This is semi-implicit
+    Euler with D = e^(-c h / m). With a force by hand, its step is explicit Euler. The determinant
+    1 - c h / m + kappa is then 1 at kappa = c h / m, which is the limit up to c h / m = 2.
+    """
+    if name in SOLVERS:
+        return math.inf
+    if name == "pymunk's spring":
+        return theory("semi-implicit Euler", math.exp(-damping))
+    if name == "pymunk, by hand":
+        return damping
+    return theory(name, damping)
+
+
+def spring_limits() -> list[Bound]:
+    """Return the limits of k h^2 / m of every method, for springs with and without damping."""
+    rows = []
+    for name in INTEGRATORS:
+        rows += [spring_limit(name, kept, f"d^h = {kept:g}") for kept in KEPT]
+    for name in PYMUNK:
+        rows += [spring_limit(name, c, f"c h / m = {c:g}") for c in DAMPERS]
+    rows += [spring_limit(name, 0.0, "c h / m = 0") for name in SOLVERS]
+    # A step of (x, v h) has the trace cos(a) + sin(a) / a and the determinant sin(a) / a, with
+    # a = chi h. The lower eigenvalue passes -1 at a zero of 1 + cos(a) + 2 sin(a) / a. The first
+    # is pi.
+    faked = bound(
+        "faked stiff spring", "undamped", lambda k: faked_growth(k**0.5, 0.0, FRAME), math.pi**2
+    )
+    return [*rows, faked, ground_limit()]
+
+
+def spring_limit(name: str, damping: float, at: str) -> Bound:
+    """Return the limit of a method with the damping of ``stepping``."""
+    return bound(name, at, partial(growth_at, name, damping), theory_at(name, damping))
+
+
+def ground_limit() -> Bound:
+    """Return the k h^2 / m at which a penalty ground throws a body at rest: the step's limit."""
+    found = first(lambda kappa: 2.0 if thrown(kappa) else 1.0)
+    return Bound("penalty ground", "at rest", found, 4.0, float(thrown(OUTSIDE * found)))
+
+
+def thrown(kappa: float) -> int:
+    """Return the step, of 2000, after which a body that rested in the ground is above it, or 0.
+
+    The body starts slightly below its position of rest, by a fraction 1 / HUGE of its depth. So it
+    leaves the ground when its displacement has grown by the factor HUGE.
+    """
+    depth = 10.0 / (kappa / FRAME**2)
+    heights = bounces(kappa / FRAME**2, -depth * (1.0 + 1.0 / HUGE), 2000)
+    return next((i for i, height in enumerate(heights) if height > 0.0), 0)
+
+
+# The values of z = k1 h / m above which a speed grows in a step, and above which it reverses. The
+# Euler steps, leapfrog and pymunk with a force by hand multiply the speed by 1 - z. Verlet, which
+# evaluates its second force at v + a h, multiplies the speed by 1 - z / 2 - z (1 - z) / 2. This is
+# 1 - z + z^2 / 2 and at least 1/2. Runge-Kutta's series, 1 - z + z^2 / 2 - z^3 / 6 + z^4 / 24, is
+# also positive, and is 1 again at the root of z^3 - 4 z^2 + 12 z - 24. Backward Euler multiplies by
+# 1 / (1 + z), and the trapezoidal rule by (1 - z / 2) / (1 + z / 2). Methods that damp by d^h, such
+# as pymunk's spring, multiply by e^-z.
+DRAG_THEORY = {
+    "explicit Euler": (2.0, 1.0),
+    "semi-implicit Euler": (2.0, 1.0),
+    "leapfrog": (2.0, 1.0),
+    "velocity Verlet": (2.0, math.inf),
+    "Runge-Kutta 4": (2.785293563405282, math.inf),
+    "backward Euler": (math.inf, math.inf),
+    "trapezoidal rule": (math.inf, 2.0),
+    "pymunk, by hand": (2.0, 1.0),
+    "pymunk's spring": (math.inf, math.inf),
+    "pymunk's space.damping": (math.inf, math.inf),
+}
+
+
+def drag_limits() -> list[Bound]:
+    """Return each method's limits of k1 h / m, for growth and for reversal in a step."""
+    rows = []
+    for name, (grows, turns) in DRAG_THEORY.items():
+        kept = partial(drag_factor, name)
+        rows.append(bound(name, "growth", lambda z, kept=kept: abs(kept(z)), grows))  # type: ignore[misc]
+        # The speed reverses where a step removes more than the whole speed.
+        turned = first(lambda z, kept=kept: 1.0 - kept(z))  # type: ignore[misc]
+        rows.append(Bound(name, "reversal", turned, turns, math.nan))
+    return rows
+
+
+def drag_factor(name: str, z: float) -> float:
+    """Return the factor by which a step under drag alone multiplies a speed, at k1 h / m = z.
+
+    Integrators use the force of chapter 5. The other methods use their damper without a spring.
+    """
+    k1 = z / FRAME
+    if name in INTEGRATORS:
+        return step_matrix(INTEGRATORS[name], Drag(k1, 0.0), FRAME)[3]
+    solvers = SOLVERS | PYMUNK | {"pymunk's space.damping": pymunk_damping}
+    return step_matrix(solving(solvers[name], 0.0, k1), Pull(0.0), FRAME)[3]
+
+
+def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
+    """Return where growth begins, the limit from theory, and the steps to divergence outside it."""
+    found = first(growth)
+    bears = 0.0 < found < math.inf
+    steps = math.log(HUGE) / math.log(growth(OUTSIDE * found)) if bears else math.nan
+    return Bound(name, at, found, theory, steps)
+
+
+def first(growth: Growth) -> float:
+    """Return where growth begins, by bisection below the first of many values that show growth.
+
+    The result is 0 if even LEAST shows growth, and infinity if no value up to MOST does.
+    """
+    low, high = 0.0, LEAST
+    while not growth(high) > 1.0 + 1e-13:
+        if high == MOST:
+            return math.inf
+        low, high = high, min(1.1 * high, MOST)
+    return limit_of(growth, low, high) if low else 0.0
+
+
+def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
+    """Return the energy of each method after these numbers of oscillations, in rising order.
+
+    The initial energy is 1. Explicit Euler is left out, because it explodes at this stiffness.
+    """
+    ways = methods(STIFFNESS) | {"pymunk's spring": solving(PYMUNK["pymunk's spring"], STIFFNESS)}
+    del ways["explicit Euler"]
+    return {
+        name: energies_after(step_matrix(way, Pull(STIFFNESS), FRAME), swings)
+        for name, way in ways.items()
+    }
+
+
+def energies_after(matrix: tuple[float, float, float, float], swings: list[int]) -> list[float]:
+    """Return the energy after these numbers of oscillations, relative to the initial energy.
+
+    Each value is the mean over an oscillation, because the energy of a symplectic method oscillates
+    around a constant mean. ``matrix`` is that of a step of (x, v h).
+    """
+    a, b, c, d = matrix
+    length = 2.0 * math.pi / math.sqrt(STIFFNESS) / FRAME
+    x, vh, step, means = 1.0, 0.0, 0, []
+    for start in (0, *(round(count * length) for count in swings)):
+        while step < start:
+            x, vh = a * x + b * vh, c * x + d * vh
+            step += 1
+        total, y, wh = 0.0, x, vh
+        for _ in range(round(length)):
+            total += 0.5 * STIFFNESS * y * y + 0.5 * (wh / FRAME) ** 2
+            y, wh = a * y + b * wh, c * y + d * wh
+        means.append(total)
+    return [mean / means[0] for mean in means[1:]]

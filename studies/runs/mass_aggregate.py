@@ -1,0 +1,246 @@
+"""Scenes of chapter 8, measured over time, for its plots, benchmarks and tests.
+
+Lengths are in m, masses in kg, times in s, energies in J.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Callable, Sequence
+from typing import Protocol
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
+from ch07_constraints.heap_resolver import HeapResolver
+from ch08_mass_aggregate.blob import Blob, spread
+from ch08_mass_aggregate.bridge import Bridge
+from ch08_mass_aggregate.fixed_step import FixedStep
+from ch08_mass_aggregate.sleeping import SleepingWorld
+from ch08_mass_aggregate.tilting_platform import TiltingPlatform
+from ch08_mass_aggregate.wheel import Wheel, deformation, spin
+from ch08_mass_aggregate.world import ParticleWorld, mechanical_energy
+from studies.readings import Numbers, number, numbers, stopped
+from studies.runs.constraints import Move, Track
+from studies.runs.links import over_length
+
+FRAME = 1.0 / 60.0
+SPIKE = 0.5  # s, a frame in which the machine was busy with something else
+RADIUS = 0.5  # m, of the balls that fall asleep
+BALLS = 8
+LATE_HEIGHT = 40.0  # m, initial height of the ball that wakes them
+
+Measure = Callable[[], float]
+
+
+class MassAggregate(Protocol):
+    """The attributes that the bridge, the platform, the blob and the wheel have in common."""
+
+    @property
+    def world(self) -> ParticleWorld: ...
+
+    def step(self, duration: float) -> None: ...
+
+
+def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float) -> list[Track]:
+    """Measure values at the start and after each step, until the engine raises an error."""
+    times, rows = [0.0], [[number(measure()) for measure in measures]]
+
+    def run() -> None:
+        for i in range(1, frames + 1):
+            move(duration)
+            rows.append([number(measure()) for measure in measures])
+            times.append(i * duration)
+
+    message = stopped(run)
+    found = rows[: len(times)]
+    return [Track(times, [*values], message) for values in zip(*found, strict=True)]
+
+
+def resolve_by_heap(world: ParticleWorld) -> None:
+    """Give a world a faster resolver with the same number of iterations and the same results."""
+    world.resolver = HeapResolver(world.resolver.iterations)
+
+
+def loaded_platform() -> TiltingPlatform:
+    """Return a platform that tips to its right, with 5 kg at x = 3 m."""
+    platform = TiltingPlatform()
+    platform.put_weight(5.0, 3.0)
+    return platform
+
+
+def energy(aggregate: MassAggregate, rate: int, seconds: float) -> Track:
+    """Return the mechanical energy of all the particles of an aggregate."""
+    resolve_by_heap(aggregate.world)
+    measures = [lambda: mechanical_energy(aggregate.world.particles)]
+    return tracks(aggregate.step, measures, round(rate * seconds), 1.0 / rate)[0]
+
+
+def default_bridge() -> Bridge:
+    """Return a bridge whose resolver has its default iterations: twice the number of contacts."""
+    bridge = Bridge()
+    bridge.world.resolver.iterations = None
+    return bridge
+
+
+def variation(run: Track, since: float) -> float:
+    """Return the range of the values from a time on, as a fraction of the last value.
+
+    Returns NaN if the engine failed.
+    """
+    late = [value for time, value in run.points if time >= since]
+    if run.message or not late or not late[-1]:
+        return math.nan
+    return (max(late) - min(late)) / abs(late[-1])
+
+
+def load_on_bridge(
+    mass: float, iterations: int | None, substeps: int, seconds: float
+) -> tuple[Track, int]:
+    """Return the excess length of a bridge's cables under a ball of this mass, at 60 Hz.
+
+    The excess length is infinite if the ball has fallen through. The second result is the number of
+    resolutions.
+    """
+    bridge = Bridge(mass)
+    bridge.world.resolver = HeapResolver(iterations)
+    work = 0
+
+    def move(duration: float) -> None:
+        nonlocal work
+        for _ in range(substeps):
+            bridge.step(duration / substeps)
+            work += bridge.world.resolver.iterations_used
+
+    def measure() -> float:
+        lowest = min(numbers(end.position)[1] for row in bridge.rows for end in row)
+        return over_length(bridge.links) if numbers(bridge.ball.position)[1] > lowest else math.inf
+
+    return tracks(move, [measure], round(seconds / FRAME), FRAME)[0], work
+
+
+def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[float]:
+    """Return frame times of 5 to 30 ms, with a frame of SPIKE at each of the given times."""
+    rng = random.Random(seed)
+    frames, time, left = [], 0.0, [*spikes]
+    while time < seconds:
+        if left and time >= left[0]:
+            frames.append(SPIKE)
+            left.pop(0)
+        else:
+            frames.append(rng.uniform(0.005, 0.03))
+        time += frames[-1]
+    return frames
+
+
+def places(world: ParticleWorld) -> list[Numbers]:
+    """Return the positions of all particles of a world."""
+    return [numbers(particle.position) for particle in world.particles]
+
+
+def in_frames(
+    aggregate: MassAggregate, frames: Sequence[float], measure: Callable[[], float], fixed: bool
+) -> tuple[Track, list[tuple[int, list[Numbers]]]]:
+    """Run an aggregate in frames of given times, either in steps of these times or by FixedStep.
+
+    The second result contains, for each frame, the number of steps so far and all positions.
+    """
+    resolve_by_heap(aggregate.world)
+    stepper = FixedStep(aggregate.step, FRAME)
+    times, values = [0.0], [number(measure())]
+    states = [(0, places(aggregate.world))]
+
+    def run() -> None:
+        steps = 0
+        for elapsed in frames:
+            if fixed:
+                steps += stepper.advance(elapsed)
+            else:
+                aggregate.step(elapsed)
+                steps += 1
+            values.append(number(measure()))
+            states.append((steps, places(aggregate.world)))
+            times.append(times[-1] + elapsed)
+
+    message = stopped(run)
+    return Track(times, values[: len(times)], message), states[: len(times)]
+
+
+def spin_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track:
+    """Return the spin in rad/s of a driven wheel."""
+    wheel = Wheel(force, driven)
+    return _driven(wheel, lambda: spin(wheel.hub, wheel.rim), rate, seconds)
+
+
+def deformation_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track:
+    """Return the deformation of a driven wheel."""
+    wheel = Wheel(force, driven)
+    return _driven(wheel, lambda: deformation(wheel.rods), rate, seconds)
+
+
+def spread_of_blob(speed: float, cables: bool, seconds: float) -> Track:
+    """Return the spread of a blob that is thrown down from 2 m."""
+    blob = _thrown(speed, cables)
+    return tracks(blob.step, [lambda: spread(blob.particles)], round(seconds / FRAME), FRAME)[0]
+
+
+def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
+    """Return the number of intact bonds of the same blob."""
+    blob = _thrown(speed, cables)
+
+    def holding() -> float:
+        return sum(1.0 for bond in blob.bonds if bond.holds)
+
+    return tracks(blob.step, [holding], round(seconds / FRAME), FRAME)[0]
+
+
+def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Particle]]:
+    """Return a world of balls in a row that land one after the other, and a late ball.
+
+    The late ball falls from LATE_HEIGHT between two of the others and pushes all of them apart.
+    """
+    down = Vector3(0.0, -9.81)
+    places = [Vector3(1.2 * i, 2.0 * RADIUS + 0.6 * i) for i in range(BALLS)]
+    places.append(Vector3(0.6 * (BALLS - 1) + 0.3, LATE_HEIGHT))
+    balls = [Particle(place, acceleration=down, damping=0.5) for place in places]
+    balls[-1].damping = 0.9
+    detector = Detectors(GroundPlane(balls, radius=RADIUS), ParticlePairs(balls, RADIUS))
+    return kind(balls, [detector]), balls
+
+
+def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, Track]:
+    """Return the number of awake balls, the resolutions per step, and the kinetic energy."""
+    world, balls = balls_on_ground(kind)
+
+    def move(duration: float) -> None:
+        world.resolver.iterations_used = 0  # the resolver is not called without contacts
+        world.step(duration)
+
+    def awake() -> float:
+        return len(balls) - (len(world.asleep) if isinstance(world, SleepingWorld) else 0)
+
+    measures: list[Measure] = [
+        awake,
+        lambda: world.resolver.iterations_used,
+        lambda: math.fsum(ball.kinetic_energy() for ball in balls if ball.inverse_mass),
+    ]
+    first, second, third = tracks(move, measures, round(seconds / FRAME), FRAME)
+    return first, second, third
+
+
+def longest(values: Sequence[Numbers], others: Sequence[Numbers]) -> float:
+    """Return the largest distance between corresponding positions in two lists."""
+    return max(math.dist(a, b) for a, b in zip(values, others, strict=True))
+
+
+def _driven(wheel: Wheel, measure: Measure, rate: int, seconds: float) -> Track:
+    resolve_by_heap(wheel.world)
+    return tracks(wheel.step, [measure], round(rate * seconds), 1.0 / rate)[0]
+
+
+def _thrown(speed: float, cables: bool) -> Blob:
+    blob = Blob(2.0, cables)
+    for particle in blob.particles:
+        particle.velocity = Vector3(0.0, -speed)
+    return blob

@@ -1,0 +1,121 @@
+"""A stack and a pile of spheres: how far they sink, and how much overlap a resolver leaves.
+
+Gravity is 10 m/s^2, downward. Lengths are in m, times in s.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from itertools import pairwise
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch06_springs.integrators import semi_implicit_euler
+from ch07_constraints.contacts import DEPTH_TOLERANCE, VELOCITY_TOLERANCE, Contact, ContactResolver
+from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
+from studies.readings import numbers
+from studies.runs.constraints import FRAME, GRAVITY, RADIUS, Track, by_resolver, resolving, track
+
+
+def stack(count: int, iterations: int | None, frames: int) -> tuple[Track, Track]:
+    """Return the height of the top sphere of a stack, and the largest overlap.
+
+    At the start each sphere just touches the next one, and nothing bounces. The height is that of
+    the sphere's center. The overlap, between neighbors or with the ground, is a fraction of the
+    diameter.
+    """
+    spheres = [
+        Particle(Vector3(0.0, (2 * i + 1) * RADIUS), acceleration=Vector3(0.0, -GRAVITY))
+        for i in range(count)
+    ]
+    detector = Detectors(GroundPlane(spheres, radius=RADIUS), ParticlePairs(spheres, RADIUS))
+    move = resolving(semi_implicit_euler, spheres, [detector], by_resolver(iterations))
+    overlaps = []
+
+    def measure() -> float:
+        places = [-RADIUS, *(numbers(sphere.position)[1] for sphere in spheres)]
+        overlaps.append(max(1.0 - (high - low) / (2.0 * RADIUS) for low, high in pairwise(places)))
+        return max(places)
+
+    run = track(move, measure, frames)
+    return run, Track(run.times, overlaps[: len(run.times)], run.message)
+
+
+def pile(rows: int, overlap: float, speed: float) -> tuple[list[Particle], list[Contact]]:
+    """Return a pile of spheres in a plane that is falling to the ground, and its contacts.
+
+    The lowest row has as many spheres as there are rows. Neighbors overlap by a fraction of the
+    diameter, and all spheres fall at the same speed in m/s.
+    """
+    size = 2.0 * RADIUS * (1.0 - overlap)
+    spheres = [
+        Particle(
+            Vector3((i + 0.5 * row) * size, RADIUS * (1.0 - overlap) + row * size * 0.75**0.5),
+            Vector3(0.0, -speed),
+        )
+        for row in range(rows)
+        for i in range(rows - row)
+    ]
+    detector = Detectors(GroundPlane(spheres, radius=RADIUS), ParticlePairs(spheres, RADIUS))
+    return spheres, detector.contacts()
+
+
+def residuals(iterations: int, in_order: bool, rows: int = 4) -> tuple[float, float]:
+    """Return the closing velocity and depth that remain after a number of resolutions of a pile.
+
+    The results are the largest closing velocity in m/s and the largest depth in m at the final
+    positions. The contacts are resolved by a ContactResolver, worst first, or by sweeps through the
+    list. A sweep skips contacts that need no resolution.
+    """
+    spheres, contacts = pile(rows, 0.01, 1.0)
+    if iterations and in_order:
+        _sweep(contacts, iterations, _closes, lambda contact: contact.resolve_velocity(FRAME))
+        _sweep(contacts, iterations, _is_deep, _resolve_depth)
+    elif iterations:
+        ContactResolver(iterations).resolve_contacts(contacts, FRAME)
+    closing = max((-contact.separating_velocity() for contact in contacts), default=math.nan)
+    places = [numbers(sphere.position) for sphere in spheres]
+    # Use positions only, because the contacts' own depths may be outdated (E-8).
+    depths = [RADIUS - place[1] for place in places]
+    depths += [2 * RADIUS - math.dist(a, b) for i, a in enumerate(places) for b in places[:i]]
+    return max(closing, 0.0), max(0.0, *depths)
+
+
+def _sweep(
+    contacts: list[Contact],
+    limit: int,
+    wants: Callable[[Contact], bool],
+    resolve: Callable[[Contact], object],
+) -> None:
+    """Resolve contacts in the order of the list, repeatedly, at most ``limit`` times in total."""
+    used = 0
+    while True:
+        before = used
+        for contact in contacts:
+            if used < limit and wants(contact):
+                resolve(contact)
+                used += 1
+        if used in (before, limit):
+            return
+
+
+def _depth(contact: Contact) -> float:
+    """Return the depth of a contact of spheres at their current positions, along its normal."""
+    place = contact.particle.position
+    if contact.other is None:
+        return RADIUS - place.y
+    return 2.0 * RADIUS - (place - contact.other.position).dot(contact.normal)
+
+
+def _closes(contact: Contact) -> bool:
+    return contact.separating_velocity() < -VELOCITY_TOLERANCE
+
+
+def _is_deep(contact: Contact) -> bool:
+    return _depth(contact) > DEPTH_TOLERANCE
+
+
+def _resolve_depth(contact: Contact) -> None:
+    contact.penetration = _depth(contact)
+    contact.resolve_penetration()

@@ -1,0 +1,78 @@
+"""The throws of a trebuchet, for every angle at which its sling might release the projectile.
+
+Lengths are in m, energies in J.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from ch08_mass_aggregate.trebuchet import (
+    PIVOT_HEIGHT,
+    PROJECTILE_MASS,
+    STEP,
+    TIME_LIMIT,
+    Design,
+    G,
+    Trebuchet,
+)
+from studies.readings import numbers, stopped
+from studies.runs.mass_aggregate import resolve_by_heap
+
+
+@dataclass(frozen=True)
+class Release:
+    """A possible release: its angle in degrees, its range in m, and its fraction of the energy."""
+
+    angle: float
+    range: float
+    share: float
+
+
+def releases(design: Design) -> list[Release]:
+    """Simulate a sling that does not release, and return each release that an angle can select.
+
+    A sling releases in the first step in which the projectile's flight direction is below the
+    release angle. So each step with a lower direction than ever before is a possible release, down
+    to the horizon. Ranges and fractions are computed as in Trebuchet.throw, but in plain numbers.
+    """
+    machine = Trebuchet(design)
+    resolve_by_heap(machine.world)
+    start, high = numbers(machine.projectile.position)[1], numbers(machine.weight.position)[1]
+    found: list[Release] = []
+
+    def run() -> None:
+        for _ in range(round(TIME_LIMIT / STEP)):
+            machine.world.step(STEP)
+            x, y, _ = numbers(machine.projectile.position)
+            vx, vy, vz = numbers(machine.projectile.velocity)
+            if y <= 0.0:  # it touched the ground in the sling
+                return
+            if vx <= 0.0 or y <= PIVOT_HEIGHT:
+                continue
+            angle = math.degrees(math.atan2(vy, vx))
+            if found and angle >= found[-1].angle:
+                continue
+            time = (vy + math.sqrt(vy * vy + 2.0 * G * y)) / G
+            kinetic = 0.5 * (vx * vx + vy * vy + vz * vz)
+            gained = PROJECTILE_MASS * (G * (y - start) + kinetic)
+            lost = design.counterweight * G * (high - numbers(machine.weight.position)[1])
+            found.append(Release(angle, x + vx * time, gained / lost if lost else math.nan))
+            if angle <= 0.0:
+                return
+
+    stopped(run)
+    return found
+
+
+def jumps(found: Sequence[Release], degrees: float = 5.0) -> list[Release]:
+    """Return the releases with a NaN wherever the angle jumps, so that no line is drawn there."""
+    shown = list(found[:1])
+    for before, release in pairwise(found):
+        if before.angle - release.angle > degrees:
+            shown.append(Release(math.nan, math.nan, math.nan))
+        shown.append(release)
+    return shown

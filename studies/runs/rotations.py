@@ -1,0 +1,279 @@
+"""Orientations in plain numbers, for comparison with an engine, and motions for the plots.
+
+An orientation is described by its components r, i, j and k, or by its arrows: the directions in
+which its own axes X, Y and Z point in the world.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy
+
+from ch02_vectors.vector import Vector3
+from ch09_rotations.angular import integrate_rotation
+from ch09_rotations.quaternion import Quaternion
+from studies.readings import (
+    Numbers,
+    angle_between,
+    cross,
+    dot,
+    is_drawable,
+    number,
+    numbers,
+    stopped,
+)
+
+Components = tuple[float, float, float, float]
+Arrows = tuple[Numbers, Numbers, Numbers]
+Step = Callable[[Quaternion, Numbers, float], None]  # takes orientation, velocity, duration
+Velocity = Callable[[float], Numbers]  # returns the angular velocity at a time
+
+X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+NOWHERE: Arrows = ((math.nan,) * 3, (math.nan,) * 3, (math.nan,) * 3)
+GRAVITY = 9.81
+TAU = math.tau
+
+
+def components(q: Any) -> Components:
+    """Return the components of an engine's quaternion, with NaN for each that is not a number."""
+    r, i, j, k = (number(getattr(q, name, None)) for name in "rijk")
+    return r, i, j, k
+
+
+def turn(axis: Numbers, angle: float) -> Components:
+    """Return the components of a rotation about an axis, whose length may be any except zero."""
+    share = math.sin(0.5 * angle) / math.hypot(*axis)
+    return math.cos(0.5 * angle), axis[0] * share, axis[1] * share, axis[2] * share
+
+
+def product(b: Components, a: Components) -> Components:
+    """Return the components of the rotation a followed by the rotation b."""
+    u, v = b[1:], a[1:]
+    i, j, k = (b[0] * q + a[0] * p + c for p, q, c in zip(u, v, cross(u, v), strict=True))
+    return b[0] * a[0] - dot(u, v), i, j, k
+
+
+def rotated(q: Components, v: Numbers) -> Numbers:
+    """Return a vector rotated by an orientation of length 1."""
+    back = (q[0], -q[1], -q[2], -q[3])
+    _, x, y, z = product(product(q, (0.0, *v)), back)
+    return x, y, z
+
+
+def arrows(q: Components) -> Arrows:
+    """Return the arrows of an orientation of length 1."""
+    return rotated(q, X), rotated(q, Y), rotated(q, Z)
+
+
+def arrows_by_engine(q: Quaternion) -> Arrows:
+    """Return the arrows of an orientation, rotated by the engine."""
+    x, y, z = (numbers(q.rotate(Vector3(*axis))) for axis in (X, Y, Z))
+    return x, y, z
+
+
+def degrees_apart(a: Components, b: Components) -> float:
+    """Return the angle of the rotation from a to b, regardless of their lengths.
+
+    Returns NaN if a or b has no direction.
+    """
+    if not (0.0 < math.hypot(*a) < math.inf and 0.0 < math.hypot(*b) < math.inf):
+        return math.nan
+    r, *axis = product(b, (a[0], -a[1], -a[2], -a[3]))
+    return math.degrees(2.0 * math.atan2(math.hypot(*axis), abs(r)))
+
+
+def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
+    """Return the angle of the rotation from a to b, from the trace of its matrix, 1 + 2 cos."""
+    if not is_drawable(*a, *b):
+        return math.nan
+    cosine = 0.5 * (math.fsum(dot(p, q) for p, q in zip(a, b, strict=True)) - 1.0)
+    return math.degrees(math.acos(min(max(cosine, -1.0), 1.0)))
+
+
+def off_right_angles(found: Arrows) -> float:
+    """Return the largest deviation, in degrees, of the angles between arrows from 90."""
+    x, y, z = found
+    return largest([abs(angle_between(a, b) - 90.0) for a, b in ((x, y), (y, z), (z, x))])
+
+
+def off_unit_length(found: Arrows) -> float:
+    """Return the largest deviation of an arrow's length from 1."""
+    return largest([abs(math.hypot(*v) - 1.0) for v in found])
+
+
+def off_directions(found: Arrows, wanted: Arrows) -> float:
+    """Return the largest angle in degrees between an arrow and the wanted arrow."""
+    return largest([angle_between(a, b) for a, b in zip(found, wanted, strict=True)])
+
+
+def largest(values: list[float]) -> float:
+    """Return the largest value, or NaN if there are no values or one of them is NaN."""
+    return max(values, default=math.nan) if not any(map(math.isnan, values)) else math.nan
+
+
+# A thin disc that is thrown up and rotates freely. Its axis is tilted from the vertical by TILT and
+# rotates about the vertical at PRECESSION. The moment of inertia about a diameter is half of the
+# moment about the axis. It follows that the disc also spins about its axis at SPIN, against the
+# precession.
+TILT = math.radians(25.0)
+PRECESSION = TAU * 0.9
+SPIN = -0.5 * PRECESSION * math.cos(TILT)
+FLIGHT = 1.2  # s
+AXIS = (math.sin(TILT), math.cos(TILT), 0.0)
+TILTED = turn((0.0, 0.0, -1.0), TILT)  # the disc's own Y along its axis
+
+
+@dataclass(frozen=True)
+class Throw:
+    """The engine's arrows and the exact arrows at some times, and any error that ended the run."""
+
+    times: list[float]
+    found: list[Arrows]
+    wanted: list[Arrows]
+    message: str
+
+    def worst(self, measure: Callable[[Arrows], float]) -> float:
+        """Return the largest measurement of the engine's arrows."""
+        return largest([measure(found) for found in self.found])
+
+    def worst_direction(self) -> float:
+        """Return the largest angle in degrees between an arrow and the closed form."""
+        pairs = zip(self.found, self.wanted, strict=True)
+        return largest([off_directions(found, wanted) for found, wanted in pairs])
+
+
+def disc_place(time: float) -> Numbers:
+    """Return the position of the disc, which lands 6 m away at the height of the throw."""
+    return 6.0 * time / FLIGHT, 0.5 * GRAVITY * time * (FLIGHT - time), 0.0
+
+
+def disc_orientation(time: float) -> Components:
+    """Return the exact orientation: the spin about the axis, followed by the precession."""
+    return product(turn(Y, PRECESSION * time), product(turn(AXIS, SPIN * time), TILTED))
+
+
+def disc_acceleration(time: float) -> Numbers:
+    """Return the angular acceleration, because the precession rotates the spin with the axis."""
+    x, y, z = rotated(turn(Y, PRECESSION * time), AXIS)
+    return cross((0.0, PRECESSION, 0.0), (SPIN * x, SPIN * y, SPIN * z))
+
+
+def throw_disc(rate: int) -> Throw:
+    """Rotate the disc by integrate_rotation, with this number of steps per second."""
+    orientation = Quaternion(*TILTED)
+    velocity = Vector3(SPIN * AXIS[0], SPIN * AXIS[1] + PRECESSION, 0.0)
+    times: list[float] = []
+    found: list[Arrows] = []
+
+    def run() -> None:
+        for n in range(round(FLIGHT * rate) + 1):
+            if n > 0:
+                acceleration = Vector3(*disc_acceleration((n - 1) / rate))
+                integrate_rotation(orientation, velocity, acceleration, 1.0 / rate)
+            found.append(arrows_by_engine(orientation))
+            times.append(n / rate)
+
+    message = stopped(run)
+    return Throw(times, found, [arrows(disc_orientation(time)) for time in times], message)
+
+
+def by_first_order(q: Quaternion, velocity: Numbers, duration: float) -> None:
+    """Step by Eq. 9.5."""
+    q.add_scaled(Vector3(*velocity), duration)
+
+
+def by_first_order_normalized(q: Quaternion, velocity: Numbers, duration: float) -> None:
+    """Step by Eq. 9.5, and normalize."""
+    q.add_scaled(Vector3(*velocity), duration)
+    q.normalize()
+
+
+def by_exponential(q: Quaternion, velocity: Numbers, duration: float) -> None:
+    """Step by the exponential of the rotation vector."""
+    q.rotate_by(Vector3(*(component * duration for component in velocity)))
+
+
+# Two rotations for comparing methods. The first is a steady turn per second about a slanted axis,
+# from an orientation with another slant. In the second, the axis also moves around Z, along a cone,
+# at half a turn per second. The errors are measured at END, because after a whole turn some of them
+# would cancel, and a product in the wrong order would not show.
+END = 0.7  # s
+START = turn((1.0, -2.0, 0.5), 1.0)
+STEADY = (TAU * 2.0 / 3.0, -TAU / 3.0, TAU * 2.0 / 3.0)
+CONING, SLANTING = 0.5 * TAU, (TAU * 0.6, 0.0, TAU * 0.8)
+
+
+def steady_velocity(_: float) -> Numbers:
+    """Return the angular velocity of the steady rotation, which is always the same."""
+    return STEADY
+
+
+def steady_orientation(time: float) -> Components:
+    """Return the exact orientation of the steady rotation."""
+    return product(turn(STEADY, TAU * time), START)
+
+
+def coning_velocity(time: float) -> Numbers:
+    """Return the angular velocity with the axis that moves around Z."""
+    x, y, z = rotated(turn(Z, CONING * time), SLANTING)
+    return x, y, z + CONING
+
+
+def coning_orientation(time: float) -> Components:
+    """Return the exact orientation of the second rotation: about a fixed axis, then about Z."""
+    return product(turn(Z, CONING * time), product(turn(SLANTING, TAU * time), START))
+
+
+def turn_by_steps(
+    step: Step, velocity: Velocity, steps: int, rate: float, share: float = 0.0
+) -> tuple[list[Components], str]:
+    """Return the orientations before and after each step, and any error that ended the run.
+
+    ``share`` is the point within a step at which the velocity is taken: 0 is its start, and 0.5
+    its middle.
+    """
+    q = Quaternion(*START)
+    found = [components(q)]
+
+    def run() -> None:
+        for n in range(steps):
+            step(q, velocity((n + share) / rate), 1.0 / rate)
+            found.append(components(q))
+
+    message = stopped(run)
+    return found, message
+
+
+def worst_axis(distance: float, z: float) -> Numbers:
+    """Return the rotation axis with the largest Euler rates, if y is ``distance`` below 90 degrees.
+
+    It is halfway between the world's Z axis and the rotated X axis.
+    """
+    up = math.sin(0.5 * distance)
+    along = math.cos(0.5 * distance)
+    return math.cos(z) * along, math.sin(z) * along, up
+
+
+def columns(matrix: Any) -> Arrows:
+    """Return the columns of an engine's Matrix3. They are the axes that it has rotated."""
+    a, b, c, d, e, f, g, h, i = nine(matrix)
+    return (a, d, g), (b, e, h), (c, f, i)
+
+
+def singular_values(matrix: Any) -> Numbers:
+    """Return the singular values of an engine's Matrix3, largest first, or NaN if it is wrong."""
+    found = nine(matrix)
+    if not all(map(math.isfinite, found)):
+        return math.nan, math.nan, math.nan
+    first, second, third = numpy.linalg.svd(numpy.reshape(found, (3, 3)), compute_uv=False)
+    return float(first), float(second), float(third)
+
+
+def nine(matrix: Any) -> list[float]:
+    """Return the nine numbers of an engine's Matrix3, row by row, or NaN if it is wrong."""
+    found = [number(entry) for entry in getattr(matrix, "entries", ())]
+    return found if len(found) == 9 else [math.nan] * 9

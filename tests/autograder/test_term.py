@@ -1,0 +1,171 @@
+"""An instructor's term with a class of 40: from a class list to a file that Canvas imports."""
+
+from __future__ import annotations
+
+import csv
+import io
+import random
+import re
+import signal
+import subprocess
+import sys
+import time
+import zipfile
+from pathlib import Path
+
+import pytest
+
+from autograder.isolation.probe import best_level
+from autograder.manifest import ROOT, load_chapters
+from copies import reference
+from wrong import read_wrong, write_all, write_wrong
+
+CH02 = load_chapters()[0]
+FILE = f"{CH02.name}/vector.py"
+RIGHT = reference(CH02.name)[FILE]
+MISTAKE = "Returns the vector itself instead of a copy."
+TITLE, TOTAL = "Lab 1 (4711)", 10.0
+COURSE = f"""
+time_zone = "UTC"
+roster = "roster.csv"
+
+[[assignment]]
+name = "lab1"
+title = "{TITLE}"
+exercises = ["B2.1", "B2.2", "B2.5"]
+points = {{ "B2.5" = 5 }}  # the chapter gives 3
+total = {TOTAL:g}
+due = 2026-10-23 23:59:00
+late = {{ points_per_day = 1, cap = 2 }}
+seed = "7"
+"""
+# How many students hand in what, and what it is worth: without a file there is no grade at all.
+KINDS = {"right": 20, "late": 4, "partial": 5, "wrong": 2, "duplicate": 2, "misnamed": 1}
+KINDS |= {"hostile": 1, "empty": 2, "missing": 3}
+# A student's total is the sum of the exercises, less the penalty: 2 points for two days.
+WORTH = {"right": 10.0, "duplicate": 10.0, "late": 8.0, "partial": 5.0}
+
+
+def hand_in(kind: str, folder: Path) -> dict[str, str]:
+    """Return the files that a student of a kind hands in, made in a folder."""
+    if kind == "partial":  # without B2.5, which is worth 5 points
+        write_all(CH02, "raise NotImplementedError", folder, but=["B2.1", "B2.2"])
+    if kind == "wrong":
+        write_wrong(CH02, [w for w in read_wrong(CH02) if w.mistake == MISTAKE], folder)
+    if (folder / FILE).exists():
+        return {FILE: (folder / FILE).read_text(encoding="utf-8")}
+    return {
+        "misnamed": {f"{CH02.name}/my_vectors.py": RIGHT},
+        "hostile": {FILE: f"{RIGHT}\nimport os\n\nos._exit(0)\n"},
+        "empty": {"notes.txt": "nothing"},
+    }.get(kind, {FILE: RIGHT})
+
+
+@pytest.fixture(scope="module")
+def kinds() -> dict[str, str]:
+    """Return what each of the 40 students hands in, by id."""
+    drawn = [kind for kind, count in KINDS.items() for _ in range(count)]
+    random.Random(40).shuffle(drawn)
+    return {str(1001 + i): kind for i, kind in enumerate(drawn)}
+
+
+@pytest.fixture(scope="module")
+def folder(kinds: dict[str, str], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a folder with the class list, the course file and the zip downloaded from Canvas."""
+    folder = tmp_path_factory.mktemp("term")
+    people = [f"{i},Student {i},s{i}@example.org,login{i}" for i in kinds]
+    roster = "\n".join(["id,name,email,login", *people, ""])
+    (folder / "roster.csv").write_text(roster, encoding="utf-8")
+    (folder / "course.toml").write_text(COURSE, encoding="utf-8")
+    texts = {kind: hand_in(kind, folder / kind) for kind in KINDS}
+    handed = {i: kind for i, kind in kinds.items() if kind != "missing"} | {"99": "right"}
+    with zipfile.ZipFile(folder / "lab1.zip", "w") as all_of_them:
+        for i, kind in handed.items():
+            inner = io.BytesIO()
+            with zipfile.ZipFile(inner, "w") as archive:
+                for path, text in texts[kind].items():
+                    archive.writestr(path, text)
+            late = "_LATE" if kind == "late" else ""
+            all_of_them.writestr(f"student{i}{late}_{i}_7{i}_work.zip", inner.getvalue())
+    return folder
+
+
+def grade(folder: Path, *more: str) -> list[str]:
+    if best_level() == "none":
+        more = (*more, "--unsafe-no-sandbox")
+    command = [sys.executable, "-m", "autograder", "grade", str(folder / "lab1.zip")]
+    command += ["--assignment", "lab1", "--course", str(folder / "course.toml")]
+    return [*command, "--out", str(folder / "grades"), *more]
+
+
+@pytest.fixture(scope="module")
+def printed(folder: Path, kinds: dict[str, str]) -> list[str]:
+    """Grade in a run that is killed, in a second one, and again with times; return what they print.
+
+    With the two files of the fixture above, these are all commands from a class list to an import.
+    """
+    results = folder / "grades" / "results"
+    with subprocess.Popen(grade(folder), cwd=ROOT, stdout=subprocess.DEVNULL) as run:
+        while len([*results.glob("*.json")]) < 8 and run.poll() is None:
+            time.sleep(0.02)
+        run.send_signal(signal.SIGKILL)
+    assert 8 <= len([*results.glob("*.json")]) < 38
+    said = [run_whole(grade(folder))]
+    days = {i: "25 23:00" if kind == "late" else "23 12:00" for i, kind in kinds.items()}
+    times = [f"{i},2026-10-{day}" for i, day in days.items() if kinds[i] != "missing"]
+    text = "\n".join(["student,submitted", *times, ""])
+    (folder / "lab1" / "times.csv").write_text(text, encoding="utf-8")
+    return [*said, run_whole(grade(folder))]
+
+
+def run_whole(command: list[str]) -> str:
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return " ".join(done.stdout.split())
+
+
+def table(path: Path) -> list[dict[str, str]]:
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def test_a_killed_run_is_resumed_and_everybody_is_accounted_for(
+    printed: list[str], kinds: dict[str, str]
+) -> None:
+    first, second = printed
+    kept = re.search(r"(\d+) of 38 reports were kept", first)
+    assert kept
+    assert int(kept[1]) >= 8
+    assert "38 of 38 reports were kept" in second, "the times change penalties only"
+    missing = "; ".join(f"Student {i}" for i, kind in kinds.items() if kind == "missing")
+    for said in printed:
+        assert f"Nothing handed in: 3 ({missing})." in said
+        assert "Not in the roster: 1 (student99_99)." in said
+    assert "Late by an unknown time, so without a penalty: 4 (Student" in first
+    assert "Late: 4, of which 4 lose points." in second
+
+
+@pytest.mark.usefixtures("printed")
+def test_the_totals_are_the_sums_of_the_exercises(folder: Path, kinds: dict[str, str]) -> None:
+    rows = {row["student"]: row for row in table(folder / "grades/gradebook.csv")}
+    for i, kind in kinds.items():
+        row = rows[f"Student {i}"]
+        if kind == "missing":
+            assert row["total"] == ""
+            continue
+        exercises = sum(float(row[name]) for name in ("B2.1", "B2.2", "B2.5"))
+        total = exercises - 2.0 * (kind == "late")
+        assert float(row["total"]) == pytest.approx(total), kind
+        assert float(row["total"]) == pytest.approx(WORTH.get(kind, total)), kind
+        if kind in ("misnamed", "hostile", "empty"):
+            assert float(row["total"]) == 0.0
+        if kind == "wrong":
+            assert 8.0 <= float(row["total"]) < 10.0
+
+
+@pytest.mark.usefixtures("printed")
+def test_canvas_gets_a_cell_for_each_student(folder: Path, kinds: dict[str, str]) -> None:
+    totals = {row["student"]: row["total"] for row in table(folder / "grades/gradebook.csv")}
+    possible, *rows = table(folder / "grades/canvas.csv")
+    assert float(possible[TITLE]) == TOTAL
+    assert {row["ID"]: row[TITLE] for row in rows} == {i: totals[f"Student {i}"] for i in kinds}

@@ -1,0 +1,178 @@
+"""Submissions as Canvas and Moodle export them: zips of a class, and the names in them."""
+
+from __future__ import annotations
+
+import stat
+import zipfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from autograder.submissions import unpack
+from autograder.submissions.find import find_submissions
+from autograder.submissions.unpack import class_folder
+from staging import CODE, EXERCISES, OF_CH03, TAKEN, VECTOR, boxed, make_zip, zip_of
+
+WORK = zip_of({f"work/{VECTOR}": CODE})
+
+
+def class_zip(folder: Path, files: Mapping[Any, bytes]) -> Path:
+    path = folder / "lab1.zip"
+    path.write_bytes(zip_of(files))
+    return path
+
+
+def found_in(path: Path) -> tuple[dict[str, Path], list[str]]:
+    """Return the submissions in the zip of a class, by student, and the notes on the others."""
+    submissions, notes = find_submissions(class_folder(path))
+    return {one.student: one.path for one in submissions}, notes
+
+
+def test_a_download_from_canvas_is_read_and_the_last_upload_counts(tmp_path: Path) -> None:
+    names = ("doejane_77_101_work.zip", "doejane_77_205_work-1.zip", "doejane_77_205_work-2.zip")
+    late = "leebo_LATE_78_150_my_work-1.zip"
+    zipped = class_zip(tmp_path, dict.fromkeys((*names, late, "anon_x7Yk2_9_w.zip"), WORK))
+    submissions, notes = find_submissions(class_folder(zipped))
+    by_name = {one.student: one for one in submissions}
+    assert {name: one.path.name for name, one in by_name.items()} == {
+        "anon_x7Yk2": "anon_x7Yk2_9_w.zip",
+        "doejane_77": "doejane_77_205_work-2.zip",
+        "leebo_78": late,
+    }
+    assert {name for name, one in by_name.items() if one.late} == {"leebo_78"}
+    assert [note.split(" was left out: ")[0] for note in notes] == [*names[:2]]
+    assert all("doejane_77_205_work" in note for note in notes)
+    for one in submissions:
+        assert boxed(one.path) == TAKEN
+
+
+def test_a_download_from_moodle_is_read(tmp_path: Path) -> None:
+    zipped = class_zip(
+        tmp_path,
+        {
+            "Ann Lee_12_assignsubmission_file/work.zip": WORK,
+            f"Bo Ek_13_assignsubmission_file_/{VECTOR}": CODE,
+            "Bo Ek_13_assignsubmission_file_/film.mp4": b"x",
+            "Cy_14_assignsubmission_file_work.zip": WORK,
+            "Di_15_assignsubmission_onlinetext/onlinetext.html": b"hello",
+        },
+    )
+    found, notes = found_in(zipped)
+    assert list(found) == ["Ann Lee_12", "Bo Ek_13", "Cy_14"]
+    for path in found.values():
+        assert boxed(path) == TAKEN
+    text = "it is text that was typed into the platform"
+    assert notes == [f"Di_15_assignsubmission_onlinetext was left out: {text}"]
+    assert not [*tmp_path.rglob("film.mp4")], "what cannot count is not unpacked"
+
+
+def test_the_zips_in_a_folder_count_like_folders(tmp_path: Path) -> None:
+    folder = tmp_path / "ann"
+    folder.mkdir()
+    make_zip(folder, {VECTOR: CODE}).rename(folder / "a.zip")
+    make_zip(folder, {EXERCISES: CODE}).rename(folder / "b.zip")
+    (folder / "c.zip").write_bytes(b"no zip")
+    (folder / "d.zip").symlink_to(folder / "a.zip")
+    files, missing, notes = boxed(folder)
+    assert files == {VECTOR: CODE}
+    assert set(missing) == set(OF_CH03), "these could have been in the damaged zip"
+    assert notes[1:] == ["there are 2 folders called ch02_vectors: 'a.zip/ch02_vectors' was taken"]
+    assert notes[0].startswith("'c.zip' was not opened: the zip is damaged")
+
+
+def test_what_is_unpacked_is_kept_until_the_zip_changes(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    zipped = class_zip(tmp_path, {"ann.zip": WORK, "bob/": b"", "notes.txt": b""})
+    folder = class_folder(zipped)
+    assert folder == tmp_path / "lab1"
+    (folder / "marks.csv").write_text("mine", encoding="utf-8")
+    (folder / "ann.zip").unlink()
+    capsys.readouterr()
+    class_folder(zipped)
+    assert not (folder / "ann.zip").exists()
+    assert "notes.txt was left out" in capsys.readouterr().out
+    class_zip(tmp_path, {"ann.zip": WORK, "cem.zip": WORK})
+    class_folder(zipped)
+    names = {path.name for path in folder.iterdir()}
+    assert names == {"ann.zip", "cem.zip", "marks.csv", ".unpacked.json"}
+    assert (folder / "marks.csv").read_text(encoding="utf-8") == "mine"
+
+
+def test_nothing_of_ones_own_is_overwritten(tmp_path: Path) -> None:
+    zipped = class_zip(tmp_path, {"ann.zip": WORK})
+    (tmp_path / "lab1").mkdir()
+    with pytest.raises(ValueError, match="already there, but not unpacked"):
+        class_folder(zipped)
+    (tmp_path / "lab1").rmdir()
+    class_folder(zipped)
+    (tmp_path / "lab1/cem.zip").symlink_to("/etc/passwd")
+    class_zip(tmp_path, {"cem.zip": WORK})
+    with pytest.raises(ValueError, match="is not from lab1"):
+        class_folder(zipped)
+
+
+def test_a_hostile_zip_of_a_class_writes_nowhere_else(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(unpack, "LARGEST_FILE", 10_000)
+    link = zipfile.ZipInfo("carl/x.py")
+    link.create_system, link.external_attr = 3, (stat.S_IFLNK | 0o777) << 16
+    below = tmp_path / "deep" / "down"
+    below.mkdir(parents=True)
+    bad = [
+        *("../evil.zip", "/evil.zip", "ann/../../evil.py", "..\\evil.zip", "C:\\evil.zip", ".."),
+        *("a\nb.zip", "dee.zip/x.py", "x" * 300 + ".zip", "bomb_1_2_w.zip"),
+    ]
+    content = {name: b"\0" * 20_000 if "bomb" in name else WORK for name in bad}
+    zipped = class_zip(
+        below,
+        {
+            "dee.zip": WORK,
+            link: b"/etc/passwd",
+            **content,
+            ".unpacked.json": b"{}",
+            "marks.csv": b"x",
+        },
+    )
+    class_folder(zipped)
+    assert {path.name for path in tmp_path.rglob("*") if path.is_file()} == {
+        *("lab1.zip", "dee.zip", ".unpacked.json")
+    }
+    notes = capsys.readouterr().out
+    assert notes.count(" was left out: ") == len(bad) + 1, notes
+    assert "bomb_1_2_w.zip was left out: it is larger than 10,000 bytes" in notes
+    assert "carl/x.py was left out: it is a symbolic link" in notes
+
+
+@pytest.mark.parametrize(
+    ("limit", "words"),
+    [("MOST_FILES", "more than 1 files"), ("MOST_IN_ALL", "larger than 1 bytes")],
+)
+def test_a_zip_beyond_a_limit_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, limit: str, words: str
+) -> None:
+    zipped = class_zip(tmp_path, {"ann.zip": WORK, "bob.zip": WORK})
+    monkeypatch.setattr(unpack, limit, 1)
+    with pytest.raises(ValueError, match=words):
+        class_folder(zipped)
+
+
+def test_a_student_who_uploads_too_much_stops_nobody_else(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(unpack, "MOST_OF_ONE", 1_000)
+    files = {f"ann/{n}.py": b"x" * 600 for n in range(3)}
+    folder = class_folder(class_zip(tmp_path, {**files, "bob.zip": WORK}))
+    assert [path.name for path in folder.glob("ann/*")] == ["0.py"]
+    assert (folder / "bob.zip").exists()
+
+
+@pytest.mark.parametrize("name", ["lab1.zip", "lab1.tar"])
+def test_what_is_no_zip_is_refused(tmp_path: Path, name: str) -> None:
+    (tmp_path / name).write_bytes(b"no zip")
+    with pytest.raises(ValueError, match=r"the zip is damaged|must be a folder or a \.zip file"):
+        class_folder(tmp_path / name)
+    assert not (tmp_path / "lab1").exists()

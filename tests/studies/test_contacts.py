@@ -1,0 +1,126 @@
+"""The study of contact solvers: its errors, its table, its command and the numbers it keeps."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+from matplotlib import pyplot
+
+from studies import contacts
+from studies.accuracy.measure import Point
+from studies.contacts import chart, kept, scenes
+from studies.contacts.scenes import BOOK, IMPULSES, NET, ROPE, SMALL, STACK, SWING, named
+from studies.drawing import slope
+
+SCENES = {scene.name: scene for scene in scenes.scenes()}
+
+
+def error_of(scene: str, solver: str, steps: int) -> float:
+    found = next(model for model in SCENES[scene].models if model.name == solver)
+    return SCENES[scene].error(found.run(steps))
+
+
+def test_scenes_start_without_an_error_and_measure_what_is_made_wrong() -> None:
+    spheres = scenes.stack(10)
+    assert spheres.error(0.1) == 0.0
+    spheres.particles[3].position.y -= 0.25  # a quarter of a diameter into the one below
+    assert spheres.error(0.1) == pytest.approx(0.25)
+    joints = scenes.rope(10)
+    assert joints.error(0.1) == pytest.approx(0.0, abs=1e-15)
+    joints.particles[-1].position.y -= 0.05  # of 1 m
+    assert joints.error(0.1) == pytest.approx(0.05)
+    swing = scenes.swinging()
+    # Ten joints of 1 kg, the i-th at i * 0.1 m (1 - cos 60) above its lowest point.
+    fallen = 10.0 * sum(0.1 * i * 0.5 for i in range(1, 11))
+    swing.particles[-1].velocity.x = 2.0  # 2 J
+    assert swing.error(0.0) == pytest.approx(2.0 / fallen)
+
+
+def test_free_fall_keeps_the_energy_that_is_read_halfway() -> None:
+    """After n steps v = g n h, and the middle of the last step is v^2 / 2g below the start."""
+    swing, h, n = scenes.swinging(), 0.01, 30
+    for particle in swing.particles[1:]:
+        particle.velocity.y = -10.0 * n * h
+        particle.position.y -= 10.0 * h * h * n * (n + 1) / 2
+    assert swing.error(h) == pytest.approx(0.0, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("scene", "solver"),
+    [
+        (named(STACK, 1), SMALL),
+        (named(ROPE, 1), SMALL),
+        (named(ROPE, 1), IMPULSES),
+        (named(ROPE, 1), BOOK),
+    ],
+)
+def test_errors_at_rest_fall_with_the_square_of_the_step(scene: str, solver: str) -> None:
+    """What gravity moves a body by in a step, g h^2, is what has to be corrected."""
+    errors = [error_of(scene, solver, steps) for steps in (4, 8)]
+    assert slope([2.0, 1.0], errors) == pytest.approx(2.0, abs=0.25)
+
+
+def test_a_net_keeps_a_rope_at_any_mass_ratio() -> None:
+    assert error_of(named(ROPE, 1000), NET, 1) < 1e-12
+    assert error_of(f"{SWING}, stretch", NET, 1) < 1e-10
+
+
+def test_the_committed_points_are_those_of_this_code() -> None:
+    """The errors, which are the same on every machine; those above 1 may depend on rounding."""
+    points = {(point.scene, point.model, point.steps): point.error for point in kept.kept()}
+    for scene in SCENES.values():
+        for model in scene.models:
+            wanted = points[scene.name, model.name, 1]
+            if 1e-9 < wanted < 1.0:
+                assert error_of(scene.name, model.name, 1) == pytest.approx(wanted, rel=6e-3)
+
+
+def test_the_table_has_the_time_that_is_needed_or_a_dash() -> None:
+    """Interpolated on logarithmic axes: 1e-2 lies halfway from 1e-1 to 1e-3."""
+    scene = named(STACK, 1)
+    points = [
+        Point(scene, BOOK, "the book", 1, 1e-1, 0, [2.0]),
+        Point(scene, BOOK, "the book", 2, 1e-3, 0, [8.0]),
+        Point(scene, IMPULSES, "ours", 1, 5e-3, 0, [1.0]),
+    ]
+    rows = {row[1]: row[2:] for row in chart.table(points)}
+    assert rows["0.01"] == ["4", "-", "1", "-", "-"]
+    assert rows["0.001"] == ["8", "-", "-", "-", "-"]
+
+
+def test_points_are_kept_as_medians_in_ms_per_frame(tmp_path: Path) -> None:
+    taken = [0.06, 0.12, 6.0]  # s for 60 frames
+    rounded = kept.rounded([Point("a", "b", "ours", 4, 1.23456e-5, 7, taken)])
+    kept.keep(rounded, tmp_path / "points.json")
+    (found,) = kept.kept(tmp_path / "points.json")
+    assert (found.scene, found.model, found.steps) == ("a", "b", 4)
+    assert (found.error, found.time) == (1.23e-5, 2.0)
+
+
+def test_the_command_prints_a_table_and_draws(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    few = [SCENES[named(STACK, 1)], SCENES[named(ROPE, 1)]]
+    monkeypatch.setattr(scenes, "scenes", lambda: few)
+    monkeypatch.setattr(contacts, "QUICK", (1, 1e-3))
+    monkeypatch.setattr(kept, "FILE", tmp_path / "not stored.json")
+    assert contacts.main(["--quick", "--out", str(tmp_path)]) == 0
+    told = capsys.readouterr().out
+    assert "Time in ms per frame" in told
+    assert told.count("stack, ratio 1 ") == len(chart.TOLERANCES)
+    assert "contact_solvers.png" in told
+    assert (tmp_path / "contact_solvers.png").stat().st_size > 20_000
+    assert {point.model for point in kept.kept(tmp_path / "points.json")} == {*scenes.SOLVERS}
+    assert not (tmp_path / "not stored.json").exists()
+    pyplot.close("all")
+
+
+def test_the_picture_shows_every_solver_and_the_error_of_the_table() -> None:
+    figure = chart.contact_solvers().figure
+    assert {text.get_text() for text in figure.legends[0].get_texts()} == {*scenes.SOLVERS}
+    errors, energies, *_ = figure.axes
+    assert len(errors.lines) == len(energies.lines) == 4 + 1  # a line at 1 % too
+    assert all(math.isclose(axes.lines[-1].get_ydata()[0], 1e-2) for axes in (errors, energies))
+    pyplot.close(figure)

@@ -18,7 +18,7 @@ from autograder.reports.class_stats import exercise_rates, histogram, most_misse
 from autograder.reports.pages import render
 from autograder.reports.report import Chart, CheckReport, ExerciseReport, StudentReport, tiers
 from autograder.reports.scatter import Scatter, scatter
-from autograder.reports.texts import check_title, clean_all, number, replace_file
+from autograder.reports.texts import check_title, clean_all, replace_file
 from autograder.scores import PHYSICS_SHARE, place_on_chart, possible
 from autograder.submissions.find import file_name
 

@@ -184,6 +184,7 @@ def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
     """Kill a process and, if the system has process groups, all processes that it started."""
     with contextlib.suppress(ProcessLookupError, PermissionError):
         if sys.platform == "win32":
+            assert isinstance(process, subprocess.Popen)  # nothing is forked there
             process.kill()
         else:
             os.killpg(process.pid, signal.SIGKILL)

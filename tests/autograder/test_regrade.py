@@ -32,11 +32,6 @@ def out(submissions: Path, root: Path, tmp_path: Path) -> Path:
     return tmp_path / "out"
 
 
-def correct(submissions: Path) -> None:
-    """Let bob hand in a correct solution."""
-    (submissions / "bob/ch90_small/small.py").write_text(RIGHT, encoding="utf-8")
-
-
 def logged(out: Path) -> list[dict[str, str]]:
     with (out / "regrades.csv").open(encoding="utf-8", newline="") as file:
         return [*csv.DictReader(file)]

@@ -200,7 +200,7 @@ def test_a_process_that_talks_nonsense_or_goes_silent_is_no_crash_of_ours(
     floods += "        except OSError: pass\n    return 0"
     with pytest.raises(GraderError, match="sent an unknown event, 'nonsense"):
         run_beside(root, chapter, RIGHT.replace("return x + x", floods))
-    monkeypatch.setattr(judge, "GRACE", 0.5)
+    monkeypatch.setattr(judge, "GRACE", 1.5)  # s; a busy machine starts slowly
     quiet = "import faulthandler, time\n    faulthandler.cancel_dump_traceback_later()\n"
     quiet += "    time.sleep(60)"
     verdicts = run_beside(root, chapter, RIGHT.replace("return x + x", quiet))
@@ -211,7 +211,7 @@ def test_a_process_that_talks_nonsense_or_goes_silent_is_no_crash_of_ours(
 def test_after_a_silent_process_one_that_leaves_is_told_from_it(
     root: Path, chapter: Chapter, run_beside: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(judge, "GRACE", 0.5)
+    monkeypatch.setattr(judge, "GRACE", 1.5)  # s; a busy machine starts slowly
     quiet = "import faulthandler, os, time\n    faulthandler.cancel_dump_traceback_later()\n"
     quiet += "    time.sleep(60) if x else os._exit(1)"
     verdicts = run_beside(root, chapter, RIGHT.replace("return x + x", quiet))

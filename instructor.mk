@@ -8,7 +8,9 @@ WORKERS = $$($(RUN) -c "import os; print((os.cpu_count() or 1) + 1)")
 # Reports with codes never go to a folder of reports with names.
 CODED = $(filter-out 0,$(ANONYMOUS))
 
-TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED ROSTER ANONYMOUS TITLE POINTS ASSIGNMENT COURSE
+TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED ROSTER ANONYMOUS TITLE POINTS ASSIGNMENT COURSE STUDENT NOTE
+TAKES_progress := RUNS OUT
+TAKES_release := CHAPTERS EX SUBMISSIONS GRADES OUT
 TAKES_similarity := SUBMISSIONS CHAPTERS OUT
 TAKES_mark := SUBMISSIONS CHAPTERS OPEN ASSIGNMENT COURSE
 TAKES_handout := CHAPTERS GIVEN OUT ASSIGNMENT COURSE
@@ -31,7 +33,7 @@ TAKES_economy :=
 TAKES_soak :=
 TAKES_contacts := QUICK
 
-.PHONY: grade similarity mark handout classroom gradescope site update stubs test say-what-test-is lint
+.PHONY: grade progress release similarity mark handout classroom gradescope site update stubs test say-what-test-is lint
 .PHONY: bench charts choose limits
 .PHONY: economy soak contacts figures mutants seeds table
 
@@ -43,7 +45,13 @@ BUILT = build/$(if $(ASSIGNMENT),$(ASSIGNMENT)/)
 
 # == For instructors ==
 grade: $(READY) ## grade a class (SUBMISSIONS=dir CHAPTERS=3 or ASSIGNMENT=lab1)
-	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),$(BUILT)grades$(if $(CODED),-anonymous))" $(ASSIGNED) $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)") $(if $(ROSTER),--roster "$(ROSTER)") $(if $(CODED),--anonymous) $(if $(TITLE),--title "$(TITLE)") $(if $(POINTS),--points "$(POINTS)")
+	@$(RUN) -m autograder grade "$(SUBMISSIONS)" --out "$(or $(OUT),$(BUILT)grades$(if $(CODED),-anonymous))" $(ASSIGNED) $(if $(SEED),--seed "$(SEED)") $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(CHECKS),--checks "$(CHECKS)") $(if $(ROSTER),--roster "$(ROSTER)") $(if $(CODED),--anonymous) $(if $(TITLE),--title "$(TITLE)") $(if $(POINTS),--points "$(POINTS)") $(if $(STUDENT),--student "$(STUDENT)") $(if $(NOTE),--note "$(NOTE)")
+
+progress: $(READY) ## compare graded assignments (RUNS="build/lab1 build/lab2")
+	@$(RUN) -m autograder progress $(or $(RUNS),$(error name the graded folders: make progress RUNS="build/lab1 build/lab2")) --out "$(or $(OUT),build/progress)"
+
+release: $(READY) ## the reference, after the deadline (CHAPTERS=2 OUT=dir)
+	@$(RUN) -m autograder release $(or $(CHAPTERS),$(error name the chapters: make release CHAPTERS=2 OUT=dir)) --out "$(or $(OUT),build/release)" $(if $(EX),--exercises "$(EX)") $(if $(GRADES)$(wildcard build/grades/results),--submissions "$(SUBMISSIONS)" --grades "$(or $(GRADES),build/grades)")
 
 similarity: $(READY) ## which submissions of a class are alike (CHAPTERS=2-3)
 	@$(RUN) -m autograder similarity "$(SUBMISSIONS)" --out "$(or $(OUT),build/similarity)" $(if $(CHAPTERS),--chapters "$(CHAPTERS)")

@@ -6,8 +6,10 @@ import argparse
 import sys
 from pathlib import Path
 
+from autograder.analysis import commands as analysis
 from autograder.course.choose import add_options, work_of
 from autograder.manifest import ROOT, select_chapters
+from autograder.release import commands as release
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -25,6 +27,8 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command.add_argument("--jobs", type=int, help="submissions at a time (default: one per core)")
     command.add_argument("--cluster", help="Dask scheduler to use, such as tcp://host:8786")
     command.add_argument("--checks", type=Path, help="folder of hidden checks, chNN_name/test_*.py")
+    command.add_argument("--student", help="grade only this one again, with the seed of the class")
+    command.add_argument("--note", default="", help="with --student: the reason, for regrades.csv")
     command.add_argument("--roster", type=Path, help="CSV with the columns id,name,email,login")
     command.add_argument("--anonymous", action="store_true", help="codes in place of names")
     command.add_argument("--title", default="", help="assignment in Canvas, as in 'Lab 1 (12345)'")
@@ -65,6 +69,9 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     add_options(command)
     command.set_defaults(run=run_mark)
 
+    analysis.add_commands(commands)
+    release.add_commands(commands)
+
     command = commands.add_parser("stubs", help="generate stubs and tables in chapters/")
     command.add_argument("--check", action="store_true", help="only list what is out of date")
     command.set_defaults(run=run_stubs)
@@ -77,15 +84,20 @@ def run_grade(arguments: argparse.Namespace) -> int:
     import signal
 
     from autograder.grader.cohort import ClassOptions, grade
+    from autograder.grader.regrade import earlier_choice
     from autograder.platforms.uploads import Column
     from autograder.submissions.unpack import class_folder
 
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # handled like Ctrl-C
 
+    if arguments.student and not (arguments.chapters or arguments.given or arguments.assignment):
+        arguments.chapters, arguments.given = earlier_choice(arguments.out)
     work = work_of(arguments)
     options = ClassOptions(
         given=work.given,
         seed=arguments.seed or work.seed,
+        student=arguments.student,
+        why=arguments.note,
         hidden=work.hidden,
         deadline=work.deadline,
         unsafe=arguments.unsafe_no_sandbox,

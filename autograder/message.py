@@ -17,6 +17,7 @@ class Kind(Enum):
 
     FAILED = "failed"  # a result or an exception is wrong
     UNWRITTEN = "not written yet"
+    GONE = "no longer defined"  # a body that students write, whose stub they have removed
     HUNG = "did not finish"
     BROKEN = "cannot be imported"
     LEFT = "left the process"

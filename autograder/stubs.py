@@ -11,6 +11,7 @@ import ast
 import json
 import subprocess
 import sys
+from collections.abc import Collection
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -122,13 +123,14 @@ def _read(file: Path) -> str | None:
     return file.read_text(encoding="utf-8", errors="replace") if file.exists() else None
 
 
-def stub_module(source: str, messages: dict[str, str]) -> str:
+def stub_module(source: str, messages: dict[str, str], kept: Collection[str] = ()) -> str:
     """Return a module's source with the named bodies removed.
 
     ``messages`` maps each name, such as ``Vector3.dot``, to the message that its stub raises.
     Private helpers, constants and imports that only the removed bodies use are removed too, because
     they belong to the reference's way of solving the exercise. Public helpers lose their bodies but
-    stay, and public constants stay, because docstrings mention them.
+    stay, and public constants stay, because docstrings mention them. The functions in ``kept`` keep
+    their bodies, even if only removed bodies use them.
 
     Raises:
         ValueError: The module does not define one of the names.
@@ -139,14 +141,19 @@ def stub_module(source: str, messages: dict[str, str]) -> str:
         raise ValueError(f"the solution does not define {', '.join(sorted(missing))}")
     module = cst.parse_module(source)
     stub = without_bodies(module, messages)
-    while helpers := _helpers_of(defined, messages, _used_names(source) - _used_names(stub.code)):
+    while True:
+        gone = _used_names(source) - _used_names(stub.code)
+        helpers = _helpers_of(defined, messages, gone)
+        helpers = {name: text for name, text in helpers.items() if name not in kept}
+        if not helpers:
+            break
         messages = messages | helpers
         stub = without_bodies(module, messages)
     private = {name for name in messages.keys() - edited if _short(name).startswith("_")}
     stub = _without_functions(stub, private)
     gone = _used_names(source) - _used_names(stub.code)
-    kept = [statement for statement in stub.body if _private_constant(statement) not in gone]
-    return _tidied(stub.with_changes(body=kept).code)
+    statements = [statement for statement in stub.body if _private_constant(statement) not in gone]
+    return _tidied(stub.with_changes(body=statements).code)
 
 
 def messages_of(chapter: Chapter, file: str) -> dict[str, str]:

@@ -19,7 +19,8 @@ class Behind:
     interpreter for each check. ``missing`` maps each module that was not taken to the reason.
     ``hidden`` is a folder of additional checks, of which students see only the rationale.
     ``for_instructor`` shows the full messages of hidden checks, which is safe because only an
-    instructor reads them.
+    instructor reads them. ``compiled`` is a folder that keeps the compiled code of a submission
+    between its runs.
     """
 
     level: dict[str, bool]
@@ -27,16 +28,21 @@ class Behind:
     missing: dict[str, Message] = field(default_factory=dict)
     hidden: Path | None = None
     for_instructor: bool = False
+    compiled: Path | None = None
 
 
 @dataclass(frozen=True)
 class Workers:
-    """The settings with which a check process starts its workers, and the folder of the probes."""
+    """The settings with which a check process starts its workers.
+
+    ``probes`` is the folder of the probes, and ``compiled`` a folder that keeps compiled code.
+    """
 
     level: dict[str, bool]
     fresh: bool
     for_instructor: bool
     probes: str
+    compiled: str
 
 
 @dataclass(frozen=True)
@@ -147,7 +153,11 @@ def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) 
     for tests in (root / "tests", behind.hidden):
         for file in (tests / chapter.name).glob("*probes.py") if tests else ():
             shutil.copyfile(file, probes / file.name)
-    return Workers(behind.level, behind.fresh, behind.for_instructor, str(probes.parent))
+    compiled = behind.compiled or folder / "compiled"
+    compiled.mkdir(exist_ok=True)
+    return Workers(
+        behind.level, behind.fresh, behind.for_instructor, str(probes.parent), str(compiled)
+    )
 
 
 def _modules(

@@ -15,7 +15,7 @@ from autograder.checks.missing import does_not_define
 from autograder.checks.nearest import nearest
 from autograder.commands import command
 from autograder.definitions import own_name
-from autograder.message import Message
+from autograder.message import Kind, Message
 
 Defined = Callable[
     [str], set[str] | None
@@ -34,7 +34,7 @@ def explain_gone(
         there = defined(module)
         if there is not None and path not in there:
             likely = _words(module, path, owner, there, edits)
-            return replace(message, likely=likely, other="")
+            return replace(message, likely=likely, other="", kind=Kind.GONE)
     return message
 
 

@@ -26,11 +26,12 @@ from autograder.records import to_json
 
 if TYPE_CHECKING:
     from autograder.checks.runner import Run
+    from autograder.isolation.judges import ForkedJudge
 
 GRACE = 10.0  # seconds of silence, on top of a check's limit, before the process is killed
 MOST_STDERR = 2000  # bytes that are kept from the end of standard error
 
-_processes: set[subprocess.Popen[str]] = set()
+_processes: set[subprocess.Popen[str] | ForkedJudge] = set()
 _stopping = threading.Event()
 
 
@@ -64,10 +65,10 @@ class Judge:
     After it has ended, ``stderr`` is the end of its standard error, and ``code`` is its exit code.
     """
 
-    def __init__(self, config: Path, folder: Path, *, holds_input: bool) -> None:
+    def __init__(self, config: Path, folder: Path, *, behind: bool) -> None:
         self.config = config
         self.folder = folder
-        self.holds_input = holds_input
+        self.behind = behind
         self.stderr = ""
         self.code = 0
 
@@ -80,17 +81,7 @@ class Judge:
             SilentError: No line came for ``silence`` seconds plus GRACE, or before the deadline.
         """
         with (self.config.parent / "stderr.txt").open("w+b") as stderr:
-            process = subprocess.Popen(
-                [sys.executable, "-m", "autograder.checks.verdicts", str(self.config)],
-                cwd=self.folder,
-                env=environment(),
-                # If this process dies, the pipe closes, and the judge ends too.
-                stdin=subprocess.PIPE if self.holds_input else subprocess.DEVNULL,
-                stdout=subprocess.PIPE,
-                stderr=stderr,
-                encoding="utf-8",
-                start_new_session=True,
-            )
+            process = self._start(stderr)
             _processes.add(process)
             if is_stopped():  # stopping() may not have seen this process yet
                 _kill(process)
@@ -104,6 +95,22 @@ class Judge:
                     process.stdin.close()
                 stderr.seek(max(0, stderr.seek(0, os.SEEK_END) - MOST_STDERR))
                 self.stderr = stderr.read().decode("utf-8", errors="replace").strip()
+
+    def _start(self, stderr: IO[bytes]) -> subprocess.Popen[str] | ForkedJudge:
+        if self.behind:
+            from autograder.isolation.judges import ForkedJudge  # not in hand-outs
+
+            return ForkedJudge(self.config, self.folder, environment(), stderr)
+        return subprocess.Popen(
+            [sys.executable, "-m", "autograder.checks.verdicts", str(self.config)],
+            cwd=self.folder,
+            env=environment(),
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=stderr,
+            encoding="utf-8",
+            start_new_session=True,
+        )
 
 
 @dataclass(frozen=True)
@@ -138,7 +145,7 @@ def judge(run: Run) -> Ending:
         stack_file.touch()
         config.write_text(json.dumps(to_json(arranged)), encoding="utf-8")
         place = root_of_checks(folder, order.root, order.behind)
-        process = Judge(config, place, holds_input=order.behind is not None)
+        process = Judge(config, place, behind=order.behind is not None)
         try:
             with contextlib.closing(process.lines(run.limit, run.deadline)) as lines:
                 for line in lines:
@@ -149,7 +156,9 @@ def judge(run: Run) -> Ending:
     return Ending(stack, silent, process.code, process.stderr)
 
 
-def _lines(process: subprocess.Popen[str], silence: float, deadline: float) -> Iterator[str]:
+def _lines(
+    process: subprocess.Popen[str] | ForkedJudge, silence: float, deadline: float
+) -> Iterator[str]:
     assert process.stdout is not None
     lines: queue.Queue[str] = queue.Queue()
     threading.Thread(target=_pass_on, args=(process.stdout, lines), daemon=True).start()
@@ -171,7 +180,7 @@ def _pass_on(stream: IO[str], lines: queue.Queue[str]) -> None:
     lines.put("")
 
 
-def _kill(process: subprocess.Popen[str]) -> None:
+def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
     """Kill a process and, if the system has process groups, all processes that it started."""
     with contextlib.suppress(ProcessLookupError, PermissionError):
         if sys.platform == "win32":

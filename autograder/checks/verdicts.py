@@ -15,7 +15,7 @@ from dataclasses import replace
 from functools import partial
 from itertools import groupby
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, NoReturn
 
 import pytest
 from _pytest.runner import runtestprotocol
@@ -249,8 +249,13 @@ def pytest_arguments(config: Config) -> list[str]:
     return arguments
 
 
-if __name__ == "__main__":
+def run_and_exit() -> NoReturn:
+    """Run the checks, and end the process with pytest's exit code."""
     # Threads or exit handlers of the student's code must not keep the process from ending.
     code = main()
     sys.stderr.flush()
     os._exit(code)
+
+
+if __name__ == "__main__":
+    run_and_exit()

@@ -44,11 +44,13 @@ class Assignment:
         *,
         missing: dict[str, str] | None = None,
         run_limit: float = Limits.run,
+        compiled: Path | None = None,
         exercises: list[str] | None = None,
     ) -> list[Verdict]:
         """Run the checks of a chapter's graded exercises and of those that they need.
 
-        ``missing`` maps each module that was not taken to the reason.
+        ``missing`` maps each module that was not taken to the reason. ``compiled`` is a folder that
+        keeps the compiled code of a submission between its runs.
 
         Raises:
             GraderError: The checks cannot be run.
@@ -67,7 +69,7 @@ class Assignment:
             root=self.root,
             exercises=exercises,
             limits=Limits(self.time_limit, run_limit),
-            behind=Behind(vars(self.level), missing=why, hidden=self.hidden),
+            behind=Behind(vars(self.level), missing=why, hidden=self.hidden, compiled=compiled),
         )
 
     def whole(self, chapter: Chapter) -> Chapter:

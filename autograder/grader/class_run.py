@@ -49,6 +49,7 @@ class ClassRun:
         self.console = console
         self.anonymous = anonymous
         self.reused: list[str] = []
+        self.keeps_reports = True  # those of an earlier run that are still valid
 
     def collect(
         self, submissions: list[Submission], arriving: Generator[StudentReport]
@@ -125,10 +126,10 @@ class ClassRun:
         return report
 
     def earlier(self, submission: Submission) -> StudentReport | None:
-        """Return the report of an earlier run if it is still valid."""
+        """Return the report of an earlier run if it is still valid and may be kept."""
         path = self.out / "results" / f"{file_name(submission.student)}.json"
         report = read_result(path)
-        if report is None or not self.is_valid(report, submission):
+        if not self.keeps_reports or report is None or not self.is_valid(report, submission):
             return None
         self.reused.append(submission.student)
         return report

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from rich.console import Console
 
+from autograder.analysis.class_page import write_class_page
 from autograder.checks.arrange import Behind
 from autograder.checks.runner import GraderError, Limits, run_checks
 from autograder.course.model import Deadline
@@ -22,6 +23,7 @@ from autograder.grader.class_folder import only_run, put_others_aside, seed_of, 
 from autograder.grader.class_run import ClassRun, print_class
 from autograder.grader.cluster import connect, grade_over
 from autograder.grader.people import differences, folder_with_names, marks_of, people_of
+from autograder.grader.regrade import Regrade
 from autograder.isolation.level import choose_level
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.platforms.uploads import Column, write_uploads
@@ -42,7 +44,8 @@ class ClassOptions:
     submissions are graded at a time, by default one per core. If ``cluster`` is the address of a
     scheduler, the workers of that cluster grade instead. ``roster`` is a CSV of the students. An
     ``anonymous`` class has codes for names. ``column`` is for the files for Canvas and Moodle. With
-    a ``deadline``, lateness is reported.
+    a ``deadline``, lateness is reported. If there is a ``student``, only this one is graded again,
+    in the folder of an earlier run, and ``why`` goes into the log of regrades.
     """
 
     given: Sequence[Chapter] = ()
@@ -57,12 +60,16 @@ class ClassOptions:
     roster: Path | None = None
     anonymous: bool = False
     column: Column = field(default_factory=Column)
+    student: str | None = None
+    why: str = ""
 
     def __post_init__(self) -> None:
         if self.jobs is not None and self.jobs < 1:
             raise ValueError(f"--jobs must be at least 1, got {self.jobs}")
         if self.jobs is not None and self.cluster:
             raise ValueError("--jobs is for this machine; on a cluster, set --nthreads of workers")
+        if self.why and not self.student:
+            raise ValueError("--note is for the log of regrades: add --student")
 
 
 def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOptions) -> int:
@@ -88,17 +95,20 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         notes += more_notes
     level = choose_level(folder, unsafe=options.unsafe)
     with only_run(out) as state:
-        seed = seed_of(state, options.seed)
+        again = Regrade(out, options.student, submissions) if options.student else None
+        seed = again.seed(options.seed) if again else seed_of(state, options.seed)
         hidden = options.hidden and options.hidden.resolve()
         assignment = Assignment(
             chapters, seed, level, options.given, hidden, options.root, options.time_limit
         )
         check_hidden(assignment)
-        replace_file(state, json.dumps({"seed": seed, "finished": False}) + "\n")
         console = Console(highlight=False)
+        class_run = ClassRun(assignment, out, marks, console, late, anonymous=options.anonymous)
+        if again:
+            submissions = again.prepare(class_run)
+        replace_file(state, json.dumps({"seed": seed, "finished": False}) + "\n")
         for note in notes:
             console.print(note, markup=False)
-        class_run = ClassRun(assignment, out, marks, console, late, anonymous=options.anonymous)
         with temporary_files_in(out), ExitStack() as stack:
             if options.cluster:
                 client = stack.enter_context(connect(options.cluster, assignment, console))
@@ -106,22 +116,25 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
                 arriving = class_run.elsewhere(submissions, over)
             else:
                 arriving = class_run.here(submissions, options.jobs or _cores())
-            reports = class_run.collect(submissions, arriving)
-        moved = put_others_aside(out, everyone)
+            graded = class_run.collect(submissions, arriving)
+        reports = again.finish(graded, options.why, console) if again else graded
+        moved = put_others_aside(out, [report.student for report in reports])
         places = write_class(out, chapters, reports, people.missing, people.unmatched)
+        places.append(write_class_page(out, chapters, reports))
         named = folder_with_names(out, anonymous=options.anonymous)
         uploads, lines = write_uploads(named, chapters, people, reports, options.column)
         finished = all(report.status == "graded" for report in reports)
+        finished = finished and {*everyone} == {report.student for report in reports}
         replace_file(state, json.dumps({"seed": seed, "finished": finished}) + "\n")
-    print_class(console, reports)
-    for report in reports:
+    print_class(console, graded)
+    for report in graded:
         for note in report.notes:
             console.print(f"{report.student}: {note}", markup=False)
     if moved:
         console.print(f"Students not in this class: {moved}. See {out / 'earlier'}.")
     if class_run.reused:
         console.print(
-            f"{len(class_run.reused)} of {len(reports)} reports were kept from an earlier run."
+            f"{len(class_run.reused)} of {len(graded)} reports were kept from an earlier run."
         )
     for line in [*differences(people), *lines]:
         console.print(line, markup=False, soft_wrap=True)
@@ -133,7 +146,7 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
     for place in uploads:
         only_you = ": keep it to yourself, since it has names" if options.anonymous else ""
         console.print(f"{place}{only_you}", markup=False, soft_wrap=True)
-    return int(not finished)
+    return int(any(report.status != "graded" for report in graded))
 
 
 def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:

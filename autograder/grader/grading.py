@@ -44,8 +44,11 @@ def grade_submission(
             chapters = load_chapters(assignment.root)
             staged = (fill or stage)(submission.path, chapters, box, assignment.root)
             notes = _notes(staged, assignment.chapters, chapters, box)
-            with with_given(assignment.given, [box], assignment.root) as engine:
-                pairs = _all_results(assignment, once, engine, staged, box)
+            with (
+                with_given(assignment.given, [box], assignment.root) as engine,
+                tempfile.TemporaryDirectory(prefix="compiled-") as compiled,
+            ):
+                pairs = _all_results(assignment, once, engine, staged, box, Path(compiled))
         report = _report(assignment, once, submission.student, pairs, notes)
         report = replace(report, submission=staged.digest)
     except Exception as error:  # the grader's own error: the rest of the class is still graded
@@ -76,7 +79,12 @@ def digest_of(assignment: Assignment, submission: Submission) -> str:
 
 
 def _all_results(
-    assignment: Assignment, once: OnceForAll, engine: list[Path], staged: Staged, box: Path
+    assignment: Assignment,
+    once: OnceForAll,
+    engine: list[Path],
+    staged: Staged,
+    box: Path,
+    compiled: Path,
 ) -> list[tuple[list[Result], list[Result]]]:
     """Return the results of each chapter: on the student's own earlier chapters, and on given ones.
 
@@ -87,7 +95,9 @@ def _all_results(
 
     def run(chapter: Chapter, engine: list[Path]) -> list[Verdict]:
         limit = max(LEAST_TIME, min(Limits.run, deadline - time.monotonic()))
-        return assignment.run(chapter, engine, missing=staged.missing, run_limit=limit)
+        return assignment.run(
+            chapter, engine, missing=staged.missing, run_limit=limit, compiled=compiled
+        )
 
     pairs = []
     for chapter in assignment.chapters:

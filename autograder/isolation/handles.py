@@ -157,6 +157,13 @@ class Handle:
             raise AttributeError(name)
         return self._session().ask("get", self, name)
 
+    def get_together(self, names: list[str]) -> tuple[Any, ...]:
+        """Return several attributes, which takes one request instead of one for each."""
+        values = self._session().ask("get_together", self, names)
+        if type(values) is not tuple or len(values) != len(names):
+            raise WorkerFailure(Message(f"{BROKEN}: attributes that are not valid"))
+        return values
+
     def __setattr__(self, name: str, value: Any) -> None:
         self._session().ask("set", self, name, value)
 

@@ -7,7 +7,9 @@ workers.
 
 from __future__ import annotations
 
+import base64
 import contextlib
+import hashlib
 import importlib.abc
 import os
 import re
@@ -54,6 +56,7 @@ class InWorker:
         level = Level(**worker.level)
         folders = [str(folder) for folder in self.engine]
         self.probes = Path(worker.probes)
+        self.compiled = Path(worker.compiled)
         self.template = Template(
             level,
             folders,
@@ -76,27 +79,50 @@ class InWorker:
 
     def after_collection(self) -> None:
         """Find out which modules can be imported, so that no check loses time on a broken one."""
-        for folder in [*self.engine, self.probes]:
-            for file in sorted(folder.glob("ch??_*/*.py")):
-                self._compile(f"{file.parent.name}.{file.stem}", file)
+        compiled: dict[str, bytes] = {}
+        for module, file in self._files().items():
+            if module not in self.broken and (code := self._code_of(module, file)):
+                compiled[module] = code
         self.stop()  # from here on the workers run the student's code
+        self.template.hand_over(compiled)
         for module in self.modules:
             if module not in self.broken:
                 self._import(module)
         self.stop()
 
-    def _compile(self, module: str, file: Path) -> None:
+    def _files(self) -> dict[str, Path]:
+        """Return the files of the modules that the checks of this chapter can need."""
+        packages = {module.partition(".")[0] for module in self.modules}
+        found: dict[str, Path] = {}
+        for folder in [*self.engine, self.probes]:
+            for package in sorted(packages):
+                for file in sorted((folder / package).glob("*.py")):
+                    found.setdefault(f"{package}.{file.stem}", file)
+        return found
+
+    def _code_of(self, module: str, file: Path) -> bytes | None:
+        """Return the compiled code of a file, which an earlier run may have kept."""
+        text = f"{file}\n".encode() + file.read_bytes()
+        kept = self.compiled / hashlib.sha256(text).hexdigest()
+        if kept.exists():
+            return kept.read_bytes()
+        code = self._compile(module, file)
+        if code is not None:
+            part = kept.with_suffix(".part")  # this process may be killed at any time
+            part.write_bytes(code)
+            part.replace(kept)
+        return code
+
+    def _compile(self, module: str, file: Path) -> bytes | None:
         """Compile a file once for all workers, in a worker that has not run any student code."""
-        if module in self.broken:
-            return
         if module in self.modules:
             self.send(Importing(module))
+        code = None
         with contextlib.suppress(WorkerFailure):  # Python itself may fail on the file
             code = self._worker(file.stat().st_size > LARGE).ask("compile", str(file))
-            if type(code) is str:
-                self.template.keep_bytecode(file, code)
         if module in self.modules:
             self.send(Imported())
+        return base64.b64decode(code) if type(code) is str else None
 
     def _import(self, module: str) -> None:
         self.send(Importing(module))

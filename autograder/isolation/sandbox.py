@@ -140,6 +140,16 @@ def seccomp_filter() -> bytes:
     return b"".join(struct.pack("HBBI", *line) for line in program)
 
 
+class Filter:
+    """The filter program in the form in which the kernel takes it, built once for all workers."""
+
+    def __init__(self) -> None:
+        code = seccomp_filter()
+        self._code = ctypes.create_string_buffer(code, len(code))
+        address = ctypes.addressof(self._code)
+        self.program = struct.pack("HxxxxxxP", len(code) // 8, address)
+
+
 def seccomp_works_here() -> bool:
     """Return whether the filter is written for this kind of machine."""
     return sys.platform == "linux" and platform.machine() == "x86_64" and sys.maxsize > 1 << 32
@@ -150,49 +160,59 @@ def seccomp_works_here() -> bool:
 _SET_DEATH_SIGNAL, _SET_DUMPABLE, _SET_KEEP_CAPABILITIES = 1, 4, 8
 _SET_SECCOMP, _SET_NO_NEW_PRIVILEGES = 22, 38
 _CAN_READ_ALL = 2  # CAP_DAC_READ_SEARCH
+_LIMITS = {
+    "RLIMIT_FSIZE": FILE_SIZE,
+    "RLIMIT_CORE": 0,
+    "RLIMIT_NOFILE": 32,
+    "RLIMIT_MEMLOCK": 0,
+    "RLIMIT_MSGQUEUE": 0,
+}
 
 
-def enter(level: Level, rules: int | None, seconds: int) -> None:
-    """Confine this process in the sandbox, permanently.
+def confine(level: Level, rules: int | None) -> None:
+    """Confine a template permanently. Its workers inherit this, so it is done only once.
 
-    ``rules`` come from landlock_rules. The process may still use ``seconds`` of processor time.
+    ``rules`` come from landlock_rules.
 
     Raises:
         SandboxError: A layer cannot be set up.
     """
-    _limit(seconds)
-    if level.landlock:
-        drop_privileges()
-    if sys.platform != "linux":
-        return
-    _control(_SET_DEATH_SIGNAL, 9)
-    _control(_SET_DUMPABLE, 0)
-    _control(_SET_NO_NEW_PRIVILEGES, 1)
-    if level.landlock:
-        if rules is None or _libc.syscall(_RESTRICT_SELF, rules, 0) < 0:
-            raise SandboxError(f"Landlock: {os.strerror(ctypes.get_errno())}")
-        os.close(rules)
-    if level.seccomp:
-        code = seccomp_filter()
-        buffer = ctypes.create_string_buffer(code, len(code))
-        program = struct.pack("HxxxxxxP", len(code) // 8, ctypes.addressof(buffer))
-        _control(_SET_SECCOMP, 2, program)
-
-
-def _limit(seconds: int) -> None:
-    limits: dict[str, int] = {
-        "RLIMIT_FSIZE": FILE_SIZE,
-        "RLIMIT_CORE": 0,
-        "RLIMIT_NOFILE": 32,
-        "RLIMIT_MEMLOCK": 0,
-        "RLIMIT_MSGQUEUE": 0,
-    }
-    if sys.platform == "linux":  # elsewhere these stop Python itself
-        limits |= {"RLIMIT_AS": MEMORY, "RLIMIT_NPROC": 0}
-    for name, value in limits.items():
+    for name, value in _LIMITS.items():
         if hasattr(resource, name):
             _lower(getattr(resource, name), value, value)
+    if sys.platform == "linux":  # elsewhere this limit stops Python itself
+        _lower(resource.RLIMIT_AS, MEMORY, MEMORY)
+    if level.landlock:
+        drop_privileges()
+    if sys.platform == "linux":
+        _control(_SET_DUMPABLE, 0)
+        _control(_SET_NO_NEW_PRIVILEGES, 1)
+    if rules is not None:
+        _apply(rules)
+
+
+def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
+    """Take from a worker, permanently, what its template may do: to fork, and to send signals.
+
+    The process may still use ``seconds`` of processor time.
+
+    Raises:
+        SandboxError: A layer cannot be set up.
+    """
     _lower(resource.RLIMIT_CPU, seconds, seconds + 1)
+    if sys.platform == "linux":
+        _lower(resource.RLIMIT_NPROC, 0, 0)
+        _control(_SET_DEATH_SIGNAL, 9)
+    if rules is not None:
+        _apply(rules)  # so that it is not in one domain with the template
+        os.close(rules)
+    if allowed is not None:
+        _control(_SET_SECCOMP, 2, allowed.program)
+
+
+def _apply(rules: int) -> None:
+    if _libc.syscall(_RESTRICT_SELF, rules, 0) < 0:
+        raise SandboxError(f"Landlock: {os.strerror(ctypes.get_errno())}")
 
 
 def _lower(kind: int, soft: int, hard: int) -> None:

@@ -144,6 +144,9 @@ class Server:
     def do_get(self, value: Any, name: str) -> Any:
         return getattr(value, name)
 
+    def do_get_together(self, value: Any, names: list[str]) -> tuple[Any, ...]:
+        return tuple([getattr(value, name) for name in names])
+
     def do_set(self, value: Any, name: str, new: Any) -> None:
         setattr(value, name, new)
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import base64
 import contextlib
-import importlib.util
 import json
+import marshal
 import os
 import shutil
 import signal
@@ -74,7 +73,7 @@ class Template:
         self.seconds = seconds
         self.fresh = fresh or (not level.seccomp and level.is_sandbox)
         self._own = folder
-        (self._own / "bytecode").mkdir()
+        self._compiled: dict[str, bytes] = {}
         self._log = self._new_file()  # of the template itself
         self._process: subprocess.Popen[bytes] | None = None
         self._control: socket.socket | None = None
@@ -142,13 +141,30 @@ class Template:
         assert self._answers is not None
         return self._answers.readline().strip()
 
-    def keep_bytecode(self, file: Path, code: str) -> None:
-        """Store bytecode from a worker where later workers find it. Its content is not checked."""
-        folder = self._own / "bytecode" / file.parent.relative_to(file.anchor)
-        folder.mkdir(parents=True, exist_ok=True)
-        unchecked = (1).to_bytes(4, "little") + bytes(8)  # Python will not compare the source
-        content = importlib.util.MAGIC_NUMBER + unchecked + base64.b64decode(code)
-        (folder / f"{file.stem}.{sys.implementation.cache_tag}.pyc").write_bytes(content)
+    def hand_over(self, compiled: Mapping[str, bytes]) -> None:
+        """Give later workers the code of these modules, marshaled by a worker."""
+        self._compiled = dict(compiled)
+        if self._process is not None:
+            self._discard_next()  # it was forked without this code
+            self._send_code()
+
+    def _send_code(self) -> None:
+        assert self._control is not None
+        with os.fdopen(self._new_file(), "w+b") as file:
+            marshal.dump(self._compiled, file)
+            file.seek(0)
+            socket.send_fds(self._control, [b"code\n"], [file.fileno()])
+
+    def _discard_next(self) -> None:
+        if self._next is not None:
+            worker, self._next = self._numbered_next(), None
+            self._release(worker)
+
+    def _release(self, worker: _Worker) -> None:
+        worker.close()
+        assert self._control is not None
+        with contextlib.suppress(OSError):
+            self._control.send(b"stop %d\n" % worker.number)
 
     def printed(self) -> str:
         """Return the output of the worker, or of the template if there is no worker."""
@@ -197,11 +213,8 @@ class Template:
         """End the worker, if there is one."""
         if self._worker is None:
             return
-        self._worker.close()
-        assert self._control is not None
-        with contextlib.suppress(OSError):
-            self._control.send(b"stop %d\n" % self._worker.number)
-        self._worker = None
+        worker, self._worker = self._worker, None
+        self._release(worker)
         if self.fresh:
             self._end()
 
@@ -215,13 +228,11 @@ class Template:
         self._control, theirs = socket.socketpair()
         self._control.settimeout(START_LIMIT)
         self._answers = self._control.makefile("rb")
-        bytecode = str(self._own / "bytecode")
-        readable = [*SYSTEM_LIBRARIES, *_python_folders(), *self.folders, bytecode]
+        readable = [*SYSTEM_LIBRARIES, *_python_folders(), *self.folders]
         config = {
             "root": str(ROOT),
             "engine": self.engine,
             "folders": self.folders,
-            "bytecode": bytecode,
             "level": vars(self.level),
             "readable": readable,
             "seconds": int(self.seconds) + 2,
@@ -244,6 +255,8 @@ class Template:
                 stderr=self._log,
                 pass_fds=[theirs.fileno()],
             )
+        if self._compiled:
+            self._send_code()
 
     def _end(self) -> None:
         if self._next is not None:

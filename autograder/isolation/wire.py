@@ -42,13 +42,24 @@ class UnsendableError(Exception):
     """A value is too large, or nested too deeply, to be sent."""
 
 
-class Wire:
-    """One end of a socket pair."""
+_ENCODER = json.JSONEncoder(check_circular=False)  # messages are made by pack
+_DECODER = json.JSONDecoder()
 
-    def __init__(self, descriptor: int) -> None:
+
+class Wire:
+    """One end of a socket pair.
+
+    A ``patient`` end waits for the other one as long as it takes. Otherwise, there are deadlines.
+    """
+
+    def __init__(self, descriptor: int, *, patient: bool = False) -> None:
         self.descriptor = descriptor
+        self.patient = patient
         self._buffer = b""
-        os.set_blocking(descriptor, False)
+        os.set_blocking(descriptor, patient)
+        self._readable, self._writable = select.poll(), select.poll()
+        self._readable.register(descriptor, select.POLLIN)
+        self._writable.register(descriptor, select.POLLOUT)
 
     def send(self, message: dict[str, Any], deadline: float | None = None) -> None:
         """Send a message.
@@ -57,12 +68,12 @@ class Wire:
             TimeoutError: The deadline has passed.
             OSError: The other end is gone.
         """
-        data = memoryview(json.dumps(message).encode() + b"\n")
+        data = memoryview(_ENCODER.encode(message).encode() + b"\n")
         while data:
             try:
                 data = data[os.write(self.descriptor, data) :]
             except BlockingIOError:
-                self._wait(deadline, for_writing=True)
+                self._wait(self._writable, deadline)
 
     def receive(self, deadline: float | None = None) -> dict[str, Any]:
         """Return the next message.
@@ -77,10 +88,11 @@ class Wire:
         while b"\n" not in self._buffer:
             if len(self._buffer) > LONGEST_LINE:
                 raise BrokenProtocolError("a line is too long")
+            if not self.patient:
+                self._wait(self._readable, deadline)
             try:
                 data = os.read(self.descriptor, 1 << 16)
             except BlockingIOError:
-                self._wait(deadline, for_writing=False)
                 continue
             except ConnectionError:
                 data = b""
@@ -88,20 +100,27 @@ class Wire:
                 raise EOFError
             self._buffer += data
         line, _, self._buffer = self._buffer.partition(b"\n")
-        try:
-            message = json.loads(line)
-        except (ValueError, RecursionError) as error:
-            raise BrokenProtocolError("a line is not JSON") from error
-        if not isinstance(message, dict):
-            raise BrokenProtocolError("a line is not a JSON object")
-        return message
+        return _message(line)
 
-    def _wait(self, deadline: float | None, *, for_writing: bool) -> None:
+    def _wait(self, poll: select.poll, deadline: float | None) -> None:
         left = None if deadline is None else deadline - time.monotonic()
         if left is not None and left <= 0.0:
             raise TimeoutError
-        own = [self.descriptor]
-        select.select([] if for_writing else own, own if for_writing else [], [], left)
+        poll.poll(None if left is None else left * 1000.0)
+
+
+def _message(line: bytes) -> dict[str, Any]:
+    """Return the message in a line."""
+    try:
+        text = line.decode()
+        message, end = _DECODER.raw_decode(text)
+        if end != len(text):
+            raise ValueError("there is more after the object")
+    except (ValueError, RecursionError) as error:
+        raise BrokenProtocolError("a line is not JSON") from error
+    if not isinstance(message, dict):
+        raise BrokenProtocolError("a line is not a JSON object")
+    return message
 
 
 def pack(value: Any, refer: Refer) -> Any:
@@ -145,16 +164,20 @@ def unpack(data: Any, find: Find) -> Any:
     return _unpack(data, find, [2 * MOST_ITEMS + 1000], DEEPEST + 2)
 
 
+_KINDS: dict[str, type] = {kind.__name__: kind for kind in (tuple, list, dict)}
+
+
 def _unpack(data: Any, find: Find, left: list[int], depth: int) -> Any:
-    if not isinstance(data, dict):
-        if isinstance(data, list):
+    if type(data) is not dict:
+        if type(data) is list:
             raise BrokenProtocolError("a bare list")
         return data
     if depth == 0:
         raise BrokenProtocolError("a value that is nested too deeply")
-    for kind in (tuple, list, dict):
-        items = data.get(kind.__name__)
-        if isinstance(items, list):
+    if len(data) == 1:
+        ((name, items),) = data.items()
+        kind = _KINDS.get(name)
+        if kind is not None and type(items) is list:
             left[0] -= len(items)
             if left[0] < 0 or (kind is dict and len(items) > LARGEST_DICT):
                 raise BrokenProtocolError("too many items")

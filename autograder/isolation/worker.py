@@ -2,6 +2,7 @@
 
 A template process without student code waits for orders on a control socket:
 
+- "code" hands over the compiled code of modules. The template loads it but never runs it.
 - "start" forks a worker, which enters the sandbox before it imports what was handed in.
 - "stack" makes a worker write its stack.
 - "status" asks how a worker ended.
@@ -18,6 +19,7 @@ import gc
 import importlib
 import importlib.util
 import json
+import marshal
 import os
 import signal
 import site
@@ -25,16 +27,22 @@ import socket
 import sys
 import time
 import traceback
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from autograder.checks.printed import CappedText
 from autograder.isolation import sandbox
+from autograder.isolation.compiled import CompiledFinder
 from autograder.isolation.server import Server
 from autograder.isolation.wire import Wire
 
 # Modules that engines often import. The template imports them once for all workers.
-PRELOADED = "math random dataclasses typing collections.abc functools itertools enum copy heapq"
+PRELOADED = "__future__ math random dataclasses typing collections.abc functools itertools enum "
+PRELOADED += "copy heapq"
+
+# The descriptors of each worker, besides 1 and 2 for its output. They are below the limit of 32.
+RULES, WIRE, STACK = 29, 30, 31
 
 
 def main(text: str) -> None:
@@ -43,7 +51,7 @@ def main(text: str) -> None:
     sys.argv[:], sys.orig_argv[:] = [""], []  # these reveal where files are
     level = sandbox.Level(**config["level"])
     sys.path[:] = [path for path in sys.path if path != config["root"]] + config["folders"]
-    sys.pycache_prefix = config["bytecode"]
+    sys.pycache_prefix = "/nowhere"  # bytecode beside the files that were handed in is not used
     for add in (site.setquit, site.setcopyright, site.sethelper):  # built-ins that python -S lacks
         add()
     for name in PRELOADED.split() if config["preload"] else ():
@@ -51,7 +59,11 @@ def main(text: str) -> None:
     for folder in sorted({path.name for f in config["folders"] for path in Path(f).glob("ch??_*")}):
         importlib.import_module(folder)  # has no code; Python then knows its place
         importlib.util.find_spec(f"{folder}.nothing")
-    rules = sandbox.landlock_rules(config["readable"]) if level.landlock else None
+    if level.landlock:
+        os.dup2(sandbox.landlock_rules(config["readable"]), RULES)
+    sandbox.confine(level, RULES if level.landlock else None)
+    faulthandler.register(signal.SIGUSR1, file=STACK, all_threads=False)
+    work = partial(_work, config, level, sandbox.Filter() if level.seccomp else None)
     for name in [name for name in sys.modules if name.partition(".")[0] == "autograder"]:
         del sys.modules[name]  # student code must not find it
     gc.freeze()
@@ -64,11 +76,15 @@ def main(text: str) -> None:
             if what == b"start":
                 worker = os.fork()
                 if worker == 0:
-                    work(config, level, rules, *descriptors)
+                    work(*descriptors)
                 workers.add(worker)
                 for descriptor in descriptors:
                     os.close(descriptor)
                 control.send(b"%d\n" % worker)
+            elif what == b"code":
+                with os.fdopen(descriptors[0], "rb") as file:
+                    sys.meta_path.insert(0, CompiledFinder(marshal.load(file)))
+                gc.freeze()
             elif what == b"stack":
                 os.kill(int(number), signal.SIGUSR1)
             elif what == b"status":
@@ -109,10 +125,10 @@ def _exit_code(worker: int, seconds: float) -> int | None:
     return None
 
 
-def work(
+def _work(
     config: dict[str, Any],
     level: sandbox.Level,
-    rules: int | None,
+    allowed: sandbox.Filter | None,
     wire_end: int,
     log: int,
     stack: int,
@@ -124,13 +140,13 @@ def work(
     """
     try:
         os.setsid()
-        os.dup2(log, 1)
-        os.dup2(log, 2)
-        _close_all_but(wire_end, stack, rules)
+        for old, new in ((log, 1), (log, 2), (wire_end, WIRE), (stack, STACK)):
+            os.dup2(old, new)
+        os.closerange(3, RULES if level.landlock else WIRE)
+        os.closerange(STACK + 1, 256)
         sys.stdout = sys.stderr = CappedText(_log)
-        faulthandler.register(signal.SIGUSR1, file=stack, all_threads=False)
-        wire = Wire(wire_end)
-        sandbox.enter(level, rules, config["seconds"])
+        wire = Wire(WIRE, patient=True)
+        sandbox.enter(RULES if level.landlock else None, allowed, config["seconds"])
     except BaseException:
         traceback.print_exc()
         os._exit(1)
@@ -139,14 +155,6 @@ def work(
         Server(wire, [Path(folder) for folder in config["engine"]]).serve()
     finally:
         os._exit(0)  # without the exit handlers of the student's code
-
-
-def _close_all_but(*kept: int | None) -> None:
-    first = 3
-    for descriptor in sorted(number for number in kept if number is not None):
-        os.closerange(first, descriptor)
-        first = descriptor + 1
-    os.closerange(first, 256)
 
 
 def _log(text: str) -> None:

@@ -10,17 +10,15 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
 from pathlib import Path
-from typing import Any
 from urllib.parse import quote
-
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from autograder.checks.verdict import Status
 from autograder.manifest import Chapter
 from autograder.reports.class_stats import exercise_rates, histogram, most_missed
+from autograder.reports.pages import render
 from autograder.reports.report import Chart, CheckReport, ExerciseReport, StudentReport, tiers
 from autograder.reports.scatter import Scatter, scatter
-from autograder.reports.texts import check_title, clean_all, number, replace_file
+from autograder.reports.texts import check_title, clean_all, replace_file
 from autograder.scores import PHYSICS_SHARE, place_on_chart, possible
 from autograder.submissions.find import file_name
 
@@ -84,8 +82,9 @@ def write_feedback(out: Path, report: StudentReport) -> Path:
     exercises = [_shown(i, e) for i, e in enumerate(report.exercises, start=1)]
     states = {e.status for e in exercises} | {g.status for e in exercises for g in e.lost}
     own, given = report.score, report.score_on_given
-    page = _render(
+    page = render(
         "student.html",
+        symbols=SYMBOLS,
         report=report,
         chapters=[(n, list(group)) for n, group in groupby(exercises, lambda e: e.chapter)],
         inherited=None if own is None or given is None else round(given - own, 2),
@@ -115,8 +114,9 @@ def write_index(
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     by_hand_points = possible(e for e in exercises if e.kind == "written")
     scores = [report.score for report in clean if report.score is not None]
-    page = _render(
+    page = render(
         "index.html",
+        symbols=SYMBOLS,
         reports=[*zip(clean, links, strict=True)],
         missing=missing,
         unmatched=unmatched,
@@ -199,15 +199,3 @@ def _groups(checks: list[CheckReport]) -> list[LostChecks]:
 
 def _distinct(values: Iterable[str]) -> list[str]:
     return list(dict.fromkeys(values))
-
-
-def _render(template: str, **values: Any) -> str:
-    environment = Environment(
-        loader=FileSystemLoader(Path(__file__).parent / "templates"),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    environment.filters["number"] = number
-    return environment.get_template(template).render(symbols=SYMBOLS, **values)

@@ -33,6 +33,23 @@ def read_result(path: Path) -> StudentReport | None:
         return None
 
 
+def read_results(out: Path) -> list[StudentReport]:
+    """Return all reports of a graded class, sorted by student.
+
+    Raises:
+        ValueError: There are none, or one of them cannot be read.
+    """
+    reports = []
+    for path in (out / "results").glob("*.json"):
+        report = read_result(path)
+        if report is None:
+            raise ValueError(f"{path} cannot be read. Grade the class again into {str(out)!r}")
+        reports.append(report)
+    if not reports:
+        raise ValueError(f"{str(out)!r} has no results. It must be a folder of make grade OUT=...")
+    return sorted(reports, key=lambda report: report.student)
+
+
 def write_student(out: Path, report: StudentReport) -> None:
     """Write all files about one student. The results come last, since they mark it as complete."""
     write_feedback(out, report)

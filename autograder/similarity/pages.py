@@ -13,15 +13,14 @@ from itertools import groupby
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
-
 from autograder.clean import clean
 from autograder.manifest import Chapter
+from autograder.reports.pages import render
 from autograder.reports.texts import replace_file
 from autograder.similarity.compare import FEWEST, Comparison, Pair, Passage, Shared
 from autograder.similarity.winnow import covered
 
-HERE = Path(__file__).parent
+TEMPLATES = Path(__file__).parent / "templates"
 FEWEST_ROWS = 30  # pairs on the index; all that stand out are on it
 MOST_LINES = 200  # of one function
 WIDEST = 500  # characters of a line
@@ -59,8 +58,9 @@ def write_pages(
         old.unlink()
     for name, pair, shared in rows:
         _write_pair(out / name, comparison, pair, shared)
-    page = _render(
+    page = render(
         "similarity.html",
+        TEMPLATES,
         rows=rows,
         students=comparison.measure.students,
         pairs=len(comparison.pairs),
@@ -114,8 +114,9 @@ def _write_pair(path: Path, comparison: Comparison, pair: Pair, shared: list[Sha
         rare = {f for f in part.fingerprints if comparison.measure.holders[part.name, f] <= few}
         sides = [_sides(work.parts[part.name].passages, part, rare) for work in _works(pair)]
         parts.append((part, sides))
-    page = _render(
+    page = render(
         "pair.html",
+        TEMPLATES,
         pair=pair,
         stands_out=comparison.stands_out(pair),
         line=comparison.line,
@@ -147,15 +148,3 @@ def _histogram(pairs: Sequence[Pair]) -> list[tuple[int, int]]:
     """Return the number of pairs whose surprise is between one whole number and the next."""
     counts = Counter(math.floor(p.surprise) for p in pairs if p.surprise is not None)
     return [(n, counts[n]) for n in range(min(counts), max(counts) + 1)] if counts else []
-
-
-def _render(template: str, **values: Any) -> str:
-    environment = Environment(
-        loader=FileSystemLoader([HERE / "templates", HERE.parent / "reports" / "templates"]),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    environment.filters["clean"] = clean
-    return environment.get_template(template).render(**values)

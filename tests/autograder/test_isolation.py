@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import contextlib
 import math
 import os
@@ -363,3 +364,18 @@ def test_a_worker_is_no_root(session: Session, level: Level) -> None:
     if not level.is_sandbox:
         pytest.skip("no wall stands here")
     assert 0 not in name(session, "who")()
+
+
+def test_compiled_code_runs_anew_in_each_worker(
+    start: Callable[[], Session], tmp_path: Path
+) -> None:
+    template: Template = start.func.__self__  # type: ignore[attr-defined]
+    file = tmp_path / "engine/ch91_box/box.py"
+    code = start().ask("compile", str(file))
+    template.hand_over({"ch91_box.box": base64.b64decode(code)})
+    file.write_text("raise ImportError('this text was read again')", encoding="utf-8")
+    for _ in range(2):
+        box = name(start(), "Box")
+        with pytest.raises(AttributeError):
+            box.left_behind  # noqa: B018
+        box.left_behind = 1

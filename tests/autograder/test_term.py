@@ -100,7 +100,7 @@ def grade(folder: Path, *more: str) -> list[str]:
 
 @pytest.fixture(scope="module")
 def printed(folder: Path, kinds: dict[str, str]) -> list[str]:
-    """Grade in a run that is killed, in a second one, and again with times; return what they print.
+    """Grade in a run that is killed, in a second one, with times, and one student again.
 
     With the two files of the fixture above, these are all commands from a class list to an import.
     """
@@ -115,7 +115,9 @@ def printed(folder: Path, kinds: dict[str, str]) -> list[str]:
     times = [f"{i},2026-10-{day}" for i, day in days.items() if kinds[i] != "missing"]
     text = "\n".join(["student,submitted", *times, ""])
     (folder / "lab1" / "times.csv").write_text(text, encoding="utf-8")
-    return [*said, run_whole(grade(folder))]
+    said.append(run_whole(grade(folder)))
+    student = next(i for i, kind in kinds.items() if kind == "partial")
+    return [*said, run_whole(grade(folder, "--student", student, "--note", "asked for it"))]
 
 
 def run_whole(command: list[str]) -> str:
@@ -132,11 +134,12 @@ def table(path: Path) -> list[dict[str, str]]:
 def test_a_killed_run_is_resumed_and_everybody_is_accounted_for(
     printed: list[str], kinds: dict[str, str]
 ) -> None:
-    first, second = printed
+    first, second, again = printed
     kept = re.search(r"(\d+) of 38 reports were kept", first)
     assert kept
     assert int(kept[1]) >= 8
     assert "38 of 38 reports were kept" in second, "the times change penalties only"
+    assert "5 points before, 5 now. Changed: no exercise. Logged in" in again
     missing = "; ".join(f"Student {i}" for i, kind in kinds.items() if kind == "missing")
     for said in printed:
         assert f"Nothing handed in: 3 ({missing})." in said

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 import shutil
 import subprocess
@@ -10,8 +11,9 @@ from pathlib import Path
 
 import pytest
 
+from autograder.definitions import functions
 from autograder.handout import make_handout
-from autograder.manifest import ROOT, load_chapter, load_chapters
+from autograder.manifest import ROOT, Chapter, load_chapter, load_chapters
 from copies import copy_tree
 from graded import points_of
 from made import made_stubs
@@ -105,6 +107,25 @@ def test_every_check_comes_with_what_it_imports(tmp_path: Path) -> None:
         tests = ROOT / "tests" / chapter.name
         there = {file.name for file in (tmp_path / "out/tests" / chapter.name).iterdir()}
         assert there == {file.name for file in tests.glob("*.py")}
+        assert_has_no_body_of_the_reference(tmp_path / "out", chapter)
+
+
+def assert_has_no_body_of_the_reference(handout: Path, chapter: Chapter) -> None:
+    """Assert that each body that students write has a line that no file of the hand-out's has."""
+    for file in chapter.edited_files:
+        source = (ROOT / "solutions" / chapter.name / file).read_text(encoding="utf-8")
+        defined = functions(ast.parse(source))
+        texts = [
+            path.read_text(encoding="utf-8") for path in handout.glob(f"*/{chapter.name}/{file}")
+        ]
+        assert len(texts) == 2, "one to edit, and one for make reset"
+        there = {line.strip() for text in texts for line in text.splitlines()}
+        for edit in [edit for exercise in chapter.exercises for edit in exercise.edit]:
+            module, _, name = edit.partition(".")
+            if f"{module}.py" == file:
+                body = defined[name].body[1 if ast.get_docstring(defined[name]) else 0 :]
+                lines = source.splitlines()[body[0].lineno - 1 : body[-1].end_lineno]
+                assert not {line.strip() for line in lines} <= there, edit
 
 
 def test_the_links_and_pictures_of_the_readmes_are_there(tmp_path: Path) -> None:

@@ -48,7 +48,10 @@ class NoVector:
 
 def xyz(v: Any) -> Any:
     """Return the components of a vector as a tuple."""
-    return NoVector(v) if is_plain(v) else (v.x, v.y, v.z)
+    if is_plain(v):
+        return NoVector(v)
+    together = getattr(type(v), "get_together", None)  # a handle asks its process only once
+    return together(v, ["x", "y", "z"]) if together else (v.x, v.y, v.z)
 
 
 def is_plain(value: Any) -> bool:

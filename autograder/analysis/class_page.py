@@ -1,0 +1,65 @@
+"""Write class.html, the class at a glance: its scores, its mistakes, and how each exercise works.
+
+The page names no student, so an instructor can show it in a lecture.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from autograder.analysis.discrimination import FEWEST, LOW
+from autograder.analysis.items import HIDDEN, STATES, items_of
+from autograder.analysis.mistakes import Mistake, mistakes_of
+from autograder.manifest import Chapter
+from autograder.reports.pages import render
+from autograder.reports.report import StudentReport
+from autograder.reports.texts import check_title, clean_all, replace_file
+
+TEMPLATES = Path(__file__).parent / "templates"
+
+
+@dataclass(frozen=True)
+class ShownMistake:
+    """A mistake as the page shows it, with the places to read about it."""
+
+    mistake: Mistake
+    count: int
+    places: list[str]
+
+
+def write_class_page(out: Path, chapters: list[Chapter], reports: Sequence[StudentReport]) -> Path:
+    """Write class.html for the instructor of a graded class, and return its path."""
+    path = out / "class.html"
+    clean = [clean_all(report) for report in reports]
+    mistakes = mistakes_of(clean)
+    page = render(
+        "class.html",
+        TEMPLATES,
+        students=len(clean),
+        chapters=chapters,
+        items=[(chapter, items_of(chapter, clean)) for chapter in chapters],
+        misconceptions=[_shown(one, chapters) for one in mistakes.misconceptions],
+        mistakes=[_shown(one, chapters) for one in mistakes.found],
+        unexplained=mistakes.unexplained,
+        states=STATES,
+        hidden=HIDDEN,
+        title_of=check_title,
+        fewest=FEWEST,
+        low=LOW,
+    )
+    replace_file(path, page)
+    return path
+
+
+def _shown(mistake: Mistake, chapters: list[Chapter]) -> ShownMistake:
+    lessons, terms = [], []
+    for chapter in chapters:
+        here = [e for e in chapter.exercises if e.id in mistake.exercises]
+        if here:
+            ids = ", ".join(exercise.id for exercise in here)
+            lessons.append(f"lesson of chapter {chapter.number}, at {ids}")
+        terms += [term for exercise in here for term in exercise.terms]
+    glossary = [f"glossary: {', '.join(dict.fromkeys(terms))}"] if terms else []
+    return ShownMistake(mistake, len(mistake.students), [*mistake.read, *lessons, *glossary])

@@ -1,0 +1,23 @@
+"""The command that compares the graded assignments of a class."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+
+def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Add progress."""
+    command = commands.add_parser("progress", help="compare several graded assignments of a class")
+    command.add_argument("runs", nargs="+", type=Path, help="folders that grade has written")
+    command.add_argument("--out", type=Path, required=True, help="folder for the page")
+    command.set_defaults(run=run_progress)
+
+
+def run_progress(arguments: argparse.Namespace) -> int:
+    """Write the page about the progress of a class, and print where it is."""
+    from autograder.analysis.progress import write_progress
+
+    page = write_progress(arguments.runs, arguments.out)
+    print(f"Compared {len(arguments.runs)} assignments: {page}")
+    return 0

@@ -1,0 +1,89 @@
+"""Collect the mistakes of a class: the likely causes in the messages of its failed checks."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from autograder.message import Kind
+from autograder.reports.report import CheckReport, StudentReport
+
+MOST = 5  # misconceptions for one lecture
+SHARED_BY = 2  # students; a mistake of one student alone is for the student's own page
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
+
+
+@dataclass
+class Mistake:
+    """A likely cause, and the students and exercises that it was found in.
+
+    ``read`` lists where the messages say to read about it. The mistake is ``robust`` if only robust
+    checks have found it. It is ``in_values`` if code that runs has computed something else than was
+    wanted, unlike code that is missing or stops with an error.
+    """
+
+    words: str
+    students: list[str] = field(default_factory=list)
+    exercises: list[str] = field(default_factory=list)
+    read: list[str] = field(default_factory=list)
+    robust: bool = True
+    in_values: bool = False
+
+
+@dataclass(frozen=True)
+class Mistakes:
+    """The mistakes of a class, those of the most students first.
+
+    ``unexplained`` counts the failed checks whose message names no likely cause. A hidden check
+    never names one.
+    """
+
+    found: list[Mistake]
+    unexplained: int
+
+    @property
+    def misconceptions(self) -> list[Mistake]:
+        """The mistakes in the physics that most students share, for the next lecture."""
+        physics = [one for one in self.found if one.in_values and not one.robust]
+        return [one for one in physics if len(one.students) >= SHARED_BY][:MOST]
+
+
+def mistakes_of(reports: Sequence[StudentReport]) -> Mistakes:
+    """Return the mistakes in these reports.
+
+    Only failed checks count. If a check is blocked or inherited, the mistake is elsewhere. Messages
+    that differ in their numbers alone are one mistake, since the numbers depend on the seed.
+    """
+    found: dict[str, Mistake] = {}
+    wordings: dict[str, Counter[str]] = {}
+    unexplained = 0
+    for report in reports:
+        for exercise in report.exercises:
+            for check in filter(_is_mistake, exercise.checks):
+                words, read = check.message.likely, check.message.read
+                if not words or check.hidden:
+                    unexplained += 1
+                    continue
+                key = NUMBER.sub("#", words)
+                wordings.setdefault(key, Counter())[words] += 1
+                one = found.setdefault(key, Mistake(words))
+                for known, new in (
+                    (one.students, report.student),
+                    (one.exercises, exercise.id),
+                    (one.read, read),
+                ):
+                    if new and new not in known:
+                        known.append(new)
+                one.robust = one.robust and check.robust
+                is_value = bool(check.message.wanted) and check.message.kind is Kind.FAILED
+                one.in_values = one.in_values or is_value
+    for key, one in found.items():
+        one.words = wordings[key].most_common(1)[0][0]
+    ordered = sorted(found.values(), key=lambda one: (-len(one.students), one.robust, one.words))
+    return Mistakes(ordered, unexplained)
+
+
+def _is_mistake(check: CheckReport) -> bool:
+    return check.status == "failed" and check.message.kind is not Kind.UNWRITTEN

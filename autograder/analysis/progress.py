@@ -1,0 +1,106 @@
+"""Compare several graded assignments of one class: scores, students, and mistakes that return."""
+
+from __future__ import annotations
+
+import statistics
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from autograder.analysis.mistakes import NUMBER, mistakes_of
+from autograder.reports.pages import render
+from autograder.reports.report import StudentReport
+from autograder.reports.results import read_results
+from autograder.reports.texts import clean_all, replace_file
+
+TEMPLATES = Path(__file__).parent / "templates"
+FEWEST = 2  # assignments
+
+
+@dataclass(frozen=True)
+class Run:
+    """A graded assignment, and each student's percentage of the points that checks can give.
+
+    The percentage is None if the grader failed.
+    """
+
+    name: str
+    reports: list[StudentReport]
+    percent: dict[str, float | None]
+
+    @property
+    def known(self) -> list[float]:
+        """The percentages that are known."""
+        return [value for value in self.percent.values() if value is not None]
+
+    @property
+    def five(self) -> list[float]:
+        """The lowest percentage, the quartiles and the highest; empty without a percentage."""
+        values = self.known
+        if len(values) < 2:
+            return values * 5
+        middle = statistics.quantiles(values, n=4, method="inclusive")
+        return [min(values), *middle, max(values)]
+
+
+@dataclass(frozen=True)
+class Returning:
+    """A mistake of more than one assignment: the students in each, and those who repeated it."""
+
+    words: str
+    counts: list[int]
+    again: int
+
+
+def write_progress(folders: Sequence[Path], out: Path) -> Path:
+    """Write progress.html about several graded folders, in their order, and return its path.
+
+    Raises:
+        ValueError: There are fewer than two folders, or one of them has no results.
+    """
+    if len(folders) < FEWEST:
+        raise ValueError(f"progress needs at least {FEWEST} graded folders, got {len(folders)}")
+    if len({folder.resolve() for folder in folders}) < len(folders):
+        raise ValueError("progress needs different folders, but one of them is given twice")
+    runs = [_run(folder, folders) for folder in folders]
+    everyone = sorted({student for run in runs for student in run.percent})
+    page = render(
+        "progress.html",
+        TEMPLATES,
+        runs=runs,
+        rows=[(student, [run.percent.get(student) for run in runs]) for student in everyone],
+        returning=returning(runs),
+    )
+    replace_file(out / "progress.html", page)
+    return out / "progress.html"
+
+
+def _run(folder: Path, folders: Sequence[Path]) -> Run:
+    """Read a graded folder. It is named by its last part, if no other folder has the same one."""
+    reports = [clean_all(report) for report in read_results(folder)]
+    same = [other for other in folders if other.resolve().name == folder.resolve().name]
+    percent = {
+        report.student: None if report.score is None else 100.0 * report.score / report.points
+        for report in reports
+        if report.points
+    }
+    return Run(folder.resolve().name if len(same) == 1 else str(folder), reports, percent)
+
+
+def returning(runs: Sequence[Run]) -> list[Returning]:
+    """Return the mistakes that were found in more than one assignment, the most repeated first."""
+    words: dict[str, str] = {}
+    students: dict[str, list[list[str]]] = {}
+    for number, run in enumerate(runs):
+        for one in mistakes_of(run.reports).found:
+            key = NUMBER.sub("#", one.words)
+            words.setdefault(key, one.words)
+            students.setdefault(key, [[] for _ in runs])[number] = one.students
+    found = []
+    for key, by_run in students.items():
+        if sum(map(bool, by_run)) > 1:
+            times = Counter(student for names in by_run for student in names)
+            again = sum(count > 1 for count in times.values())
+            found.append(Returning(words[key], [len(names) for names in by_run], again))
+    return sorted(found, key=lambda one: (-one.again, -sum(one.counts), one.words))

@@ -1,0 +1,155 @@
+"""Grade one student of a graded class again, as the class was graded, and keep a log of it."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Sequence
+from dataclasses import fields
+from datetime import datetime
+from pathlib import Path
+
+from rich.console import Console
+
+from autograder.grader.class_run import ClassRun
+from autograder.reports.gradebook import as_cell
+from autograder.reports.report import ExerciseReport, RunKey, StudentReport
+from autograder.reports.results import read_results
+from autograder.reports.texts import number
+from autograder.submissions.find import Submission
+
+LOG = "regrades.csv"
+COLUMNS = ["time", "student", "points before", "points after", "changed exercises", "why"]
+# These may differ from the class's run, for example because a check was corrected. It is noted.
+MAY_DIFFER = {
+    "checks": "the checks or the reference",
+    "grader": "the grader",
+    "python": "Python",
+    "level": "the sandbox",
+    "time_limit": "the time limit of a check",
+}
+
+
+class Regrade:
+    """A student of an earlier run who is graded again, with the reports of the class before it.
+
+    Raises:
+        ValueError: The folder has no earlier run, or the student did not hand in anything.
+    """
+
+    def __init__(self, out: Path, student: str, submissions: Sequence[Submission]) -> None:
+        self.out = out
+        self.reports = read_results(out)
+        self.changed = ""
+        self.submissions = [one for one in submissions if student in one.names]
+        self.student = self.submissions[0].student if self.submissions else student
+        if not self.submissions:
+            names = ", ".join(submission.student for submission in submissions)
+            raise ValueError(f"there is no submission of {student!r}. There are: {names}")
+
+    @property
+    def before(self) -> StudentReport | None:
+        """The student's earlier report, or None if there is none."""
+        return next((one for one in self.reports if one.student == self.student), None)
+
+    def seed(self, seed: str | None) -> str:
+        """Return the seed of the class.
+
+        Raises:
+            ValueError: Another seed is requested, or the class has several seeds.
+        """
+        seeds = sorted({report.seed for report in self.reports if report.student != self.student})
+        seeds = seeds or [report.seed for report in self.reports]
+        if len(seeds) > 1:
+            names = ", ".join(seeds)
+            raise ValueError(f"the class was graded with several seeds ({names}). Grade it again")
+        if seed and seed != seeds[0]:
+            raise ValueError(f"--seed must be that of the class, {seeds[0]!r}, got {seed!r}")
+        return seeds[0]
+
+    def prepare(self, run: ClassRun) -> list[Submission]:
+        """Make the run grade the student anew, and return the submission to grade.
+
+        Raises:
+            ValueError: The student would get other exercises or other checks than the class.
+        """
+        run.keeps_reports = False
+        differing = self._differing(run.key)
+        checks = [check for one in self.reports for e in one.exercises for check in e.checks]
+        were_hidden = any(check.hidden for check in checks)
+        if were_hidden != (run.assignment.hidden is not None):
+            how = "with hidden checks: add" if were_hidden else "without hidden checks: leave out"
+            raise ValueError(f"the class was graded {how} --checks (make: CHECKS=)")
+        for name in differing:
+            if name not in MAY_DIFFER:
+                earlier = next(getattr(one.run, name) for one in self.reports if one.run)
+                new = getattr(run.key, name)
+                raise ValueError(f"{name} must be as for the class, {earlier}, got {new}")
+        if differing:
+            changed = ", ".join(MAY_DIFFER[name] for name in differing)
+            self.changed = f"Changed since the class was graded: {changed}."
+            run.console.print(self.changed, markup=False)
+        return self.submissions
+
+    def finish(
+        self, graded: Sequence[StudentReport], why: str, console: Console
+    ) -> list[StudentReport]:
+        """Log what has changed, and return the reports of the whole class."""
+        (report,) = graded
+        console.print(self._log(report, why), markup=False)
+        others = [one for one in self.reports if one.student != self.student]
+        return sorted([*others, report], key=lambda one: one.student)
+
+    def _differing(self, key: RunKey) -> list[str]:
+        """Return the names of the conditions in which the class's run differs from this one."""
+        others = [report.run for report in self.reports if report.run]
+        names = [field.name for field in fields(RunKey) if field.name != "seed"]
+        return [n for n in names if any(getattr(one, n) != getattr(key, n) for one in others)]
+
+    def _log(self, report: StudentReport, why: str) -> str:
+        """Add a row to regrades.csv, and return a sentence on what has changed."""
+        before, after = _points(self.before), _points(report)
+        changes = "; ".join(_changes(self.before, report))
+        path = self.out / LOG
+        is_new = not path.exists()
+        with path.open("a", encoding="utf-8", newline="") as file:
+            writer = csv.writer(file)
+            if is_new:
+                writer.writerow(COLUMNS)
+            time = datetime.now().astimezone().isoformat(timespec="seconds")
+            reason = " ".join(filter(None, (why, self.changed)))
+            writer.writerow([time, *map(as_cell, (self.student, before, after, changes, reason))])
+        points = f"{before or 'none'} points before, {after or 'none'} now"
+        return f"{self.student}: {points}. Changed: {changes or 'no exercise'}. Logged in {path}"
+
+
+def earlier_choice(out: Path) -> tuple[str, str]:
+    """Return the chapters and the given chapters of an earlier run, as commands accept them.
+
+    Raises:
+        ValueError: There is no earlier run.
+    """
+    run = next((report.run for report in read_results(out) if report.run), None)
+    if run is None:
+        raise ValueError(f"the run in {str(out)!r} did not note its chapters: name them")
+    return ",".join(map(str, run.chapters)), ",".join(map(str, run.given))
+
+
+def _points(report: StudentReport | None) -> str:
+    return number(report.total) if report else ""
+
+
+def _changes(before: StudentReport | None, after: StudentReport) -> list[str]:
+    """Return each exercise whose score or state has changed, as "2.5: 1 to 3"."""
+    earlier = {exercise.id: exercise for exercise in before.exercises} if before else {}
+    return [
+        f"{new.id}: {_outcome(old)} to {_outcome(new)}"
+        for new in after.exercises
+        if (old := earlier.get(new.id)) is None
+        or (old.score, old.status) != (new.score, new.status)
+    ]
+
+
+def _outcome(exercise: ExerciseReport | None) -> str:
+    if exercise is None:
+        return "nothing"
+    return exercise.status if exercise.score is None else number(exercise.score)

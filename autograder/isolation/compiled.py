@@ -1,0 +1,45 @@
+"""Serve imports from code that was compiled once, so that a worker only has to run it."""
+
+from __future__ import annotations
+
+import importlib.util
+import marshal
+from collections.abc import Mapping, Sequence
+from importlib.machinery import ModuleSpec, SourceFileLoader
+from types import CodeType, ModuleType
+
+
+class CompiledLoader(SourceFileLoader):
+    """Loads a module like Python's own loader, except that its code is in memory already."""
+
+    def __init__(self, name: str, path: str, code: CodeType) -> None:
+        super().__init__(name, path)
+        self._code = code
+
+    def get_code(self, fullname: str) -> CodeType:  # noqa: ARG002
+        return self._code
+
+
+class CompiledFinder:
+    """Finds modules of the engine and of the probes that were compiled.
+
+    ``compiled`` maps the name of a module to its marshaled code. The code is loaded here, and it
+    runs only in a worker that imports the module.
+    """
+
+    def __init__(self, compiled: Mapping[str, bytes]) -> None:
+        self.specs: dict[str, ModuleSpec] = {}
+        for name, data in compiled.items():
+            spec = importlib.util.find_spec(name)
+            code = marshal.loads(data)
+            if spec is not None and spec.origin == code.co_filename:
+                spec.loader = CompiledLoader(name, code.co_filename, code)
+                self.specs[name] = spec
+
+    def find_spec(
+        self,
+        name: str,
+        path: Sequence[str] | None = None,  # noqa: ARG002
+        target: ModuleType | None = None,  # noqa: ARG002
+    ) -> ModuleSpec | None:
+        return self.specs.get(name)

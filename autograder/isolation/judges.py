@@ -1,0 +1,137 @@
+"""Start judges quickly: a waiting process imports pytest once, and forks for each run of checks.
+
+The waiting process never runs a check, and knows nothing of a submission. It ends when the grader
+that started it ends. A judge that it forks is like one with its own interpreter.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import socket
+import subprocess
+import sys
+import threading
+from pathlib import Path
+from typing import IO, Any
+
+_lock = threading.Lock()
+_waiting: dict[int, Judges] = {}  # the waiting process of this process, by this one's number
+
+Order = dict[str, Any]
+
+
+class Judges:
+    """The waiting process."""
+
+    def __init__(self, environment: dict[str, str]) -> None:
+        self._control, theirs = socket.socketpair()
+        self._answers = self._control.makefile("r", encoding="utf-8")
+        with theirs:
+            self._process = subprocess.Popen(
+                [sys.executable, "-m", "autograder.isolation.judges", str(theirs.fileno())],
+                env=environment,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                pass_fds=[theirs.fileno()],
+                start_new_session=True,  # Ctrl-C is for the grader alone
+            )
+
+    def ask(self, order: Order, descriptors: list[int]) -> int:
+        """Send an order with open files, and return the number that answers it."""
+        data = json.dumps(order).encode() + b"\n"
+        sent = socket.send_fds(self._control, [data], descriptors)
+        self._control.sendall(data[sent:])
+        return int(self._answers.readline())
+
+    def close(self) -> None:
+        """End the waiting process. Its judges end with their own input."""
+        self._answers.close()
+        self._control.close()
+        self._process.wait()
+
+
+class ForkedJudge:
+    """A judge that was forked, with the part of Popen's interface that its runner uses.
+
+    Raises:
+        OSError: The waiting process cannot start a judge.
+    """
+
+    def __init__(
+        self, config: Path, folder: Path, environment: dict[str, str], stderr: IO[bytes]
+    ) -> None:
+        (their_input, own_input), (own_output, their_output) = os.pipe(), os.pipe()
+        # If this process dies, the pipe closes, and the judge ends too.
+        self.stdin = os.fdopen(own_input, "w", encoding="utf-8")
+        self.stdout = os.fdopen(own_output, encoding="utf-8")
+        order = {"config": str(config), "folder": str(folder), "environment": environment}
+        try:
+            self.pid = _ask(order, [their_input, their_output, stderr.fileno()])
+        finally:
+            os.close(their_input)
+            os.close(their_output)
+
+    def wait(self) -> int:
+        """Wait for the end of a judge that is ending, and return its exit code."""
+        return _ask({"wait": self.pid}, [])
+
+
+def _ask(order: Order, descriptors: list[int]) -> int:
+    """Ask the waiting process, and start it if it does not exist yet."""
+    own = os.getpid()
+    with _lock:
+        if own not in _waiting:
+            _waiting[own] = Judges(order["environment"])
+        try:
+            return _waiting[own].ask(order, descriptors)
+        except (OSError, ValueError) as error:
+            _waiting.pop(own).close()
+            raise OSError("the process that starts the judges has ended") from error
+
+
+def main() -> None:
+    """Fork a judge for each order, until the control socket is closed."""
+    from autograder.checks import verdicts
+    from autograder.isolation import in_worker  # noqa: F401 - imported once for all judges
+
+    control = socket.socket(fileno=int(sys.argv[1]))
+    while True:
+        text, descriptors, _, _ = socket.recv_fds(control, 1 << 16, 3)
+        while text and not text.endswith(b"\n"):
+            text += control.recv(1 << 16)
+        if not text:
+            return
+        order = json.loads(text)
+        if "wait" in order:
+            _, status = os.waitpid(order["wait"], 0)
+            answer = os.waitstatus_to_exitcode(status)
+        else:
+            answer = os.fork()
+            if answer == 0:
+                control.close()
+                _become(order, descriptors)
+                verdicts.run_and_exit()
+            with contextlib.suppress(OSError):  # it may have done so itself, and have ended
+                os.setpgid(answer, answer)  # the runner may now kill its group
+        for descriptor in descriptors:
+            os.close(descriptor)
+        control.send(b"%d\n" % answer)
+
+
+def _become(order: Order, descriptors: list[int]) -> None:
+    """Make this process one that was started in a folder, with its own input and output."""
+    os.setpgid(0, 0)
+    for new, old in enumerate(descriptors):
+        os.dup2(old, new)
+        os.close(old)
+    os.chdir(order["folder"])
+    os.environ.clear()
+    os.environ.update(order["environment"])
+    sys.argv[1:] = [order["config"]]
+    sys.path[0] = order["folder"]
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,1 @@
+"""Releasing the reference after the deadline, beside each student's own solutions that passed."""

@@ -1,0 +1,52 @@
+"""Count what is written in a function: its lines, calls and constructed objects.
+
+The tokens of the source are counted. Nothing is compiled or run, so a call in a loop counts once.
+"""
+
+from __future__ import annotations
+
+import keyword
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from autograder.similarity.code import LOCAL, Function
+
+END_OF_LINE = ";"
+
+
+@dataclass(frozen=True)
+class Counts:
+    """What is written in a body.
+
+    ``lines`` are lines with code, not blank lines, comments or docstrings. ``calls`` are written
+    calls, such as v.dot(w), and ``objects`` are those among them that call a class, such as
+    Vector3(...). Errors that are raised count in neither.
+    """
+
+    lines: int
+    calls: int
+    objects: int
+
+
+def count(function: Function) -> Counts:
+    """Return what is written in the body of a function."""
+    words = [token.word.removeprefix(LOCAL) for token in function.tokens]
+    called = [words[i - 1] for i, word in enumerate(words) if word == "(" and _is_call(words, i)]
+    lines = {token.start[0] for token in function.tokens if token.word != END_OF_LINE}
+    objects = sum(name.lstrip("_")[:1].isupper() for name in called)
+    return Counts(len(lines), len(called), objects)
+
+
+def _is_call(words: Sequence[str], i: int) -> bool:
+    """Return whether the bracket at i calls something: not an expression, def, class or raise."""
+    before = words[i - 1] if i else ""
+    first = i - 1
+    while first >= 2 and words[first - 1] == ".":
+        first -= 2
+    introduced_by = words[first - 1] if first > 0 else ""
+    is_value = before in (")", "]") or before.isidentifier()
+    return (
+        is_value
+        and not keyword.iskeyword(before)
+        and introduced_by not in ("def", "class", "raise")
+    )

@@ -1,0 +1,33 @@
+"""Write the page that shows a student's own solutions beside the reference."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from autograder.clean import clean
+from autograder.release.compare import Compared
+from autograder.reports.pages import render
+from autograder.reports.texts import replace_file
+from autograder.submissions.find import file_name
+
+TEMPLATES = Path(__file__).parent / "templates"
+
+
+def write_page(
+    out: Path, student: str, compared: Sequence[Compared], not_compared: Sequence[str]
+) -> Path:
+    """Write students/<student>.html, and return its path.
+
+    ``not_compared`` names the released exercises in which the student's own solution did not pass.
+    """
+    path = out / "students" / f"{file_name(student)}.html"
+    page = render(
+        "release.html",
+        TEMPLATES,
+        student=clean(student),
+        compared=compared,
+        not_compared=not_compared,
+    )
+    replace_file(path, page)
+    return path

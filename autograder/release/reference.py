@@ -1,0 +1,68 @@
+"""The files of the reference that are released, with stubs for the exercises that are not."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from autograder.answers import FILE, sections_of
+from autograder.manifest import ROOT, Chapter
+from autograder.stubs import messages_of, stub_module
+
+
+def chosen(chapters: Sequence[Chapter], exercises: Sequence[str]) -> list[Chapter]:
+    """Return the chapters with only the named exercises, or with all of them if none is named.
+
+    Raises:
+        ValueError: An exercise is in none of the chapters.
+    """
+    known = {e.id.lower(): e.id for chapter in chapters for e in chapter.exercises}
+    wanted = {known.get(name.lower(), "") for name in exercises}
+    if unknown := [name for name in exercises if name.lower() not in known]:
+        names = ", ".join(str(chapter.number) for chapter in chapters)
+        raise ValueError(f"there is no exercise {unknown[0]!r} in chapter {names}")
+    picked = [
+        replace(c, exercises=[e for e in c.exercises if not exercises or e.id in wanted])
+        for c in chapters
+    ]
+    return [chapter for chapter in picked if chapter.exercises]
+
+
+def released_module(chapter: Chapter, whole: Chapter, file: str, root: Path = ROOT) -> str:
+    """Return the text of a module. The bodies of exercises that are not released are stubs."""
+    kept = {exercise.id for exercise in chapter.exercises}
+    held_back = replace(whole, exercises=[e for e in whole.exercises if e.id not in kept])
+    text = (root / "solutions" / whole.name / file).read_text(encoding="utf-8")
+    messages = messages_of(held_back, file)
+    return stub_module(text, messages, messages_of(chapter, file)) if messages else text
+
+
+def write_reference(
+    out: Path, chapter: Chapter, whole: Chapter, root: Path = ROOT
+) -> dict[str, str]:
+    """Write the files of one chapter, and return the texts of its modules, keyed by file."""
+    folder = out / "reference" / whole.name
+    folder.mkdir(parents=True)
+    modules = {name: released_module(chapter, whole, name, root) for name in chapter.edited_files}
+    for name, text in modules.items():
+        (folder / name).write_text(text, encoding="utf-8", newline="\n")
+    for name in chapter.data_files:
+        shutil.copyfile(root / "solutions" / whole.name / name, folder / name)
+    if answers := _model_answers(chapter, root):
+        (folder / FILE).write_text(answers, encoding="utf-8", newline="\n")
+    return modules
+
+
+def _model_answers(chapter: Chapter, root: Path) -> str:
+    """Return the released model answers without their rubrics, or an empty text."""
+    file = root / "solutions" / chapter.name / FILE
+    written = {exercise.id for exercise in chapter.exercises if exercise.kind == "written"}
+    if not written or not file.is_file():
+        return ""
+    parts = [f"# Chapter {chapter.number}: model answers"]
+    for section in sections_of(file.read_text(encoding="utf-8")):
+        if section.id in written:
+            parts += [section.heading, section.question, section.answer]
+    return "\n\n".join(parts) + "\n"

@@ -1,0 +1,141 @@
+"""Release the reference of chapters or exercises, with a page for each student who solved some."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+from rich.console import Console
+from rich.progress import track
+
+from autograder.checks.given import has_reference
+from autograder.manifest import ROOT, Chapter, load_chapters
+from autograder.release.compare import Compared, Texts, compare_exercise, compare_others
+from autograder.release.pages import write_page
+from autograder.release.reference import chosen, write_reference
+from autograder.reports.report import StudentReport
+from autograder.reports.results import read_results
+from autograder.submissions.find import Submission, find_submissions
+from autograder.submissions.stage import stage
+
+RECORD = "released.txt"  # what was released; it also marks the folder as a release
+
+
+def release(
+    chapters: Sequence[Chapter],
+    exercises: Sequence[str],
+    submissions: Path | None,
+    grades: Path | None,
+    out: Path,
+    root: Path = ROOT,
+) -> int:
+    """Write the reference of chapters, or of some exercises in them, into a folder; return 0.
+
+    If a class is named, by its submissions and the folder that it was graded into, there is also a
+    page for each student.
+
+    Raises:
+        ValueError: The folder cannot be used, or there is no such exercise, reference or class.
+    """
+    released = chosen(chapters, exercises)
+    if missing := [chapter.name for chapter in released if not has_reference(chapter, root)]:
+        raise ValueError(f"the reference of {missing[0]} is not in this folder")
+    if (submissions is None) != (grades is None):
+        raise ValueError("--submissions and --grades belong together: give both or neither")
+    _prepare(out, submissions, root)
+    reports = read_results(grades) if grades else []
+    found, notes = find_submissions(submissions) if submissions else ([], [])
+    whole = {chapter.name: chapter for chapter in chapters}
+    texts = {c.name: write_reference(out, c, whole[c.name], root) for c in released}
+    lines = [f"chapter {c.number}: {', '.join(e.id for e in c.exercises)}" for c in released]
+    (out / RECORD).write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
+    console = Console(highlight=False)
+    of = {report.student: report for report in reports}
+    pages = 0
+    silent = not console.is_terminal
+    for one in track(found, "comparing", console=console, transient=True, disable=silent):
+        compared, left_out, why = _compare(one, of.get(one.student), released, texts, root)
+        if compared:
+            write_page(out, one.student, compared, left_out)
+            pages += 1
+        else:
+            notes.append(f"{one.student} has no page: {why}")
+    for note in notes:
+        console.print(note, markup=False, soft_wrap=True)
+    for line in lines:
+        console.print(f"Released of {line}", markup=False, soft_wrap=True)
+    if reports:
+        console.print(f"{pages} of {len(found)} students have a page in {out / 'students'}")
+    else:
+        console.print("No class was compared. Name a graded one with --submissions and --grades.")
+    console.print(f"Reference: {out / 'reference'}", markup=False, soft_wrap=True)
+    return 0
+
+
+def _prepare(out: Path, submissions: Path | None, root: Path) -> None:
+    """Create the folder, or empty that of an earlier release.
+
+    Raises:
+        ValueError: The folder has other contents, or is a place from which hand-outs are made.
+    """
+    place = out.resolve()
+    if place.is_relative_to(root.resolve()) and not place.is_relative_to(root.resolve() / "build"):
+        raise ValueError(
+            "--out must be outside of the companion or in its build/, so that no hand-out contains "
+            f"the reference, got {str(out)!r}"
+        )
+    if submissions and place.is_relative_to(submissions.resolve()):
+        raise ValueError(f"--out must not be in the folder of the class, got {str(out)!r}")
+    if out.exists() and any(out.iterdir()) and not (out / RECORD).is_file():
+        raise ValueError(f"--out must be a new folder or an earlier release, got {str(out)!r}")
+    for name in ("reference", "students"):
+        shutil.rmtree(out / name, ignore_errors=True)
+    out.mkdir(parents=True, exist_ok=True)
+
+
+def _compare(
+    submission: Submission,
+    report: StudentReport | None,
+    released: Sequence[Chapter],
+    reference: dict[str, dict[str, str]],
+    root: Path,
+) -> tuple[list[Compared], list[str], str]:
+    """Return what is compared of a submission, what is not, and why if nothing is."""
+    if report is None:
+        return [], [], "the work was not graded"
+    own = _own_texts(submission, report, root)
+    if own is None:
+        return [], [], "the work has changed since it was graded. Grade it again first"
+    passed = {exercise.id for exercise in report.exercises if exercise.status == "passed"}
+    compared: list[Compared] = []
+    left_out = []
+    for chapter in released:
+        mine, theirs = own[chapter.name], reference[chapter.name]
+        solved = [exercise for exercise in chapter.exercises if exercise.id in passed]
+        left_out += [e.id for e in chapter.exercises if e.edit and e.id not in passed]
+        compared += [compare_exercise(exercise, mine, theirs) for exercise in solved]
+        files = dict.fromkeys(f"{edit.split('.')[0]}.py" for e in solved for edit in e.edit)
+        whole = next(c for c in load_chapters(root) if c.name == chapter.name)
+        compared += compare_others(whole, files, mine, theirs)
+    return compared, left_out, "no released exercise passed"
+
+
+def _own_texts(
+    submission: Submission, report: StudentReport, root: Path
+) -> dict[str, Texts] | None:
+    """Return a student's modules by chapter, or None if they are not those that were graded."""
+    chapters = load_chapters(root)
+    with tempfile.TemporaryDirectory(prefix="release-") as folder:
+        staged = stage(submission.path, chapters, Path(folder), root)
+        if staged.digest != report.submission:
+            return None
+        return {
+            chapter.name: {
+                name: path.read_text(encoding="utf-8-sig")
+                for name in chapter.edited_files
+                if (path := Path(folder) / chapter.name / name).exists()
+            }
+            for chapter in chapters
+        }

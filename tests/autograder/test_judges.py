@@ -1,0 +1,60 @@
+"""The process that starts the judges of a grader, and the judges themselves."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from autograder.checks.judge import environment
+from autograder.isolation.judges import ForkedJudge
+from autograder.manifest import ROOT
+
+BROKEN = "{}"  # a configuration without content
+
+
+def test_a_judge_has_its_own_folder_output_and_exit_code(tmp_path: Path) -> None:
+    (tmp_path / "config.json").write_text(BROKEN, encoding="utf-8")
+    with (tmp_path / "stderr.txt").open("w+b") as stderr:
+        judge = ForkedJudge(Path("config.json"), tmp_path, environment(), stderr)
+        assert judge.stdout.read() == ""
+        assert os.getpgid(judge.pid) == judge.pid, "the runner ends its whole group"
+        assert judge.wait() == 1
+        judge.stdin.close()
+    assert "Config is missing" in (tmp_path / "stderr.txt").read_text(encoding="utf-8")
+
+
+def test_a_judge_that_is_killed_at_once_is_waited_for(tmp_path: Path) -> None:
+    with (tmp_path / "stderr.txt").open("w+b") as stderr:
+        judge = ForkedJudge(tmp_path, tmp_path, environment(), stderr)
+        os.killpg(judge.pid, signal.SIGKILL)
+        assert judge.wait() == -signal.SIGKILL
+        judge.stdin.close()
+
+
+def test_the_process_that_starts_judges_ends_with_its_grader(tmp_path: Path) -> None:
+    program = (
+        "from pathlib import Path; from autograder.isolation import judges; import os; "
+        f"judges.ForkedJudge(Path('none'), Path({str(tmp_path)!r}), dict(os.environ), "
+        "open(os.devnull, 'w+b')); "
+        "print(judges._waiting[os.getpid()]._process.pid, flush=True); os._exit(0)"
+    )
+    grader = subprocess.run(
+        [sys.executable, "-c", program],
+        cwd=ROOT,
+        capture_output=True,
+        check=True,
+        timeout=60,
+        encoding="utf-8",
+    )
+    waiting = Path(f"/proc/{int(grader.stdout)}")
+    for _ in range(500):
+        if not waiting.exists():
+            return
+        time.sleep(0.02)
+    pytest.fail("the waiting process is still there")

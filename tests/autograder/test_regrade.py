@@ -1,0 +1,123 @@
+"""One student of a graded class is graded again: with its seed, into all pages, and logged."""
+
+from __future__ import annotations
+
+import csv
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from autograder.grader.regrade import earlier_choice
+from autograder.manifest import ROOT
+from small import CHECKS, RIGHT, make_root
+from small_class import everything_in, grade, make_class, results, scores
+
+
+@pytest.fixture
+def root(tmp_path: Path) -> Path:
+    return make_root(tmp_path / "root")
+
+
+@pytest.fixture
+def submissions(tmp_path: Path) -> Path:
+    return make_class(tmp_path / "class")
+
+
+@pytest.fixture
+def out(submissions: Path, root: Path, tmp_path: Path) -> Path:
+    assert grade(submissions, tmp_path / "out", root, seed=None) == 0
+    return tmp_path / "out"
+
+
+def correct(submissions: Path) -> None:
+    """Let bob hand in a correct solution."""
+    (submissions / "bob/ch90_small/small.py").write_text(RIGHT, encoding="utf-8")
+
+
+def logged(out: Path) -> list[dict[str, str]]:
+    with (out / "regrades.csv").open(encoding="utf-8", newline="") as file:
+        return [*csv.DictReader(file)]
+
+
+def test_one_student_is_graded_again_and_all_pages_follow(
+    submissions: Path, root: Path, out: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    before = results(out)
+    assert scores(out) == {"ann": 6.0, "bob": 5.0, "cem": 6.0}
+    for student in ("ann", "bob"):
+        (submissions / student / "ch90_small/small.py").write_text(RIGHT, encoding="utf-8")
+    assert grade(submissions, out, root, seed=None, student="bob", why="=late") == 0
+    after = results(out)
+    assert scores(out) == {"ann": 6.0, "bob": 6.0, "cem": 6.0}
+    assert after["bob"]["seed"] == before["ann"]["seed"], "not a new seed"
+    assert (after["ann"], after["cem"]) == (before["ann"], before["cem"])
+    (row,) = logged(out)
+    assert row.pop("time")[:2] == "20"
+    assert row == {
+        "student": "bob",
+        "points before": "5",
+        "points after": "6",
+        "changed exercises": "90.1: 1 to 2",
+        "why": "'=late",
+    }
+    with (out / "gradebook.csv").open(encoding="utf-8", newline="") as file:
+        assert {r["student"]: r["score"] for r in csv.DictReader(file)}["bob"] == "6"
+    assert "everybody passes every exercise" in (out / "index.html").read_text(encoding="utf-8")
+    page = (out / "feedback/bob.html").read_text(encoding="utf-8").partition("<main>")[2]
+    assert "failed" not in page
+    screen = " ".join(capsys.readouterr().out.split())
+    assert "bob: 5 points before, 6 now. Changed: 90.1: 1 to 2. Logged in" in screen
+    assert grade(submissions, out, root, seed=None, student="bob") == 0
+    assert [row["changed exercises"] for row in logged(out)] == ["90.1: 1 to 2", ""]
+    assert "kept from an earlier run" not in capsys.readouterr().out, "it was graded, not reused"
+
+
+def test_a_changed_check_is_logged_and_other_conditions_are_refused(
+    submissions: Path, root: Path, out: Path
+) -> None:
+    before = everything_in(out)
+    for options, complaint in (
+        ({"student": "dan"}, "there is no submission of 'dan'. There are: ann, bob, cem"),
+        ({"student": "bob", "seed": "5"}, "--seed must be that of the class, '"),
+        ({"student": "bob", "hidden": root / "tests"}, "without hidden checks: leave out --checks"),
+    ):
+        with pytest.raises(ValueError, match=complaint):
+            grade(submissions, out, root, **{"seed": None, **options})
+    with pytest.raises(ValueError, match=r"has no results\. It must be a folder of make grade"):
+        grade(submissions, root / "other", root, student="bob")
+    assert everything_in(out) == before, "a refusal changes nothing"
+    checks = root / "tests/ch90_small/test_small.py"
+    checks.write_text(CHECKS.replace("quadruple(3) == 12", "quadruple(3) == 9"), encoding="utf-8")
+    assert grade(submissions, out, root, seed=None, student="bob", why="the check was wrong") == 0
+    assert scores(out)["bob"] == 6.0
+    why = "the check was wrong Changed since the class was graded: the checks or the reference."
+    assert logged(out)[0]["why"] == why
+
+
+def test_a_class_that_was_not_finished_stays_so(submissions: Path, root: Path, out: Path) -> None:
+    (out / "results/cem.json").unlink()
+    assert grade(submissions, out, root, seed=None, student="bob") == 0
+    assert json.loads((out / "run.json").read_text(encoding="utf-8"))["finished"] is False
+    assert sorted(results(out)) == ["ann", "bob"]
+
+
+def test_the_command_takes_the_chapters_of_the_class(out: Path, tmp_path: Path) -> None:
+    assert earlier_choice(out) == ("90", "")
+    command = [sys.executable, "-m", "autograder", "grade", "sample_class", "--out"]
+    for where, options, complaint in (
+        (tmp_path / "new", ["--student", "ada"], "has no results"),
+        (tmp_path / "new", ["--note", "late"], "--note is for the log of regrades: add --student"),
+    ):
+        done = subprocess.run(
+            [*command, str(where), *options],
+            cwd=ROOT,
+            capture_output=True,
+            encoding="utf-8",
+            check=False,
+        )
+        assert done.returncode == 2
+        assert complaint in done.stderr
+        assert not where.exists()

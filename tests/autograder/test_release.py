@@ -1,0 +1,146 @@
+"""The reference is released, whole or in part, beside the solutions of students that passed."""
+
+from __future__ import annotations
+
+import os
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from autograder.manifest import load_chapters
+from autograder.release.counts import Counts, count
+from autograder.release.reference import chosen, released_module
+from autograder.release.run import release
+from autograder.reports.report import StudentReport
+from autograder.reports.results import write_result
+from autograder.similarity.code import read_functions
+from autograder.submissions.stage import stage
+from graded import SHOUT, report_of
+from small import RIGHT, hand_in, make_root
+
+CH02 = load_chapters()[0]
+MINE = f'''
+def helper(x):
+    return x * 2  # {SHOUT}
+
+
+def double(x):
+    """Return twice x."""
+
+    # Not a line.
+    return helper(x)
+
+
+def quadruple(x):
+    return 3 * x
+'''
+COUNTED = '''
+def work(self, items):
+    """Say Vector3(1, 2) in a docstring."""
+    if (len(items) > 2):  # a(1)
+        raise errors.BadError(f"got {items}")
+
+    total = Vector3()
+    for item in items:
+        total += item.scaled(
+            2)
+    def inner(x): return (x)
+    return engine._Pair(total, make()(3))
+'''
+
+
+@pytest.fixture
+def root(tmp_path: Path) -> Path:
+    return make_root(tmp_path / "root")
+
+
+def test_what_is_written_in_a_body_is_counted() -> None:
+    (function,) = read_functions(COUNTED)[0]
+    # if, raise, total, for, +=, its second line, def, return; len, Vector3, scaled, _Pair, make and
+    # what it returns; Vector3 and _Pair.
+    assert count(function) == Counts(lines=8, calls=6, objects=2)
+
+
+def graded(folder: Path, grades: Path, student: str, root: Path, *passed: str) -> None:
+    """Store a report on what a student has handed in, in which these exercises passed."""
+    box = grades.parent / f"box of {student}"
+    digest = stage(folder / student, load_chapters(root), box, root).digest
+    shared = report_of().exercises[0]
+    exercises = [
+        replace(shared, id=name, status="passed" if name in passed else "failed")
+        for name in ("B90.1", "90.1")
+    ]
+    report: StudentReport = report_of(student, exercises=exercises, submission=digest)
+    write_result(grades, report)
+
+
+def test_a_student_sees_what_passed_beside_the_reference(
+    root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder, grades, out = tmp_path / "class", tmp_path / "grades", tmp_path / "out"
+    for student, code in (("ann", MINE), ("bob", RIGHT), ("cem", RIGHT), ("dan", RIGHT)):
+        hand_in(folder, student, code)
+        if student != "dan":
+            graded(folder, grades, student, root, *(["B90.1"] if student == "ann" else []))
+    (folder / "cem/ch90_small/small.py").write_text(MINE, encoding="utf-8")
+    for _ in range(2):  # again into the folder of an earlier release
+        assert release(load_chapters(root), [], folder, grades, out, root) == 0
+    screen = " ".join(capsys.readouterr().out.split())
+    assert "bob has no page: no released exercise passed" in screen
+    assert "cem has no page: the work has changed since it was graded" in screen
+    assert "dan has no page: the work was not graded" in screen
+    assert "1 of 4 students have a page" in screen
+    assert (out / "reference/ch90_small/small.py").read_text(encoding="utf-8") == RIGHT
+    (page,) = (out / "students").iterdir()
+    text = page.read_text(encoding="utf-8")
+    rows = [re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row) for row in text.split("<tr>")]
+    assert ["double", "1", "1", "1", "0", "0", "0"] in rows
+    assert ["helper", "1", "–", "0", "–", "0", "–"] in rows  # noqa: RUF001
+    assert "<pre>return helper(x)</pre>" in text
+    assert "<pre>return x + x</pre>" in text
+    assert "not every check of your own solution passes: 90.1." in text
+    assert "3 * x" not in text
+    assert "4 * x" not in text
+    assert "<script>" not in text
+    assert "&lt;script&gt;" in text
+
+
+def test_exercises_alone_are_released_without_the_others() -> None:
+    picked = chosen(load_chapters()[:2], ["2.5", "b2.3"])
+    assert [exercise.id for chapter in picked for exercise in chapter.exercises] == ["B2.3", "2.5"]
+    text = released_module(picked[0], CH02, "exercises.py")
+    assert "math.acos(" in text
+    assert 'NotImplementedError("Exercise 2.6' in text
+    with pytest.raises(ValueError, match=r"there is no exercise '2\.99' in chapter 2"):
+        chosen([CH02], ["2.99"])
+
+
+def test_model_answers_come_without_their_rubrics(tmp_path: Path) -> None:
+    release([CH02], ["2.2b"], None, None, tmp_path / "out")
+    (file,) = (tmp_path / "out/reference/ch02_vectors").iterdir()
+    text = file.read_text(encoding="utf-8")
+    assert "A length is never negative." in text
+    assert "squared_magnitude" not in text, "2.3 is not released"
+    assert "0.5 points" not in text
+
+
+def test_a_folder_that_would_lose_or_leak_something_is_refused(root: Path, tmp_path: Path) -> None:
+    (tmp_path / "full").mkdir()
+    (tmp_path / "full/reference").write_text("mine", encoding="utf-8")
+    hand_in(tmp_path / "class", "ann", RIGHT)
+    chapters = load_chapters(root)
+    for out, complaint in (
+        (tmp_path / "full", "--out must be a new folder or an earlier release"),
+        (root / "lab/scenes", "so that no hand-out contains the reference"),
+        (tmp_path / "class/out", "--out must not be in the folder of the class"),
+    ):
+        with pytest.raises(ValueError, match=complaint):
+            release(chapters, [], tmp_path / "class", tmp_path / "grades", out, root)
+    assert (tmp_path / "full/reference").read_text(encoding="utf-8") == "mine"
+    assert not os.path.lexists(tmp_path / "class/out")
+    with pytest.raises(ValueError, match="--submissions and --grades belong together"):
+        release(chapters, [], tmp_path / "class", None, tmp_path / "out", root)
+    with pytest.raises(ValueError, match="has no results"):
+        release(chapters, [], tmp_path / "class", tmp_path / "grades", tmp_path / "out", root)

@@ -190,7 +190,7 @@ def test_the_table_of_i_j_and_k() -> None:
             expect_unchanged("the first factor", rijk(one), a, cause=UNCHANGED)
             expect_unchanged("the second factor", rijk(other), b, cause=UNCHANGED)
     if all(got == hamilton(b, a) for _, a, b, got in products):
-        about.cause = f"The result is the product in the opposite order. {about.cause}"
+        about.cause = f"The result is the product in the other order. {about.cause}"
     for call, a, b, got in products:
         about.call = call
         expect_close(got, hamilton(a, b), tolerance=0.0)

@@ -3,19 +3,25 @@
 from __future__ import annotations
 
 import argparse
+from datetime import UTC, datetime
 from pathlib import Path
 
-from autograder.manifest import select_chapters
+from autograder.course.choose import add_options, work_of
+from autograder.course.late import clock
+from autograder.course.model import Work
+from autograder.manifest import load_chapters
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add release."""
     command = commands.add_parser("release", help="release the reference after the deadline")
-    command.add_argument("chapters", help="chapters whose reference to release, such as 2-3")
+    what = "chapters whose reference to release, such as 2-3, unless there is an assignment"
+    command.add_argument("chapters", nargs="?", default="", help=what)
     command.add_argument("--exercises", default="", help="only these, such as 2.5,B2.3")
     command.add_argument("--submissions", type=Path, help="the class, to compare its solutions")
     command.add_argument("--grades", type=Path, help="the folder that the class was graded into")
     command.add_argument("--out", type=Path, required=True, help="folder for what is released")
+    add_options(command)
     command.set_defaults(run=run_release)
 
 
@@ -23,6 +29,24 @@ def run_release(arguments: argparse.Namespace) -> int:
     """Write the reference and the pages of the students, and print what was released."""
     from autograder.release.run import release
 
-    chapters = select_chapters(arguments.chapters)
+    work = work_of(arguments, handed_out=True)
     exercises = [name for name in arguments.exercises.replace(",", " ").split() if name]
+    if arguments.assignment:
+        refuse_early(work, datetime.now(UTC))
+        assigned = [exercise.id for chapter in work.chapters for exercise in chapter.exercises]
+        exercises = exercises or assigned
+    numbers = [chapter.number for chapter in work.chapters]
+    chapters = [chapter for chapter in load_chapters() if chapter.number in numbers]
     return release(chapters, exercises, arguments.submissions, arguments.grades, arguments.out)
+
+
+def refuse_early(work: Work, now: datetime) -> None:
+    """Raise ValueError if somebody may still hand in work for the assignment."""
+    if work.deadline is None:
+        return
+    dues = [work.deadline.due, *work.deadline.extensions.values()]
+    last = max(dues, key=lambda due: due.astimezone(UTC))
+    if now < last.astimezone(UTC):
+        raise ValueError(
+            f"{work.name} is due {clock(last)}, counting extensions. Release its reference later"
+        )

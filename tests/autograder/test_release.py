@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 import re
+import subprocess
+import sys
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from autograder.manifest import load_chapters
+from autograder.manifest import ROOT, load_chapters
 from autograder.release.counts import Counts, count
 from autograder.release.reference import chosen, released_module
 from autograder.release.run import release
@@ -144,3 +146,23 @@ def test_a_folder_that_would_lose_or_leak_something_is_refused(root: Path, tmp_p
         release(chapters, [], tmp_path / "class", None, tmp_path / "out", root)
     with pytest.raises(ValueError, match="has no results"):
         release(chapters, [], tmp_path / "class", tmp_path / "grades", tmp_path / "out", root)
+
+
+def test_an_assignment_is_released_after_its_last_due_date(tmp_path: Path) -> None:
+    course, out = tmp_path / "course.toml", tmp_path / "out"
+    text = '[[assignment]]\nname = "lab1"\nexercises = ["B2.1"]\ndue = 2020-01-01T12:00:00+00:00\n'
+    late = "extensions = { ann = 2999-01-01T12:00:00+00:00 }\n"
+    command = [sys.executable, "-m", "autograder", "release", "--assignment", "lab1"]
+    command += ["--course", str(course), "--out", str(out)]
+    for more, status, words in (
+        (late, 2, "lab1 is due 2999-01-01 12:00 UTC, counting extensions"),
+        ("", 0, "Released of chapter 2: B2.1"),
+    ):
+        course.write_text(text + more, encoding="utf-8")
+        done = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
+        assert done.returncode == status, done.stdout + done.stderr
+        assert words in done.stdout + done.stderr
+        assert out.exists() == (status == 0)
+    module = (out / "reference/ch02_vectors/vector.py").read_text(encoding="utf-8")
+    assert "return Vector3(self.x, self.y, self.z)" in module
+    assert "Exercise B2.2: Length" in module, "it is not assigned, so it stays a stub"

@@ -10,13 +10,13 @@ from __future__ import annotations
 import ast
 import json
 import subprocess
-import sys
 from collections.abc import Collection
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 import libcst as cst
+from ruff import find_ruff_bin  # type: ignore[import-untyped]
 
 from autograder.answers import blank_answers
 from autograder.definitions import functions
@@ -261,7 +261,7 @@ def _tidied(source: str) -> str:
     one_line = "lint.isort.split-on-trailing-comma=false"  # if the remaining names fit
     unused = ["check", "--fix", "--select", "F401,I", "--config", one_line, "--quiet", "-"]
     for arguments in (unused, ["format", "-"]):
-        command = [sys.executable, "-m", "ruff", *arguments]
+        command = [find_ruff_bin(), *arguments]  # without a Python in between, as it runs 98 times
         source = subprocess.run(
             command, input=source, capture_output=True, encoding="utf-8", check=True, cwd=ROOT
         ).stdout

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import importlib
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from lab.scene import Scene, name_of
@@ -23,7 +24,8 @@ class Entry:
     kind: str  # the name of its class
 
 
-def entries() -> list[Entry]:
+@cache  # the scenes are part of the program, so they do not change while it runs
+def entries() -> tuple[Entry, ...]:
     """Return all scenes, chapter by chapter, in the order of their modules."""
     found = []
     for file in sorted(FOLDER.glob("ch??_*.py")):
@@ -39,7 +41,7 @@ def entries() -> list[Entry]:
                     kind,
                 )
             )
-    return found
+    return tuple(found)
 
 
 def find(name: str) -> Entry:

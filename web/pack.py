@@ -7,7 +7,9 @@ a scene imports. Two builds of the same sources give the same bytes.
 from __future__ import annotations
 
 import contextlib
+import hashlib
 import io
+import os
 import shutil
 import tempfile
 import zipfile
@@ -17,8 +19,9 @@ from sysconfig import get_path
 from autograder.handout import make_handout
 from autograder.manifest import ROOT, load_chapters
 from web.imports import imported_by
-from web.node import PACKAGES, run_node
+from web.node import PACKAGES, WEB, run_node
 
+KEPT = ROOT / "build" / "python-library"
 CHECKED = ("chapters", "tests")  # these stay source code, because tracebacks show it
 OURS = ("autograder", "lab", "studies", "web")
 # Packages copied whole, because pytest finds their parts by name, and packages used only in part.
@@ -33,15 +36,26 @@ LEFT_OUT += " smtplib. ftplib. poplib."
 def pack(out: Path, *, with_solutions: bool = False) -> None:
     """Write ``course.zip`` and ``pyodide/python_stdlib.zip`` into a folder.
 
-    ``with_solutions`` adds the reference's modules, compiled, for students who skip a chapter.
+    ``with_solutions`` adds the reference's modules, compiled, for students who skip a chapter. The
+    library is kept in build/, because compiling it takes most of the time and it never changes.
     """
+    library = out / "pyodide" / "python_stdlib.zip"
+    library.parent.mkdir(parents=True, exist_ok=True)
+    kept = KEPT / f"{_state_of_library()}.zip"
     with tempfile.TemporaryDirectory(prefix="pack-") as name:
         stage = Path(name)
         _stage_course(stage / "course", with_solutions=with_solutions)
         _stage_packages(stage / "packages", stage / "course")
-        _stage_library(stage / "library")
-        (out / "pyodide").mkdir(parents=True, exist_ok=True)
+        if not kept.exists():
+            _stage_library(stage / "library")
         run_node("builder/compile.mjs", str(stage), str(out.resolve()))
+    if kept.exists():
+        shutil.copyfile(kept, library)
+    else:
+        KEPT.mkdir(parents=True, exist_ok=True)
+        part = KEPT / f"{os.getpid()}.part"  # another build may be doing the same
+        shutil.copyfile(library, part)
+        part.replace(kept)
 
 
 def _stage_course(folder: Path, *, with_solutions: bool) -> None:
@@ -93,6 +107,14 @@ def _stage_library(folder: Path) -> None:
     with zipfile.ZipFile(PACKAGES / "pyodide" / "python_stdlib.zip") as archive:
         wanted = [name for name in archive.namelist() if not name.startswith(left_out)]
         archive.extractall(folder, wanted)
+
+
+def _state_of_library() -> str:
+    """Return a hash of everything that the compiled library depends on."""
+    state = hashlib.sha256(LEFT_OUT.encode())
+    for file in (PACKAGES / "pyodide" / "python_stdlib.zip", WEB / "builder" / "compile.py"):
+        state.update(file.read_bytes())
+    return state.hexdigest()[:16]
 
 
 def _copy_tree(source: Path, target: Path, pattern: str) -> None:

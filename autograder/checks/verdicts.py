@@ -38,7 +38,8 @@ if TYPE_CHECKING:
 # Built-in plugins that no check uses. Leaving them out saves a sixth of the wait.
 UNUSED_PLUGINS = (
     "terminal cacheprovider doctest faulthandler junitxml legacypath logging pastebin setuponly "
-    "setupplan stepwise unittest debugging warnings unraisableexception threadexception"
+    "setupplan stepwise unittest debugging warnings unraisableexception threadexception recwarn "
+    "subtests"
 )
 
 MOST_KEPT = (40, 2000)  # lines and characters of the printed output

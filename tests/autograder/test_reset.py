@@ -14,9 +14,9 @@ import pytest
 
 from autograder.definitions import functions
 from autograder.manifest import ROOT, Chapter, load_chapters
-from autograder.stubs import make_stubs
 from autograder.student.put_back import put_back
 from autograder.student.reset import question, reset
+from made import made_stubs
 from small import RIGHT, STUB, make_students_root
 
 CHAPTERS = load_chapters()
@@ -55,9 +55,6 @@ def edited(chapter: Chapter, file: str, exercises: set[str] | None = None) -> se
     }
 
 
-STUBS = make_stubs()
-
-
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
 def test_all_exercises_reset_are_the_bodies_of_the_stubs(chapter: Chapter, tmp_path: Path) -> None:
     engine = engine_of(chapter, tmp_path / "engine")
@@ -68,7 +65,7 @@ def test_all_exercises_reset_are_the_bodies_of_the_stubs(chapter: Chapter, tmp_p
         solution = (ROOT / "solutions" / chapter.name / name).read_text(encoding="utf-8")
         after = (engine / chapter.name / name).read_text(encoding="utf-8")
         names = edited(chapter, name)
-        stub = STUBS[f"chapters/{chapter.name}/{name}"]
+        stub = made_stubs()[f"chapters/{chapter.name}/{name}"]
         assert taken_apart(after, names)[0] == taken_apart(stub, names)[0]
         # Imports, constants and helpers are left: another exercise may use them.
         assert taken_apart(after, names)[1] == taken_apart(solution, names)[1]
@@ -90,7 +87,7 @@ def test_one_exercise_is_reset_and_the_answers_to_the_others_stay(
         own = edited(chapter, name, {exercise_id})
         now, rest = taken_apart(after, own)
         assert rest == taken_apart(solution, own)[1]
-        assert now == taken_apart(STUBS[f"chapters/{chapter.name}/{name}"], own)[0]
+        assert now == taken_apart(made_stubs()[f"chapters/{chapter.name}/{name}"], own)[0]
         changed += after != solution
     assert changed
 
@@ -156,7 +153,7 @@ def test_a_file_without_such_a_body_is_left_alone_and_the_way_out_works(
     assert not copies.exists()
     assert (file.read_text(encoding="utf-8") if file.exists() else None) == content
     reset(CH02, exercise, tmp_path, copies, whole=True)
-    assert file.read_text(encoding="utf-8") == STUBS[f"chapters/{CH02.name}/vector.py"]
+    assert file.read_text(encoding="utf-8") == made_stubs()[f"chapters/{CH02.name}/vector.py"]
     if content is not None:
         assert (copies / CH02.name / "vector-1.py").read_text(encoding="utf-8") == content
 
@@ -164,7 +161,7 @@ def test_a_file_without_such_a_body_is_left_alone_and_the_way_out_works(
 @pytest.mark.parametrize("chapter", CHAPTERS, ids=lambda chapter: chapter.name)
 def test_functions_that_were_deleted_come_back_where_they_were(chapter: Chapter) -> None:
     for file in chapter.edited_files:
-        stub = STUBS[f"chapters/{chapter.name}/{file}"]
+        stub = made_stubs()[f"chapters/{chapter.name}/{file}"]
         every = [name for name in functions(ast.parse(stub)) if name in edited(chapter, file)]
         # The first is put where nothing of the exercises comes before it.
         for gone in (every[::2], every[:1], every[-1:]):
@@ -198,7 +195,7 @@ def test_only_what_is_gone_is_put_back_and_the_rest_of_the_exercise_stays(tmp_pa
     assert "Vector3.copy" not in said
     now, rest = taken_apart(file.read_text(encoding="utf-8"), {"Vector3.clear"})
     assert rest == taken_apart(solved, {"Vector3.clear"})[1]
-    stub = STUBS[f"chapters/{CH02.name}/vector.py"]
+    stub = made_stubs()[f"chapters/{CH02.name}/vector.py"]
     assert now == taken_apart(stub, {"Vector3.clear"})[0]
     reset(CH02, CH02.exercise("B2.1"), engine, copies)  # now all of the exercise
     now, _ = taken_apart(file.read_text(encoding="utf-8"), {"Vector3.copy"})
@@ -212,7 +209,7 @@ def test_a_class_that_was_deleted_comes_back_whole(tmp_path: Path) -> None:
     reset(CH02, CH02.exercise("B2.4"), tmp_path, tmp_path / "copies")
     text = file.read_text(encoding="utf-8")
     assert text.startswith("import math\n\nmine = math.pi\n")
-    stub = ast.parse(STUBS[f"chapters/{CH02.name}/vector.py"])
+    stub = ast.parse(made_stubs()[f"chapters/{CH02.name}/vector.py"])
     members = {name for name in functions(stub) if name.startswith("Vector3.")}
     assert functions(ast.parse(text)).keys() == members
 

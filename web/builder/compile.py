@@ -45,6 +45,7 @@ def write_zip(name: str, files: dict[str, bytes]) -> None:
             archive.writestr(info, files[path], zipfile.ZIP_DEFLATED, 9)
 
 
-write_zip("pyodide/python_stdlib.zip", packed(Path("/in/library"), LIBRARY))
+if Path("/in/library").exists():  # otherwise an earlier build has kept it
+    write_zip("pyodide/python_stdlib.zip", packed(Path("/in/library"), LIBRARY))
 packages = packed(Path("/in/packages"), SITE, "packages/")
 write_zip("course.zip", packages | packed(Path("/in/course"), COURSE, "course/"))

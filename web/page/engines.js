@@ -1,5 +1,6 @@
 // The engines of a page: workers that run Python. One runs checks, one plays scenes when the reader opens
-// one, and one more is kept warm to replace a worker that has to be ended.
+// one, and one more is kept warm to replace a worker that has to be ended. That one starts when the page
+// has been quiet for a while, so that it does not slow down the first check, or when a check takes long.
 //
 //   const engines = new Engines({base, worker});  the addresses of the site's folder and of worker.js
 //   engines.start();        start Python; the first call of check or lab does so as well
@@ -11,6 +12,9 @@
 import {runChecks} from "./checker.js";
 import {Interpreter} from "./interpreter.js";
 import {Scenes} from "./scenes.js";
+
+const QUIET = 5000; // ms
+const LONG = 700; // ms; a check with a loop that does not end is ended after three seconds
 
 export class Engines {
   constructor({base, worker = new URL("worker.js", base)}) {
@@ -29,8 +33,11 @@ export class Engines {
 
   check({files, chapter, exercise = null, given = [], seed = "1", ...hear}) {
     const asked = {files, chapter, exercise, given, seed};
-    const report = this.turn.then(() => runChecks(asked, () => this.forChecks(), hear));
-    this.turn = report.catch(() => undefined);
+    const report = this.turn.then(() => {
+      this.warmUpIn(LONG);
+      return runChecks(asked, () => this.forChecks(), hear);
+    });
+    this.turn = report.catch(() => undefined).then(() => this.warmUpIn(QUIET));
     return report;
   }
 
@@ -39,6 +46,7 @@ export class Engines {
   }
 
   stop() {
+    clearTimeout(this.later);
     for (const interpreter of [...this.all]) interpreter.end("Python was stopped.");
     Object.assign(this, {warm: null, checker: null});
   }
@@ -56,13 +64,18 @@ export class Engines {
     return this.checker;
   }
 
-  // Return a promise of a ready interpreter, and keep another one warm from then on.
+  // Return a promise of a ready interpreter, and soon have another one warm.
   async take() {
     const interpreter = this.warm ?? this.make();
     this.warm = null;
     await interpreter.ready;
-    this.warm ??= this.make();
+    this.warmUpIn(QUIET);
     return interpreter;
+  }
+
+  warmUpIn(time) {
+    clearTimeout(this.later);
+    this.later = setTimeout(() => (this.warm ??= this.make()), time);
   }
 
   make() {

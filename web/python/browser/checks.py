@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -21,19 +22,22 @@ from web.python.browser.page import post
 from web.python.browser.past import Processes
 from web.python.browser.report import failure_to_page, report_of_written, report_to_page
 
+PERIOD = 0.1  # s between two reports of progress
 memories: dict[str, Memory] = {}  # by seed: the results of earlier chapters' checks
 
 
 class Progress(ProgressBar):
-    """A progress bar that reports to the page."""
+    """A progress bar that reports to the page, but not more often than a reader can follow."""
 
     def __init__(self, processes: Processes) -> None:
         self.processes = processes
+        self.next = 0.0  # earliest time of the next report in seconds
 
     def show(self, done: int, of: int) -> None:
         """Report how many checks are done, unless an earlier worker has reported this already."""
-        if self.processes.is_live:
+        if self.processes.is_live and (done == of or time.monotonic() >= self.next):
             post("progress", done=done, of=of)
+            self.next = time.monotonic() + PERIOD
 
 
 class Runs:

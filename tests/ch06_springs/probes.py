@@ -264,7 +264,7 @@ def settled_bridge(
     ]
     registry = ForceRegistry()
     spring_bridge.hang_bridge(registry, planks, *numbers)
-    h = 1.0 / 120.0
+    h = 1.0 / 60.0
     for _ in range(frames):
         registry.update_forces(h)
         spring_bridge.load_bridge(planks, *load)

@@ -1,7 +1,7 @@
 # The commands of instructors and of those who work on the companion itself.
 SUBMISSIONS ?= sample_class
 # It grades a class on all cores, and would do so once a process of the others.
-HOSTILE := tests/autograder/test_hostile.py
+HOSTILE := tests/autograder/untrusted/test_hostile.py
 # One more than there are cores, since some tests wait for a browser or a time limit.
 WORKERS = $$($(RUN) -c "import os; print((os.cpu_count() or 1) + 1)")
 

@@ -34,7 +34,8 @@ def pytest_configure(config: pytest.Config) -> None:
     for folder in folders:
         if not (TESTS.parent / folder).is_dir():
             raise pytest.UsageError(f"--engine: there is no folder {folder!r}")
-    sys.path[:0] = [str(TESTS / "shared"), str(TESTS / "helpers"), str(TESTS)]
+    ours = ("shared", "helpers", "helpers/pages", "helpers/classes", "")
+    sys.path[:0] = [str(TESTS / folder) for folder in ours]
     sys.path += [str(TESTS.parent / folder) for folder in folders]  # after Python's own modules
 
 

@@ -11,7 +11,7 @@ from autograder.manifest import ROOT, load_chapters
 from by_chapter import chapters_of, latest
 
 CHAPTERS = load_chapters()
-REFERENCE = sorted((ROOT / "tests/reference").glob("test_*.py"))
+REFERENCE = sorted((ROOT / "tests/reference").rglob("test_*.py"))
 
 
 def item(file: str, **parameters: object) -> SimpleNamespace:
@@ -31,7 +31,7 @@ def item(file: str, **parameters: object) -> SimpleNamespace:
         ("project/test_proofs.py", {"chapter": CHAPTERS[2]}, {4}),
         ("project/test_structure.py", {"path": ROOT / "solutions/ch05_forces/forces.py"}, {5}),
         ("project/test_structure.py", {}, set()),
-        ("autograder/test_runner.py", {"chapter": CHAPTERS[2]}, set()),
+        ("autograder/running/test_runner.py", {"chapter": CHAPTERS[2]}, set()),
         ("web/test_site_solving.py", {"chapter": CHAPTERS[2]}, set()),
     ],
 )

@@ -176,7 +176,7 @@ def test_an_erratum_has_evidence_both_forms_what_tells_them_apart_and_its_tests(
     linked = re.findall(r"\[(\w+)\]\(([^)]+)\)", shown or "")
     there = {
         path.relative_to(ROOT).as_posix()
-        for path in (ROOT / "tests/reference").glob("*.py")
+        for path in (ROOT / "tests/reference").rglob("*.py")
         if re.search(rf"(?m)^def {named}_", path.read_text(encoding="utf-8"))
     }
     assert {path for _, path in linked} == there, "each test that shows it is linked"

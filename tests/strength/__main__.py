@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 TESTS = Path(__file__).resolve().parent.parent
-sys.path[1:1] = [str(TESTS / "helpers"), str(TESTS.parent)]
+sys.path[1:1] = [str(TESTS / "helpers"), str(TESTS / "helpers/classes"), str(TESTS.parent)]
 
 
 def main() -> int:

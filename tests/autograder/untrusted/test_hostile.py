@@ -28,7 +28,7 @@ from typing import Any
 
 import pytest
 
-TESTS = Path(__file__).parent.parent
+TESTS = Path(__file__).parents[2]
 sys.path.append(str(Path(__file__).parent / "hostile"))
 
 from corpus import (  # noqa: E402

@@ -169,7 +169,9 @@ def said(found: Row) -> str:
     many = theirs.time / ours.time
     end = f"{_number(many)} times as long" if many >= 1.0 else f"1/{_number(1.0 / many)} of that"
     end += " (extrapolated)" * found.is_extrapolated
-    return f"{start}{ours.model} takes {_number(1e3 * ours.time)} ms, {theirs.model} {end}"
+    return (
+        f"{start}{ours.model} takes {_number(1e3 * ours.time)} ms, and {theirs.model} takes {end}"
+    )
 
 
 def told(side: Side) -> str:

@@ -26,7 +26,7 @@ from studies.drawing import (
 )
 
 WIDTH, HEIGHT = 380, 290
-LEFT, RIGHT, TOP, BOTTOM = 52.0, 372.0, 10.0, 246.0
+LEFT, RIGHT, TOP, BOTTOM = 52.0, 360.0, 10.0, 246.0
 # The page has a shade of each color for light and for dark.
 NAMES = {
     BLACK: "black",

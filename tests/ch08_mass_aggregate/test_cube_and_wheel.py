@@ -99,9 +99,8 @@ def test_the_cube_is_rigid() -> None:
     left = motions(CORNERS, rods, HELD)
     different = len({tuple(sorted(rod)) for rod in rods})
     about.cause = (
-        f"Your {different} different rods prevent only {18 - len(left)} of the 18 motions that "
-        "would deform the cube. Some of the rods add nothing, because other rods already fix the "
-        "same distance."
+        f"You have {different} different rods, but they prevent only {18 - len(left)} of the 18 "
+        "motions that would deform the cube."
     )
     if left:
         about.cause += f" For example, this motion is still possible: {told(left[0], 'corner')}."

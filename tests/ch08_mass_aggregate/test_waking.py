@@ -57,11 +57,13 @@ def test_what_is_moved_by_hand_wakes(
     before, got, now, fast = woken_by_hand(how)
     expect_exactly(before, [0], then=": who slept before")
     expect_exactly(got, sleeps, then=": who sleeps afterward")
-    about.cause = "The particle woke with the wrong mass. Give it back the mass that it had "
+    about.cause = (
+        "The particle has the wrong mass. When it wakes, give it back the mass that it had "
+    )
     about.cause += "before it fell asleep, unless it was given a new one since then."
     expect_close(1.0 / now, 1.0 / mass, then=": 1 / mass", tolerance=1e-12)
-    about.cause = "The particle woke too late, so this step did not move it. Call wake_moved "
-    about.cause += "before the integrator, so that forces and gravity already act in this step."
+    about.cause = "A particle that wakes must already move by its forces and gravity in this "
+    about.cause += "step. Call wake_moved before the integrator."
     expect_close(fast, velocity, then=": velocity", tolerance=1e-12)
 
 
@@ -230,8 +232,9 @@ def test_what_fell_asleep_as_one_wakes_as_one() -> None:
     about.cause = "Both balls are at rest, so they must fall asleep."
     before, after, speed = support_gone(6)
     expect_exactly(before, [0, 1], then=": who slept before")
-    about.cause = "Ball 1 still sleeps in mid-air. In fall_asleep, store in each Sleep the "
-    about.cause += "neighbors that touched the particle, and let wake go on to these neighbors."
+    about.cause = "Ball 0 wakes when it is moved, so ball 1 must wake with it and fall. In "
+    about.cause += "fall_asleep, store in each Sleep the neighbors that touched the particle, and "
+    about.cause += "let wake go on to these neighbors."
     expect_exactly(1 in after, False, then=": does ball 1 still sleep")
     expect_close(speed, -1.0, then=": the vertical velocity of ball 1", tolerance=0.01)
     for pairs in ([(1, 0), (0, 2), (3, 0)], [(0, 1), (2, 0), (0, 3)]):

@@ -335,8 +335,9 @@ def test_a_world_may_get_more_later(rng: Random) -> None:
     h = positive_number(rng, 0.05, 0.2)
     about.call = f"a particle falls for {h} s, then two more particles and a ground below the "
     about.call += "third one are appended; world.step: the vertical velocities"
-    about.cause = "The world did not notice what was appended. Read self.particles and "
-    about.cause += "self.contact_generators again in every step instead of keeping a copy."
+    about.cause = "The world must notice what is appended to its lists. Read self.particles and "
+    about.cause += "self.contact_generators again in every step instead of keeping a copy, and "
+    about.cause += "resolve the contacts."
     got = [velocity[1] for _, velocity in appended(h)]
     wanted = (-20.0 * h, -10.0 * h, 0.0)
     expect_close(got, wanted, tolerance=1e-12)

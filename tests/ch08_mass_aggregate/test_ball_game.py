@@ -109,8 +109,7 @@ def test_three_falls_are_the_end(rng: Random) -> None:
     a, b = rng.sample(range(1, 5), 2)
     events = [-1, a, -1, -1, -1, b]
     about(
-        "Rules(6), then rules.landed(row) for each of these rows, or rules.fell() for -1: "
-        f"{events}",
+        f"Rules(6), then a landing on each of these rows, or rules.fell() for each -1: {events}",
         read=RULES,
     )
     about.cause = (

@@ -186,8 +186,7 @@ def test_ninety_degrees_about_each_axis() -> None:
 @pytest.mark.exercise("B9.12")
 def test_the_matrix_of_any_quaternion(rng: Random) -> None:
     about(
-        cause="Some of the nine numbers are wrong. Check the signs and the factors of 2 in all "
-        "of them.",
+        cause="Check the sign and the factor of 2 in every term of the nine numbers.",
         read=FROM,
     )
     for scale in (1.0, -1.0, 1.0 + 5e-7, -1.0 - 5e-7):

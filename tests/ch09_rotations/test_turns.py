@@ -126,8 +126,8 @@ def test_no_axis_or_no_angle_is_refused() -> None:
     ):
         about.call = f"Quaternion.from_axis_angle(Vector3{axis}, {angle!r})"
         about.cause = (
-            "A zero axis has no direction, so refuse it. Check the axis with finite_vector and "
-            "the angle with finite, both from arguments.py."
+            "A zero axis has no direction, so refuse it. Check the rest with finite_vector and "
+            "finite from arguments.py."
         )
         expect_error(
             lambda axis=axis, angle=angle: Quaternion.from_axis_angle(Vector3(*axis), angle),

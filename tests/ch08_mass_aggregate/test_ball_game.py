@@ -75,7 +75,7 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     if won[0] == points and ruled(rows, order)[-1][0] != points:
         missing = (
             "The game is not won here, although it is won if there is no fall. A fall must not "
-            "remove rows from visited, because then the last row can never complete them."
+            "remove rows from visited, because then they would have to be visited again."
         )
     mistakes = [
         (points, missing),
@@ -175,8 +175,8 @@ def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
     for what, x, height, velocity, wanted, cause in (
         ("in the deck, falling", before, 4.5 - depth, -speed, (2, row), named),
         ("in the deck, falling slowly", beyond, 4.5 - depth, -0.01, (2, row),
-         "A slow ball lands as well. Its separating velocity is negative, however small it is, "
-         "so do not compare it with a limit."),
+         "A slow ball lands as well. Any negative separating velocity counts, so do not require "
+         "a minimum speed."),
         ("in the deck, on its way up", before, 4.5 - depth, speed, (2, -1),
          "The ball touches the deck, but it is moving up, so this is not a landing. Set row to "
          "None unless the separating velocity is negative."),

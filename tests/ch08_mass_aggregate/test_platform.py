@@ -102,8 +102,8 @@ def test_what_balances_a_platform(rng: Random) -> None:
     got = balancing_mass([1.0] * 4, [-3.0, -3.0, 4.0, 4.0], -3.0)
     mistakes = [
         (-2.0 / 3.0,
-         "The sign is wrong. The new mass must pull the platform the other way, so it is -sum / "
-         "x, where sum is that of mass times position."),
+         "The sign is wrong. The new mass must pull the platform the other way, so it is minus "
+         "the sum of mass times position, divided by x."),
         (14.0 / 3.0, "All positions were counted as positive. Those on the left of the pivot are "
                      "negative, so keep their signs."),
         (2.0, "This is the sum of mass times position, which is not a mass yet. Divide it by -x."),

@@ -120,7 +120,7 @@ def test_what_is_pushed_moves_in_that_frame(rng: Random) -> None:
         expect_close(
             got, velocity, then=": velocity after the step in which it wakes", tolerance=1e-12
         )
-        about.cause = "The generators got another duration. Pass the duration of the step to them."
+        about.cause = "The generators got a wrong duration. Pass the duration of the step to them."
         expect_exactly(done["durations"], [1.0 / 60.0], then=": the durations that they got")
 
 
@@ -306,8 +306,8 @@ def test_what_sleeps_costs_no_work(rng: Random) -> None:
         20 * awake,
         then=": the number of particles given to the integrator, in all steps together",
     )
-    about.cause = "The generators were not called as often as necessary. Evaluate those of "
-    about.cause += "sleeping particles only in every tenth step, and only once in that step."
+    about.cause = "The generators of particles that are awake are evaluated once in every step. "
+    about.cause += "Evaluate those of sleeping particles only in every tenth step, and only once."
     expect_exactly(
         asked, 20 * awake + 2 * (count - awake), then=": the number of calls of update_force"
     )

@@ -62,7 +62,8 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
         "the right matrix except for the last column, which is the negative position": joined(
             m, subtracted((0.0, 0.0, 0.0), p)
         ),
-        "the nine numbers followed by the position, although the entries belong row by row": (
+        "The nine numbers are followed by the position. The entries go row by row, so each "
+        "number of the position belongs at the end of its row.": (
             *m,
             *p,
         ),

@@ -118,7 +118,7 @@ def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
     start, place, turn = complex(*point), complex(*origin), cmath.rect(1.0, angle)
     ends = {
         "a clockwise rotation": place + start / turn,
-        "the result of moving first and rotating afterwards": (start + place) * turn,
+        "the result of moving first and rotating afterward": (start + place) * turn,
         "the rotated point, which has not been moved": start * turn,
         "the moved point, which has not been rotated": place + start,
         "This is a rotation about origin. The point is given relative to the object, so rotate it "

@@ -36,9 +36,17 @@ def expect_forces(call: str, seen: tuple, force: float, way: Components) -> None
     on_b = tuple(-force * w for w in way)
     if force:
         mistakes = [
-            ((*ZERO, *ZERO), f"There is no force at all. {about.cause}"),
-            ((*on_a, *ZERO), "b gets no force. Use self._to_a for b, and self._to_b for a."),
-            ((*on_a, *on_a), "b gets the same force as a. Use self._to_a for b."),
+            ((*ZERO, *ZERO), f"Neither end gets a force. {about.cause}"),
+            (
+                (*on_a, *ZERO),
+                "Only a gets a force, so b does not move. A bond pulls on both of "
+                "its ends: self._to_b acts on a, and self._to_a must act on b.",
+            ),
+            (
+                (*on_a, *on_a),
+                "Both ends get the same force, so the bond pushes the whole blob "
+                "along. The forces must be opposite, so let self._to_a act on b.",
+            ),
         ]
         blame((*seen[0], *seen[1]), mistakes)
     # Rounding of forces of some tens of N.
@@ -52,7 +60,10 @@ def test_a_bond_is_a_spring_with_a_limit(rng: Random) -> None:
     way = direction(rng)
     lengths = [0.5 * rest, rest, 0.5 * (rest + limit), limit, 0.5 * (limit + most)]
     about(f"Bond(a, b, {k}, {rest}, {limit}, {share}, {most}) of length ", read=BOND)
-    about.cause = "While the bond holds, self._to_b acts on a, and self._to_a acts on b."
+    about.cause = (
+        "A bond that holds acts like a spring on both ends. The spring self._to_b acts on a, and "
+        "self._to_a acts on b."
+    )
     for length, seen in zip(
         lengths, bonded(lengths, k, rest, limit, share, most, way), strict=True
     ):
@@ -68,12 +79,14 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
     way = direction(rng)
     about(f"Bond(a, b, {k}, {rest}, {limit}, {share}, {most})", read=BOND)
     causes = {
-        "breaks": "The bond is longer than break_length. It must break and stop acting in the same "
-        "call, whichever end it is called for.",
-        "broken": "A broken bond stays broken until its ends are rest_length or less apart.",
-        "heals": "The ends are less than rest_length apart. The bond must hold again, and act in "
-        "the same call.",
-        "holds": "The bond has healed, so it holds up to break_length again.",
+        "breaks": "The bond is longer than break_length, so it must break. Decide this before you "
+        "apply a force, so that it acts on neither end in this call. It must not "
+        "matter for which end update_force is called.",
+        "broken": "The bond is broken, and its ends are still more than rest_length apart. It "
+        "must stay broken until their distance is rest_length or less.",
+        "heals": "The ends of the broken bond are less than rest_length apart, so the bond heals. "
+        "It must hold again, and already apply its force in this call.",
+        "holds": "The bond has healed, so it must hold again until it is longer than break_length.",
     }
     story = [
         (most, True, "holds"),
@@ -92,7 +105,7 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
         if what == "holds" and i == 0:
             continue  # rounding may have made it slightly longer
         shown = ", ".join(f"{one:.6g}" for one in lengths[: i + 1])
-        name = f"{about.call}; its length is {shown} m in turn"
+        name = f"{about.call}, whose length is set to {shown} m in turn"
         about.cause = causes[what]
         expect_exactly(seen[i][2], holds, call=f"{name}: holds")
         force = pull(length, k, rest, limit, share) if holds else 0.0
@@ -105,20 +118,31 @@ def test_a_bond_at_its_very_limits(rng: Random) -> None:
     rest = 0.25 * rng.randint(3, 6)
     most = rest + 0.25 * rng.randint(2, 5)
     lengths = [most, most + 1e-6, rest + 1e-6, rest]
-    about.call = f"Bond(a, b, 30, {rest}, {rest}, 0.5, {most}) along X, set to the lengths "
-    about.call += f"{lengths} in turn: whether it holds at each"
-    about.cause = "At exactly break_length the bond still holds. A longer bond breaks, and it "
-    about.cause += "holds again at rest_length or less."
+    about.call = (
+        f"Bond(a, b, 30, {rest}, {rest}, 0.5, {most}) along X, whose length is set to {lengths} in "
+        "turn: does it hold at each length"
+    )
+    about.cause = (
+        "A bond of exactly break_length still holds, and a longer one breaks. A broken bond holds "
+        "again at rest_length or less."
+    )
     # Quarters of a meter from the origin are not rounded.
     seen = bonded(lengths, 30.0, rest, rest, 0.5, most, (1.0, 0.0, 0.0), origin=ZERO)
     got = [holds for _, _, holds in seen]
     if got == [True] * 4:
-        about.cause = "The bond never breaks. It must break when it is longer than break_length."
+        about.cause = (
+            "The bond never breaks. Compare its length with break_length: if a bond that holds is "
+            "longer, it must break."
+        )
     elif got == [True, False, False, False]:
-        about.cause = "The bond does not heal. It must hold again at rest_length or less."
+        about.cause = (
+            "The bond broke and never healed. A broken bond must hold again once its length is "
+            "rest_length or less."
+        )
     elif got == [True, False, True, True]:
         about.cause = (
-            "The bond heals too early. It stays broken until its length is rest_length or less."
+            "The bond heals too early. As soon as it is no longer than break_length, it holds "
+            "again. It must stay broken until its length is rest_length or less."
         )
     expect_exactly(got, [True, False, False, True])
 
@@ -126,8 +150,10 @@ def test_a_bond_at_its_very_limits(rng: Random) -> None:
 @pytest.mark.exercise("B8.8")
 def test_bonds_keep_a_blob_together() -> None:
     about("seven particles with bonds between all of them, 3 s after they were dropped", read=BOND)
-    about.cause = "Bonds must push as well as pull, so that the blob neither collapses nor flies "
-    about.cause += "apart."
+    about.cause = (
+        "The blob has collapsed or flown apart. A bond must push its ends apart when it is too "
+        "short, and pull them together when it is too long."
+    )
     before, after = settled_blob(180, 1.0 / 60.0)
     # Under its own weight, such a blob spreads by 1 to 2 %.
     share = _spread(after) / _spread(before)
@@ -141,49 +167,67 @@ def _spread(places: list[Components]) -> float:
 
 @pytest.mark.exercise("B8.9")
 def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
-    about("spread of four particles of equal mass at the corners of a square of 2 m", read=SPREAD)
-    about.cause = "Every corner is sqrt(2) m from the center of mass."
+    about(
+        "spread of four particles of equal mass at the corners of a square with sides of 2 m",
+        read=SPREAD,
+    )
+    about.cause = (
+        "The center of mass is the middle of the square. Every corner is sqrt(2) m away from it, "
+        "so the root of the mean square is sqrt(2) m, too."
+    )
     x, y, z = components(rng)
     square = [(x + i, y + j, z) for i in (0.0, 2.0) for j in (0.0, 2.0)]
     got, after = spread_of(square, [3.0] * 4)
     mistakes = [
-        (2.0, "The result is the mean of the squared distances. Take its square root."),
+        (2.0, "This is the mean of the squared distances, in m^2. Take its square root to get a "
+              "length."),
         (math.sqrt(8.0),
-         "The result is the root of the sum. Divide the sum by the total mass first."),
+         "The square root was taken of a sum and not of a mean. Divide the sum by the total mass "
+         "before you take the root."),
         (math.sqrt(24.0),
-         "The result is the root of the sum. Divide the sum by the total mass first."),
+         "The square root was taken of a sum and not of a mean. Divide the sum by the total mass "
+         "before you take the root."),
         (math.sqrt(2.0 + math.hypot(x + 1.0, y + 1.0, z) ** 2),
-         "The distances are those from the origin. Use the distances from the center of mass."),
+         "The distances were measured from the origin, so the result depends on where the blob "
+         "is. Measure them from the center of mass."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, math.sqrt(2.0), tolerance=1e-12)
     numbers = [number for place in square for number in place]
     got = [number for place in after for number in place]
-    about.cause = "spread must not move the particles. Compute with new vectors."
+    about.cause = (
+        "spread has moved the particles, although it should only measure them. An operator such "
+        "as += changes a position in place, so compute with new vectors."
+    )
     expect_close(got, numbers, then=": the positions afterward", tolerance=0.0)
     m, n = positive_number(rng), positive_number(rng)
     p, q = components(rng), components(rng)
-    about.call = f"spread of a mass {m} at {p} and a mass {n} at {q}"
-    about.cause = "Weight the squared distances from the center of mass by the masses. For two "
-    about.cause += "particles this gives sqrt(m n) / (m + n) times their distance."
+    about.call = f"spread of a particle of mass {m} at {p} and one of mass {n} at {q}"
+    about.cause = (
+        "Weight each squared distance from the center of mass by the mass of its particle. For "
+        "two particles the result is sqrt(m n) / (m + n) times the distance between them."
+    )
     wanted = math.sqrt(m * n) / (m + n) * math.dist(p, q)
     got = spread_of([p, q], [m, n])[0]
     apart, total = math.dist(p, q), m + n
     ways = (n / total * apart, m / total * apart)  # of both from their center of mass
     mistakes = [
         ((m * ways[0] + n * ways[1]) / total,
-         "The result is the mean of the distances. Take the root of the mean of their squares."),
+         "This is the mean of the distances. Average their squares instead, weighted by mass, and "
+         "then take the square root."),
         (0.5 * apart,
-         "The distances are those from the midpoint. The center of mass is nearer to the "
-         "heavier particle."),
-        (math.hypot(*ways) / math.sqrt(2.0), "The masses do not count here. Weight each squared "
-                                             "distance by the mass."),
+         "The distances were measured from the midpoint of the two particles. Measure them from "
+         "the center of mass, which is nearer to the heavier particle."),
+        (math.hypot(*ways) / math.sqrt(2.0), "The squared distances were averaged without the "
+         "masses. Multiply each squared distance by its mass, and divide the sum by the total "
+         "mass."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-12)
     about(
-        f"spread of one particle at {p}",
-        cause="A single particle is at its own center of mass, so return 0.",
+        f"spread of a single particle at {p}",
+        cause="A single particle is at its own center of mass, so its distance from it is 0 and "
+        "the spread is 0.",
     )
     expect_close(spread_of([p], [m])[0], 0.0, tolerance=1e-12)
 
@@ -196,13 +240,16 @@ def test_a_spread_of_nothing_is_refused() -> None:
     def allowed() -> None:
         spread_of([ZERO], [1.0])
 
-    about.cause = "Without particles there is no mean. Raise ValueError."
+    about.cause = "Without particles there is no center of mass and no mean. Raise ValueError."
     expect_error(lambda: spread([]), ValueError, call="spread([])", allowed=allowed)
-    about.cause = "An immovable particle has an infinite mass. Raise ValueError."
+    about.cause = (
+        "One of the particles is immovable, so its mass is infinite and the center of mass is not "
+        "defined. Raise ValueError."
+    )
     for masses in ([1.0, math.inf], [math.inf, 1.0]):
         expect_error(
             lambda masses=masses: spread_of([ZERO, (1.0, 0.0, 0.0)], masses),
             ValueError,
-            call=f"spread of two particles of {masses} kg",
+            call=f"spread of two particles with masses of {masses} kg",
             allowed=allowed,
         )

@@ -48,14 +48,18 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
     about.read = LINKS
     wide, low, long = (positive_number(rng, a, b) for a, b in ((1.2, 1.6), (2, 4), (1.2, 1.6)))
     places = [(long * x, y - low - 0.1 * x, wide * z) for x, y, z in START]
-    about.call = f"links_of(make_rows()), then every plank is pulled {low} m down and apart: "
-    about.call += f"contacts() of the {what}"
+    about.call = (
+        f"links_of(make_rows()), then every plank is moved {low} m down and away from the others: "
+        f"contacts() of the {what}"
+    )
     about.cause = {
-        "rod": "A Rod of length WIDTH joins the two ends of each row, which makes six rods.",
-        "cable": "A Cable of CABLE_LENGTH joins each end to the end of the next row on the same "
-        "side, which makes ten cables.",
-        "support": "An AnchoredCable of support_length(row number) joins each end to "
-        "anchor_of(end), which makes twelve.",
+        "rod": "A Rod of length WIDTH joins the two ends of each row. With six rows this makes "
+        "six rods.",
+        "cable": "A Cable of length CABLE_LENGTH joins each end of a row to the end of the next "
+        "row on the same side. With six rows this makes ten cables.",
+        "support": "Each end of each row hangs from its own anchor. Join it to anchor_of(end) "
+        "with an AnchoredCable of length support_length(row number), which makes "
+        "twelve of them.",
     }[which]
 
     def picked(links: Any) -> list[Any]:
@@ -75,14 +79,16 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
     why = f"{wrong[0]}. {about.cause}" if wrong else about.cause
     expect_exactly(ends, right, then=": the ends of each by index (-1 is an anchor)", cause=why)
     lengths = {"rod": "WIDTH", "cable": "CABLE_LENGTH", "support": "support_length(row number)"}
-    about.cause = f"The length of this {'cable' if which != 'rod' else 'rod'} is wrong. It is "
-    about.cause += f"{lengths[which]}."
+    about.cause = (
+        f"This {'cable' if which != 'rod' else 'rod'} joins the right ends, but its length is "
+        f"wrong. The length must be {lengths[which]}."
+    )
     for (i, j, depth), (_, _, right) in zip(got, wanted, strict=True):
         # Lengths of some meters, rounded a few times.
         expect_close(
             depth,
             right,
-            then=f": penetration of {(i, j)}, so how much too long it is",
+            then=f": penetration of {(i, j)}, which is how much too long it is",
             tolerance=1e-12,
         )
 
@@ -90,26 +96,40 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
 @pytest.mark.exercise("B8.4")
 def test_nothing_else_holds_them() -> None:
     about("links_of(make_rows()): the ends of all contacts() at the start", read=LINKS)
-    about.cause = "At the start only the cables from row to row are too long, by 0.1 m. The rods "
-    about.cause += "have the right length and the anchored cables are slack."
+    about.cause = (
+        "At the start only the cables from row to row report a contact, because they are 0.1 m "
+        "too long. The rods have exactly the right length, and the anchored cables are slack."
+    )
     links = sorted((i, j) for i, j, *_ in bridge_links(START))
     expect_exactly(links, [(i, i + 2) for i in range(10)])
     places = [(0.8 * x, 4.5, z) for x, _, z in START]
-    about.call = "links_of(make_rows()), then all pushed together along X: how many contacts"
-    about.cause = "A slack cable has no contact, and the rods have the right length."
+    about.call = (
+        "links_of(make_rows()), then all planks are pushed together along X: the number of contacts"
+    )
+    about.cause = (
+        "Every cable is slack here, and a slack cable has no contact. The rods have no contact "
+        "either, because their length is right."
+    )
     count = len(bridge_links(places))
     mistakes = [
-        (10, "The ten links from row to row push. Use cables and not rods."),
-        (12, "The twelve links to the anchors push. Use anchored cables and not rods."),
-        (22, "The links from row to row and to the anchors push. Use cables and not rods."),
-    ]
+        (10, "The ten links from row to row push the planks apart. A rope can only pull, so make "
+         "these links of cables and not of rods."),
+        (12, "The twelve links to the anchors push the planks away. A rope can only pull, so make "
+         "these links of anchored cables and not of rods."),
+        (22, "The links from row to row and to the anchors push the planks. Ropes can only pull, "
+         "so make these links of cables and not of rods."),
+    ]  # fmt: skip
     blame(count, mistakes)
     expect_exactly(count, 0)
     places = [(1.5 * x, 1.0, 1.5 * z) for x, _, z in START]
-    about.call = "links_of(make_rows()), then all pulled apart: how many contacts, and their "
-    about.call += "restitution"
-    about.cause = "There are 28 links: 6 rods, 10 cables and 12 anchored cables. The restitution "
-    about.cause += "is 0."
+    about.call = (
+        "links_of(make_rows()), then all planks are pulled apart: the number of contacts, and "
+        "their restitution"
+    )
+    about.cause = (
+        "Every link is too long here, so each one has a contact. There are 6 rods, 10 cables and "
+        "12 anchored cables, which makes 28, and the restitution of each is 0."
+    )
     found = bridge_links(places)
     got = (len(found), *{c for _, _, _, c, _ in found})
     expect_close(got, (28, 0.0), tolerance=0.0)
@@ -117,9 +137,11 @@ def test_nothing_else_holds_them() -> None:
 
 @pytest.mark.exercise("B8.4")
 def test_a_bridge_that_hangs_keeps_its_lengths() -> None:
-    about("the bridge, released, after 2.5 s at 60 steps per second", read=LINKS)
-    about.cause = "The anchored cables must hold the bridge. Give each end one with the length for "
-    about.cause += "its row."
+    about("the bridge, 2.5 s after it was released, at 60 steps per second", read=LINKS)
+    about.cause = (
+        "The anchored cables must carry the bridge. Give each end of each row an AnchoredCable, "
+        "with support_length(row number) as its length."
+    )
     places = hung_bridge(150, 1.0 / 60.0)
     lowest = min(y for _, y, _ in places)
     expect_between(lowest, 0.01, math.inf, then=": the height of its lowest end, in m")
@@ -147,31 +169,42 @@ def middles(rows: list[tuple[Components, Components]]) -> list[tuple[float, floa
     return [(round(0.5 * (a[0] + b[0]), 9), round(0.5 * (a[1] + b[1]), 9)) for a, b in rows]
 
 
+def nearest_of(points: list[tuple[float, float]], x: float) -> str:
+    """Return what is called: nearest() of a deck through these midpoints, with the ball at x."""
+    return f"a deck whose rows have the midpoints {points}, the ball at x = {x}: nearest()"
+
+
 @pytest.mark.exercise("B8.5")
 def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
     about.read = NEAREST
     rows = draw_rows(rng, 4)
     points = middles(rows)
-    about.cause = "Between two rows the deck is the straight line between their midpoints. The "
-    about.cause += "nearest row is the one whose midpoint is nearer along X."
+    about.cause = (
+        "Between two rows, the deck is the straight line from one midpoint to the next. "
+        "Interpolate its height at the x of the ball. The nearest row is the one whose midpoint "
+        "is closer to the ball along X."
+    )
     for i, ((x, y), (u, v)) in enumerate(pairwise(points)):
         for share in (0.25, 0.4, 0.75):
             at = x + share * (u - x)
-            about.call = f"a deck through {points}, the ball at x = {at}: nearest()"
+            about.call = nearest_of(points, at)
             got = deck((at, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
             row, height = float(i + (share > 0.5)), y + share * (v - y)
             (_, one, _), (_, two, _) = (rows[n][0] for n in (i, i + 1))
             near = one + (at - rows[i][0][0]) / (rows[i + 1][0][0] - rows[i][0][0]) * (two - one)
             mistakes = [
                 ((row, points[int(row)][1]),
-                 "The result is the height of the row. Interpolate between the midpoints of "
-                 "the two rows around the ball."),
+                 "This is the height of the nearest row itself. Between two rows the deck has a "
+                 "slope, so interpolate the height between the two midpoints around the ball."),
                 ((float(i), height),
-                 "The result is the row before the ball, which is not the nearest one."),
+                 "The height is right, but the row is the one before the ball. Return the row "
+                 "whose midpoint is closer to the ball along X."),
                 ((float(i + 1), height),
-                 "The result is the row after the ball, which is not the nearest one."),
-                ((row, near), "This height was computed from one end of each row. Use the "
-                 "midpoints of the rows."),
+                 "The height is right, but the row is the one after the ball. Return the row "
+                 "whose midpoint is closer to the ball along X."),
+                ((row, near), "This height was interpolated between one end of each row. The two "
+                              "ends of a row can be at different heights, so use the midpoints "
+                              "of the rows."),
             ]  # fmt: skip
             wanted = (row, height)
             blame(got, mistakes)
@@ -185,30 +218,44 @@ def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
     points = [(2.0 * i, y) for i, y in enumerate(heights)]
     rows = [((x, y, -1.0), (x, y, 1.0)) for x, y in points]
     for i, (x, y) in enumerate(points):
-        about.call = f"a deck through {points}, the ball at x = {x}: nearest()"
-        about.cause = "Directly above a row, return that row and its height."
+        about.call = nearest_of(points, x)
+        about.cause = (
+            "The ball is directly above a row, so nearest() returns the number of this row and "
+            "its height."
+        )
         got = deck((x, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
         expect_close(got, (float(i), y), tolerance=1e-12)
     for i, (low, high) in enumerate(pairwise(heights)):
-        about.call = f"a deck through {points}, the ball at x = {2.0 * i + 1.0}: nearest()"
-        about.cause = "If two rows are equally near, return the first one."
+        about.call = nearest_of(points, 2.0 * i + 1.0)
+        about.cause = (
+            "The ball is halfway between two rows, so both are equally near. Return the first one."
+        )
         got = deck((2.0 * i + 1.0, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
         wanted = (float(i), 0.5 * (low + high))
         expect_close(got, wanted, tolerance=1e-12)
     for x, i in ((-1.0, 0), (5.0, 2)):
-        about.call = f"a deck through {points}, the ball at x = {x}: nearest()"
-        about.cause = "The deck reaches half a SPACING, 1 m, beyond its last rows. Return None "
-        about.cause += "only farther out."
+        about.call = nearest_of(points, x)
+        about.cause = (
+            "The deck reaches beyond its first and its last row by half a SPACING, which is 1 m. "
+            "The ball is still above it here. Return None only farther out."
+        )
         got = deck((x, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
         expect_exactly(got is None, False, then=" is None")
         slope = heights[i] - heights[1]
-        mistakes = [((float(i), heights[i] + 0.5 * slope), "Beyond the rows the deck is level. Do "
-                     "not continue the line of the last two rows.")]  # fmt: skip
+        mistakes = [((float(i), heights[i] + 0.5 * slope), "This height continues the line "
+         "through the last two rows. Beyond the first and the last row the deck is "
+         "level, so return the height of that row.")]  # fmt: skip
         blame(got, mistakes)
         expect_close(got, (float(i), heights[i]), tolerance=1e-12)
     for x in (-0.5, 0.0, 0.5):
-        about.call = f"a deck of the row at {points[0]} alone, the ball at x = {x}: nearest()"
-        about.cause = "A single row is both the first row and the last row."
+        about.call = (
+            f"a deck of a single row with its midpoint at {points[0]}, the ball at x = {x}: "
+            "nearest()"
+        )
+        about.cause = (
+            "A single row is both the first row and the last row, so the deck reaches 1 m beyond "
+            "it on both sides."
+        )
         got = deck((x, 9.0, 0.5), rows[:1], 0.5, 0.0)["nearest"]
         expect_close(got, (0.0, heights[0]), tolerance=1e-12)
 
@@ -219,25 +266,30 @@ def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
     rows = draw_rows(rng, 3)
     points = middles(rows)
     (first, low), (last, high) = points[0], points[-1]
-    about.cause = "The deck continues at a constant height for half a SPACING, 1 m, beyond the "
-    about.cause += "first and the last row."
+    about.cause = (
+        "Beyond the first and the last row the deck continues at the height of that row, for half "
+        "a SPACING, which is 1 m."
+    )
     for at, row, height in (
         (first - 0.99, 0, low),
         (first, 0, low),
         (last, 2, high),
         (last + 0.99, 2, high),
     ):
-        about.call = f"a deck through {points}, the ball at x = {at}: nearest()"
+        about.call = nearest_of(points, at)
         got = deck((at, 9.0, 0.0), rows, 0.3, 0.0)["nearest"]
         expect_close(got, (float(row), height), tolerance=1e-12)
-    about.cause = "There is no deck here. nearest() returns None, and there are no contacts."
+    about.cause = (
+        "The ball is more than half a SPACING beyond the last row, so there is no deck below it. "
+        "Here nearest() must return None, and contacts() must return no contacts."
+    )
     for at in (first - 1.001, last + 1.001):
-        about.call = f"a deck through {points}, the ball at ({at}, 1, 0)"
+        about.call = f"a deck whose rows have the midpoints {points}, the ball at ({at}, 1, 0)"
         got = deck((at, 1.0, 0.0), rows, 0.3, 0.0)
         nearest = -1.0 if got["nearest"] is None else got["nearest"]
-        expect_close(nearest, -1.0, then=": nearest(), -1 for None")
+        expect_close(nearest, -1.0, then=": nearest(), where -1 stands for None")
         count = len(got["contacts"])
-        expect_exactly(count, 0, then=": how many contacts")
+        expect_exactly(count, 0, then=": the number of contacts")
 
 
 @pytest.mark.exercise("B8.5")
@@ -250,39 +302,61 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
     height = y + 0.75 * (v - y)
     for depth in (0.3, 0.01, 0.0):
         center = height + radius - depth
-        about.call = f"a deck through {middles(rows)}; a ball of radius {radius} at ({at:g}, "
-        about.call += f"{center:.6g}, 0), restitution {c}; contacts() (the ball is 0, the ends of "
-        about.call += "the nearest row are 3 and 4)"
-        about.cause = "Return a contact with each end of the nearest row. The ball is the "
-        about.cause += "particle, and the end is the other."
+        about.call = (
+            f"a deck whose rows have the midpoints {middles(rows)}; a ball of radius {radius} at "
+            f"({at:g}, {center:.6g}, 0) with restitution {c}; contacts() (particle 0 is the ball, "
+            "3 and 4 are the ends of the nearest row)"
+        )
+        about.cause = (
+            "The ball rests on the nearest row, so return one contact with each end of that row. "
+            "In both, the ball is the particle and the end is the other."
+        )
         if not depth:
             center = height + radius - 1e-13  # rounding must not lift it off
         got = sorted(deck((at, center, 0.0), rows, radius, c)["contacts"])
         ends = [(a, b) for a, b, *_ in got]
         if ends == []:
-            about.cause = "The lowest point of the ball, y - radius, is not above the deck, so it "
-            about.cause += "touches. Is the radius included?"
+            about.cause = (
+                "The ball touches the deck, but there are no contacts. Compare the lowest point "
+                "of the ball with the deck. This point is y - radius, not y."
+            )
             if not depth:
-                about.cause = "The ball just touches the deck. A penetration of 0 counts."
+                about.cause = (
+                    "The ball just touches the deck, so its penetration is 0. This counts as a "
+                    "contact."
+                )
         elif ends in ([(0, 3)], [(0, 4)]):
-            about.cause = "Only one end of the row has a contact. Return one contact for each end."
+            about.cause = (
+                "Only one end of the row has a contact, so the row would tilt. Return one contact "
+                "for each of its two ends."
+            )
         elif ends == [(3, 0), (4, 0)]:
-            about.cause = "particle and other are swapped. The ball is the particle, and the end "
-            about.cause += "of the row is the other."
+            about.cause = (
+                "particle and other are swapped. Make the ball the particle and the end of the "
+                "row the other, because the normal points to the particle."
+            )
         elif len(ends) > 2:
-            about.cause = "Other rows have contacts, too. Use only the two ends of the nearest row."
+            about.cause = (
+                "Other rows have contacts as well. Return contacts with the two ends of the "
+                "nearest row only."
+            )
         expect_exactly(ends, [(0, 3), (0, 4)], then=": ends")
         for _, _, normal, restitution, penetration in list(got):
-            about.cause = "The normal is +Y, since the deck pushes the ball up."
+            about.cause = "The deck pushes the ball up, so the normal is +Y."
             expect_close(normal, UP, then=": the normal", tolerance=1e-15)
             about.cause = (
-                "The penetration is height + radius - y, where height is that of the deck."
+                "The penetration is how far the lowest point of the ball is below the deck. This "
+                "is height + radius - y, where height is the height of the deck."
             )
             mistakes = [
-                ((0.0, depth), "The restitution is missing. Pass self.restitution."),
-                ((c, 0.5 * depth), "Do not divide the depth between the two contacts."),
-                ((c, depth - radius), "The radius is missing: height + radius - y."),
-            ]
+                ((0.0, depth), "The restitution is 0, but it should be that of the deck. Pass "
+                 "self.restitution to each contact."),
+                ((c, 0.5 * depth), "The depth was divided between the two contacts. Each contact "
+                 "gets the full depth, because both ends of the row are below "
+                 "the same ball."),
+                ((c, depth - radius), "The radius is missing, so this is the depth of the center "
+                 "of the ball. The penetration is height + radius - y."),
+            ]  # fmt: skip
             got = (restitution, penetration)
             why = cause_of(got, mistakes, about.cause)
             expect_close(
@@ -290,9 +364,10 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
             )
     level = [((x, 4.0, -1.0), (x, 4.0, 1.0)) for x in (0.0, 2.0, 4.0)]
     for y, cause in (
-        (4.5, "The lowest point of the ball is exactly on the deck. This is a contact of depth 0."),
-        (3.5, "The top of the ball is exactly at the deck. Only a larger penetration than the "
-         "diameter means that it has fallen through."),
+        (4.5, "The lowest point of the ball is exactly on the deck, so this is a contact of depth "
+              "0."),
+        (3.5, "The top of the ball is exactly at the deck, so the penetration is the diameter. "
+              "The ball has fallen through only if the penetration is larger than that."),
     ):  # fmt: skip
         about(f"a level deck at a height of 4, a ball of radius 0.5 at (2, {y}, 0): ", cause=cause)
         about.call += "contacts(), and the penetration of each"
@@ -300,12 +375,19 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         expect_exactly(len(got), 2, then=": how many")
         expect_close(got, (4.5 - y,) * 2)
     for where, lift, ends, cause in (
-        ("just above it", radius + 1e-6, 0, "A ball above the deck has no contact."),
-        ("whose top is just above it", 1e-6 - radius, 2, "The ball is still inside the deck."),
-        ("whose top is just below it", -1e-6 - radius, 0, "A ball completely below the deck has "
-         "fallen through, so it has no contact."),
+        ("just above it", radius + 1e-6, 0, "The ball is above the deck and does not touch it, so "
+         "there must be no contact."),
+        ("whose top is just above it", 1e-6 - radius, 2, "The top of the ball is still above the "
+         "deck. The ball has not fallen through yet, so the contact remains."),
+        ("whose top is just below it", -1e-6 - radius, 0, "The ball is completely below the deck, "
+         "so it has fallen through. Return no contact, because the deck must not push it up "
+         "again."),
     ):  # fmt: skip
-        about(f"a deck through {middles(rows)}, a ball of radius {radius} {where}: ", cause=cause)
+        about(
+            f"a deck whose rows have the midpoints {middles(rows)}, a ball of radius {radius} "
+            f"{where}: ",
+            cause=cause,
+        )
         about.call += "contacts()"
         count = len(deck((at, height + lift, 0.0), rows, radius, c)["contacts"])
         expect_exactly(count, ends, then=": how many")

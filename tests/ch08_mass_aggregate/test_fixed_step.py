@@ -21,29 +21,41 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
     about.read = READ
     quarters = [rng.randint(0, 40) for _ in range(12)]
     elapsed = [0.25 * STEP * quarter for quarter in quarters]
-    about.cause = "Add elapsed to self.left. While self.left is a step or more, call "
-    about.cause += "self.step(self.duration) and subtract the duration."
+    about.cause = (
+        "Add elapsed to self.left. As long as self.left is enough for a step, call "
+        "self.step(self.duration) and subtract the duration."
+    )
     done = advanced(STEP, elapsed)
     left = 0
     for i, (quarter, row) in enumerate(zip(quarters, done["rows"], strict=True)):
-        about.call = f"call {i + 1} of advance of a FixedStep of {STEP} s: advance({elapsed[i]}), "
-        about.call += f"while {0.25 * STEP * left} s are left from before"
+        about.call = (
+            f"a FixedStep of {STEP} s with {0.25 * STEP * left} s left from before; "
+            f"advance({elapsed[i]}), which is call {i + 1}"
+        )
         steps, left = divmod(left + quarter, 4)
         mistakes = [
-            (
-                steps + 1,
-                "One step too many was made. A time shorter than a step stays in self.left for "
-                "the next call.",
-            ),
-            (1, "Only one step was made. Repeat while there is enough time left."),
-        ]
+            (steps + 1,
+             "One step too many was made. The time that is left is shorter than a step, so "
+             "keep it in self.left for the next call."),
+            (1, "Only one step was made, although enough time for more has passed. Repeat the "
+             "step in a loop while self.left is enough for it."),
+        ]  # fmt: skip
         seen = cause_of(row[0], mistakes, about.cause)
         expect_exactly(row[0], steps, then=": the number of steps that it returns", cause=seen)
-        mistakes = [((0.0, 0.0), "The rest of the time is lost. Store it in self.left.")]
+        mistakes = [
+            (
+                (0.0, 0.0),
+                "The rest of the time is lost, so the game slowly falls behind. "
+                "Keep it in self.left for the next call.",
+            )
+        ]  # fmt: skip
         seen = cause_of(row[1:], mistakes, about.cause)
         wanted = (0.25 * STEP * left, 0.0)
         expect_close(row[1:], wanted, then=": left and dropped", cause=seen, tolerance=0.0)
-    about.cause = "Every step must have the same duration, however much time has passed."
+    about.cause = (
+        "Every step must have the same duration, no matter how much time has passed. Pass "
+        "self.duration to self.step."
+    )
     wanted = [STEP] * (sum(quarters) // 4)
     expect_exactly(done["made"], wanted, then=": the durations of all steps")
 
@@ -52,24 +64,32 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
 @pytest.mark.parametrize("rate", [50, 60, 100])
 def test_rounding_makes_no_step_late(rate: int) -> None:
     about.read = READ
-    about.call = f"a FixedStep of 1/{rate} s; advance by 1/{rate}, a hundred times: steps of each "
-    about.call += "call"
-    about.cause = "Sums of floats are rounded. If less than SHARE of a step is missing, make the "
-    about.cause += "step."
+    about.call = (
+        f"a FixedStep of 1/{rate} s; advance(1/{rate}), a hundred times: the number of steps of "
+        "each call"
+    )
+    about.cause = (
+        "Rounding can make self.left slightly too small for a step that is due. Make the step if "
+        "less than SHARE of its duration is missing."
+    )
     done = advanced(1.0 / rate, [1.0 / rate] * 100)
     got = [row[0] for row in done["rows"]]
     expect_exactly(got, [1] * 100)
-    about.call = f"a FixedStep of 1/{rate} s; advance by half a second, twice, and by a second: "
-    about.call += "steps of each call"
+    about.call = (
+        f"a FixedStep of 1/{rate} s; advance by half a second twice, and then by a second: the "
+        "number of steps of each call"
+    )
     done = advanced(1.0 / rate, [0.5, 0.5, 1.0])
     got = [row[0] for row in done["rows"]]
     expect_exactly(got, [rate // 2, rate // 2, rate])
     done = advanced(1.0 / rate, [1.0])
-    about.call = f"a FixedStep of 1/{rate} s; advance by a second: steps"
+    about.call = f"a FixedStep of 1/{rate} s; advance by a second: the number of steps"
     expect_exactly(done["rows"][0][0], rate)
-    about.call = f"a FixedStep of 1/{rate} s; advance by 0.999/{rate} s: steps"
-    about.cause = "A thousandth of the step is missing. This is more than rounding, so the step is "
-    about.cause += "not due yet."
+    about.call = f"a FixedStep of 1/{rate} s; advance by 0.999/{rate} s: the number of steps"
+    about.cause = (
+        "A thousandth of the step is still missing. This is far more than a rounding error, so "
+        "the step is not due yet."
+    )
     done = advanced(1.0 / rate, [0.999 / rate])
     expect_exactly(done["rows"][0][0], 0)
 
@@ -79,13 +99,17 @@ def test_rounding_makes_no_step_late(rate: int) -> None:
 def test_a_share_of_a_step_is_due(duration: float) -> None:
     about.read = READ
     for lack, steps, cause in (
-        (1e-7, 0, "The step is not due: more than SHARE of it is missing. SHARE is a fraction of a "
-         "step and not a time in s."),
-        (1e-10, 1, "The step is due: less than SHARE of it is missing. SHARE is a fraction of a "
-         "step and not a time in s."),
+        (1e-7, 0, "More than SHARE of the step is missing, so the step is not due yet. SHARE is a "
+                  "fraction of a step and not a time in seconds, so multiply it by the duration."),
+        (1e-10, 1, "Less than SHARE of the step is missing, so the step is due. SHARE is a "
+                   "fraction of a step and not a time in seconds, so multiply it by the "
+                   "duration."),
     ):  # fmt: skip
         elapsed = duration * (1.0 - lack)
-        about(f"a FixedStep of {duration} s; advance({elapsed!r}): steps, left", cause=cause)
+        about(
+            f"a FixedStep of {duration} s; advance({elapsed!r}): the number of steps, and left",
+            cause=cause,
+        )
         row = advanced(duration, [elapsed])["rows"][0]
         expect_exactly(row[0], steps)
         left = elapsed - steps * duration
@@ -98,9 +122,11 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     limit, late = rng.randint(2, 5), rng.randint(3, 30)
     elapsed = [STEP * (limit + late + 0.25), STEP * (limit + 0.5), STEP * (limit - 1)]
     elapsed.append(STEP * (limit + 1))
-    start = f"a FixedStep of {STEP} s, max_steps={limit}; advance by "
-    about.cause = "After max_steps steps, subtract the time of all remaining whole steps from "
-    about.cause += "self.left and add it to self.dropped."
+    start = f"a FixedStep of {STEP} s with max_steps={limit}; advance by "
+    about.cause = (
+        "After max_steps steps, some whole steps may still be due. Subtract their time from "
+        "self.left, and add it to self.dropped."
+    )
     done = advanced(STEP, elapsed, limit)
     wanted = [
         (limit, 0.25 * STEP, STEP * late),
@@ -111,64 +137,77 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     for i, row in enumerate(done["rows"]):
         about.call = f"{start}{elapsed[: i + 1]} in turn"
         steps, left, dropped = wanted[i]
-        mistakes = [(limit + 1, "One step more than max_steps was made. Stop at max_steps.")]
-        seen = cause_of(row[0], mistakes, about.cause)
-        expect_exactly(row[0], steps, then=": steps of the last call", cause=seen)
         mistakes = [
             (
-                (0.0, left + dropped),
-                "All of the time was dropped. Keep the part that is less than a step in self.left.",
-            ),
-            (
-                (left + dropped, 0.0),
-                "No time was dropped, so the next call would make up for the missing steps.",
-            ),
-            (
-                (left, dropped / STEP),
-                "The attribute dropped is a time in seconds and not a number of steps.",
-            ),
-            (
-                (left, STEP),
-                "dropped contains only the time that the last call dropped. Add to dropped "
-                "instead of replacing it.",
-            ),
-        ]
+                limit + 1,
+                "One step more than max_steps was made. Stop as soon as max_steps "
+                "steps have been made in this call.",
+            )
+        ]  # fmt: skip
+        seen = cause_of(row[0], mistakes, about.cause)
+        expect_exactly(row[0], steps, then=": the number of steps of the last call", cause=seen)
+        mistakes = [
+            ((0.0, left + dropped),
+             "All of the remaining time was dropped. Drop only the whole steps, and keep the "
+             "part that is shorter than a step in self.left."),
+            ((left + dropped, 0.0),
+             "No time was dropped, so the next call would have to make up for the missing "
+             "steps. Subtract the time of all whole steps that are still due from self.left."),
+            ((left, dropped / STEP),
+             "dropped contains a number of steps here. It is a time in seconds, so multiply "
+             "the number of steps by the duration."),
+            ((left, STEP),
+             "dropped contains only the time that the last call dropped. It must contain the "
+             "time of all calls, so add to it instead of replacing it."),
+        ]  # fmt: skip
         seen = cause_of(row[1:], mistakes, about.cause)
-        expect_close(row[1:], (left, dropped), then=": left, dropped", cause=seen, tolerance=1e-12)
+        expect_close(
+            row[1:], (left, dropped), then=": left and dropped", cause=seen, tolerance=1e-12
+        )
     count = sum(row[0] for row in wanted)
     about.call = f"{start}{elapsed} in turn"
-    expect_exactly(len(done["made"]), count, then=": steps made in all")
-    about.call = f"a FixedStep of 0.1 s, max_steps={limit}; advance by {0.1 * (limit + late)!r}"
-    about.cause = "Here too, a step counts as due if only a rounding error is missing from it."
+    expect_exactly(len(done["made"]), count, then=": the number of steps in all calls together")
+    about.call = f"a FixedStep of 0.1 s with max_steps={limit}; advance by {0.1 * (limit + late)!r}"
+    about.cause = (
+        "Rounding affects the steps that are dropped, too. A step of which only a rounding error "
+        "is missing counts as a whole step, so drop it."
+    )
     row = advanced(0.1, [0.1 * (limit + late)], limit)["rows"][0]
     # Rounding of a few times 0.1 s, many times less than a step.
-    expect_close(row[1:], (0.0, 0.1 * late), then=": left, dropped", tolerance=1e-9)
+    expect_close(row[1:], (0.0, 0.1 * late), then=": left and dropped", tolerance=1e-9)
     about.cause = (
-        "Drop whole steps and nothing less. A step of which less than SHARE is missing counts as "
-        "whole."
+        "Drop whole steps only, and keep the rest of the time in self.left. A step of which less "
+        "than SHARE is missing counts as a whole step."
     )
     for duration, lack in product((1e-6, STEP, 1000.0), (1e-7, 1e-10)):
         elapsed = duration * (5.0 - lack)
-        about.call = f"a FixedStep of {duration} s, max_steps=2; advance({elapsed!r})"
+        about.call = f"a FixedStep of {duration} s with max_steps=2; advance({elapsed!r})"
         row = advanced(duration, [elapsed], 2)["rows"][0]
         late = 2.0 if lack > 1e-9 else 3.0
         wanted = (elapsed - (2.0 + late) * duration, late * duration)
-        expect_close(row[1:], wanted, then=": left, dropped", tolerance=1e-9 * duration)
-    about.call = f"a FixedStep of {STEP} s without max_steps; advance by 5000 steps"
-    about.cause = "If max_steps is None, there is no limit."
+        expect_close(row[1:], wanted, then=": left and dropped", tolerance=1e-9 * duration)
+    about.call = f"a FixedStep of {STEP} s without max_steps; advance by the time of 5000 steps"
+    about.cause = (
+        "The limit max_steps is None here, so make all steps that are due and drop nothing."
+    )
     row = advanced(STEP, [5000.0 * STEP])["rows"][0]
     expect_exactly(row[0], 5000, then=": steps")
-    expect_close(row[1:], (0.0, 0.0), then=": left, dropped")
+    expect_close(row[1:], (0.0, 0.0), then=": left and dropped")
 
 
 @pytest.mark.exercise("B8.3")
 def test_a_step_that_fails_is_still_due(rng: Random) -> None:
     about.read = READ
     good = rng.randint(1, 4)
-    about.call = f"a FixedStep of {STEP} s whose step number {good + 1} raises an error; advance "
-    about.call += "by 6 steps, then by 0"
-    about.cause = "Let the error of the step pass through, and subtract the time of a step only "
-    about.cause += "after it was made. The next call then makes the failed step again."
+    about.call = (
+        f"a FixedStep of {STEP} s whose step number {good + 1} raises an error; advance by the "
+        "time of 6 steps, and then by 0"
+    )
+    about.cause = (
+        "A step that raises an error was not made, so its time must stay in self.left. Subtract "
+        "the duration only after self.step has returned, and let the error pass through. The next "
+        "call then makes the failed step again."
+    )
     done = advanced(STEP, [6.0 * STEP, 0.0], raise_at=good + 1)
     expect_exactly(
         done["rows"][0][0],
@@ -177,7 +216,7 @@ def test_a_step_that_fails_is_still_due(rng: Random) -> None:
     )
     got = done["rows"][0][1]
     expect_close(got, (6 - good) * STEP, then=": left after the first call", tolerance=1e-12)
-    expect_exactly(done["rows"][1][0], 6 - good, then=": steps of the second call")
+    expect_exactly(done["rows"][1][0], 6 - good, then=": the number of steps of the second call")
 
 
 @pytest.mark.exercise("B8.3")
@@ -191,20 +230,25 @@ def test_a_time_that_is_none_is_refused() -> None:
         ("0.1", "TypeError"),
     ):
         about.call = f"a FixedStep of {STEP} s with left = {0.25 * STEP}; advance({time!r})"
-        about.cause = 'Check elapsed before you change self.left: not_negative("elapsed", elapsed).'
+        about.cause = (
+            'Check elapsed before you change self.left, with not_negative("elapsed", elapsed).'
+        )
         name, left, made = refused_time(STEP, time)
-        expect_exactly(name, error, then=": the error raised ('' is none)")
+        expect_exactly(name, error, then=": the name of the error ('' if there was none)")
         lost = (
-            "The rest of the time from the call before is lost. A rejected call must not change "
-            "self.left."
+            "The call was refused, but it has changed self.left, so time from the call before is "
+            "lost. Check elapsed first."
         )
         expect_close(left, 0.25 * STEP, then=": left", cause=lost, tolerance=0.0)
-        expect_exactly(made, 0, then=": steps made")
+        expect_exactly(made, 0, then=": the number of steps that were made")
     about(
         f"a FixedStep of {STEP} s; advance(0.0)",
-        cause="A time of 0 is valid, and it makes no step.",
+        cause="A time of 0 is valid, because two frames can have the same time stamp. It makes no "
+        "step and must not raise an error.",
     )
-    expect_exactly(refused_time(STEP, 0.0)[0], "", then=": the error raised ('' is none)")
+    expect_exactly(
+        refused_time(STEP, 0.0)[0], "", then=": the name of the error ('' if there was none)"
+    )
 
 
 @pytest.mark.exercise("B8.3")
@@ -213,10 +257,13 @@ def test_a_run_is_the_same_whatever_the_frames(rng: Random) -> None:
     even = [4.0 * STEP] * 40
     odd = [STEP * rng.choice((1.0, 2.0, 3.0)) for _ in range(20)] + [0.5, 0.5]
     odd.append(160.0 * STEP - math.fsum(odd))
-    about.call = "a ball bounces for 2.5 s, with elapsed times from 0.016 to 0.5 s; FixedStep of "
-    about.call += f"{STEP} s"
-    about.cause = "With a fixed time step, the result must not depend on the elapsed times. Repeat "
-    about.cause += "steps while self.left is a step or more."
+    about.call = (
+        f"a FixedStep of {STEP} s; a ball bounces for 2.5 s, with elapsed times from 0.016 to 0.5 s"
+    )
+    about.cause = (
+        "The ball moves differently when the same time is divided into other calls. With a fixed "
+        "time step the result must not depend on that, so make as many steps as self.left allows."
+    )
     place, velocity = bounced(even, STEP)
     about.call += ": position and velocity"
     got = bounced(odd, STEP)

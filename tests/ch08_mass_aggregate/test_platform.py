@@ -33,10 +33,13 @@ PIVOT = range(6)  # the numbers of its coordinates
 @pytest.mark.exercise("B8.6")
 def test_a_platform_can_only_tilt() -> None:
     about("rods_of(six particles at PLACES): the motions that the rods allow", read=RODS)
-    about.cause = "Each rod must join two different particles of the six."
+    about.cause = (
+        "Each rod must join two different particles, and both must be among the six that were "
+        "passed."
+    )
     joined = [(i, j) for i, j, _ in platform_rods(PLACES)]
     strangers = [pair for pair in joined if min(pair) < 0 or pair[0] == pair[1]]
-    expect_exactly(len(strangers), 0, then=": rods that do not")
+    expect_exactly(len(strangers), 0, then=": the number of rods that do not")
     left = motions(PLACES, joined, PIVOT)
     # The tilt turns all about the axis of the pivot, Z: (x, y) moves along (-y, x).
     tilt = [part for x, y, _ in PLACES for part in (-y, x, 0.0)]
@@ -46,13 +49,17 @@ def test_a_platform_can_only_tilt() -> None:
         rest = [a - share * b for a, b in zip(motion, tilt, strict=True)]
         if math.hypot(*rest) > 1e-9:
             i, j = changed(PLACES, rest)
-            about.cause = f"Add a rod between particles {i} and {j}. Your {len(joined)} rods still "
-            about.cause += f"allow this motion, which changes their distance: {told(rest, '')}."
+            about.cause = (
+                f"A rod between particles {i} and {j} would help. Your {len(joined)} rods still "
+                f"allow a motion that changes the distance between them: {told(rest, '')}."
+            )
             pairs = ", ".join(f"{i}-{j}" for i, j in sorted(joined))
-            about.call = f"rods_of(six particles at PLACES), which joins {pairs}; how many motions "
-            about.call += "are possible besides the tilt"
+            about.call = (
+                f"rods_of(six particles at PLACES), which joins {pairs}: the number of motions "
+                "that are possible besides the tilt"
+            )
             expect_exactly(len(left) - 1, 0)
-    about.cause = "The platform must still be able to tilt about its pivot."
+    about.cause = "The rods hold the platform still. It must be able to tilt about its pivot."
     expect_exactly(len(left), 1, then=": how many")
 
 
@@ -63,15 +70,21 @@ def test_rods_are_as_long_as_their_ends_are_apart(rng: Random) -> None:
     c, s = math.cos(turn), math.sin(turn)
     size = positive_number(rng, 0.5, 2.0)
     places = [(size * (c * x - s * y), size * (s * x + c * y), z) for x, y, z in PLACES]
-    about.call = f"rods_of(six particles at PLACES, scaled by {size} and rotated by {turn} rad): "
-    about.call += "the length"
-    about.cause = "The length of a rod is the current distance between its ends, (b.position - "
-    about.cause += "a.position).magnitude()."
+    about.call = (
+        f"rods_of(six particles at PLACES, scaled by {size} and rotated by {turn} rad): the length"
+    )
+    about.cause = (
+        "A rod is as long as the current distance between its ends, which is (b.position - "
+        "a.position).magnitude()."
+    )
     rods = platform_rods(places)
-    expect_exactly(len(rods) > 0, True, then=" of each rod; is there a rod")
+    expect_exactly(len(rods) > 0, True, then=" of each rod; is there any rod")
     for i, j, length in rods:
         wanted = math.dist(places[i], places[j])
-        old = "The length is the distance in PLACES. Use the current positions of the particles."
+        old = (
+            "This length was computed from PLACES, but the particles are somewhere else. Use "
+            "their current positions."
+        )
         seen = cause_of(length, [(math.dist(PLACES[i], PLACES[j]), old)], about.cause)
         expect_close(
             length, wanted, then=f" of the rod from {i} to {j}", cause=seen, tolerance=1e-12
@@ -81,18 +94,21 @@ def test_rods_are_as_long_as_their_ends_are_apart(rng: Random) -> None:
 @pytest.mark.exercise("B8.7")
 def test_what_balances_a_platform(rng: Random) -> None:
     about("balancing_mass([1, 1, 1, 1], [-3, -3, 4, 4], -3)", read=BALANCE)
-    about.cause = "The sum of mass times position, including the new mass, must be 0. The others "
-    about.cause += "give 2 kg m, so the answer is 2 kg m / 3 m."
+    about.cause = (
+        "In balance the sum of mass times position is 0, and this sum includes the new mass. The "
+        "four masses give 2 kg m, so the new mass must give -2 kg m at a position of -3 m. It is "
+        "2/3 kg."
+    )
     got = balancing_mass([1.0] * 4, [-3.0, -3.0, 4.0, 4.0], -3.0)
     mistakes = [
         (-2.0 / 3.0,
-         "The sign is wrong. The new mass must tilt the platform in the opposite direction: m "
-         "= -sum / x."),
-        (14.0 / 3.0, "Keep the signs of the positions. They are negative on the left of the "
-         "pivot."),
-        (2.0, "The result is the sum of mass times position. Divide it by -x."),
-        (-2.0, "The result is minus the sum of mass times position. Divide it by x."),
-        (0.5, "The result is right for a mass at the other end. Divide by x, which is -3 m."),
+         "The sign is wrong. The new mass must pull the platform the other way, so it is minus "
+         "the sum of mass times position, divided by x."),
+        (14.0 / 3.0, "All positions were counted as positive. Those on the left of the pivot are "
+                     "negative, so keep their signs."),
+        (2.0, "This is the sum of mass times position, which is not a mass yet. Divide it by -x."),
+        (-2.0, "This is minus the sum of mass times position. Divide it by x to get a mass."),
+        (0.5, "This mass balances the platform at its other end. Divide by x, which is -3 m."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, 2.0 / 3.0)
@@ -100,13 +116,19 @@ def test_what_balances_a_platform(rng: Random) -> None:
     places = [number(rng) for _ in range(4)]
     turn = math.fsum(m * p for m, p in zip(masses, places, strict=True))
     x = -math.copysign(positive_number(rng), turn)
-    about(f"balancing_mass({masses}, {places}, {x})", cause="m = -(sum of mass times position) / x")
+    about(
+        f"balancing_mass({masses}, {places}, {x})",
+        cause="The platform balances when the new "
+        "mass cancels the torque of the others. So the mass is -(sum of mass times position) / x.",
+    )
     got = balancing_mass(masses, places, x)
     expect_close(got, -turn / x, tolerance=1e-12 * (1 - turn / x))
     masses, places, x = [0.0, *masses], [number(rng), *places], -2.0 * x
     about.call = f"balancing_mass({masses}, {[-place for place in places]}, {x})"
-    about.cause = "m = -(sum of mass times position) / x, on either side of the pivot. A mass of 0 "
-    about.cause += "kg contributes nothing."
+    about.cause = (
+        "The new mass is -(sum of mass times position) / x, on either side of the pivot. A mass "
+        "of 0 kg adds nothing to the sum."
+    )
     got = balancing_mass(masses, [-place for place in places], x)
     expect_close(got, turn / x, tolerance=1e-12 * (1 + turn / x))
     for place, x, wanted in (
@@ -117,16 +139,17 @@ def test_what_balances_a_platform(rng: Random) -> None:
     ):
         about.call = f"balancing_mass([1.0], [{place}], {x})"
         about.cause = (
-            "Any x on the other side of the pivot can balance the platform, however near the "
-            "pivot it is."
+            "A mass at x can balance the platform, because x is on the other side of the pivot. "
+            "This holds however near to the pivot it is, so do not refuse it."
         )
         got = balancing_mass([1.0], [place], x)
         expect_close(got, wanted)
     for masses, places, x, why in (
-        ([2.0, 1.0], [-1.0, 2.0], 5.0, "The platform is already balanced, so return 0."),
-        ([2.0, 1.0], [-1.0, 2.0], 0.0, "The platform is already balanced, so return 0 even if x is "
-         "0."),
-        ([], [], 3.0, "Without masses the platform is balanced, so return 0."),
+        ([2.0, 1.0], [-1.0, 2.0], 5.0, "The platform is already balanced, so the answer is 0."),
+        ([2.0, 1.0], [-1.0, 2.0], 0.0, "The platform is already balanced, so the answer is 0. No "
+                                       "mass is needed, even though x is 0. Avoid the division "
+                                       "by x in this case."),
+        ([], [], 3.0, "There are no masses, so the platform is balanced and the answer is 0."),
     ):  # fmt: skip
         about(f"balancing_mass({masses}, {places}, {x})", cause=why)
         got = balancing_mass(masses, places, x)
@@ -142,27 +165,37 @@ def test_what_cannot_be_balanced_is_refused() -> None:
         balancing_mass([1.0, 2.0], [-1.0, 2.0], -3.0)
 
     for masses, places, x, error, cause in (
-        ([1.0, 2.0], [-1.0, 2.0], 3.0, ValueError, "The answer would be -1 kg. Raise ValueError "
-         "if x is on the side that sinks."),
-        ([1.0, 2.0], [1.0, -2.0], -3.0, ValueError, "The left side sinks here, so no mass at x = "
-         "-3 helps."),
-        ([1.0], [0.5], 0.25, ValueError, "x is on the side that sinks, even this near the pivot."),
-        ([1.0], [-0.5], -0.25, ValueError, "x is on the side that sinks, even this near the "
-         "pivot."),
+        ([1.0, 2.0], [-1.0, 2.0], 3.0, ValueError, "Only a mass of -1 kg would balance the "
+         "platform here. If x is on the side that sinks, no mass can help, so raise ValueError."),
+        ([1.0, 2.0], [1.0, -2.0], -3.0, ValueError, "The left side sinks here, and x = -3 is on "
+         "the left, so no mass at x can help. Raise ValueError."),
+        ([1.0], [0.5], 0.25, ValueError, "x is on the side that sinks, so no mass at x can help. "
+         "This holds even this near to the pivot."),
+        ([1.0], [-0.5], -0.25, ValueError, "x is on the side that sinks, so no mass at x can "
+         "help. This holds even this near to the pivot."),
         ([1.0, 2.0], [-1.0, 2.0], 0.0, ValueError, "A mass at the pivot has no torque, so it "
-         "balances nothing."),
-        ([1.0, -2.0], [5.0, 2.0], -3.0, ValueError, "A mass must not be negative."),
-        ([1.0, math.nan], [-1.0, 2.0], -3.0, ValueError, "A mass must not be NaN."),
-        ([1.0, 2.0], [-1.0, math.nan], -3.0, ValueError, "A position must not be NaN."),
-        ([1.0, 2.0], [-1.0, math.inf], -3.0, ValueError, "A position must be finite."),
-        ([1.0, math.inf], [-1.0, 2.0], -3.0, ValueError, "A mass must be finite."),
-        ([1.0, 2.0], [-1.0, 2.0], -math.inf, ValueError, "x must be finite."),
-        ([1.0, 2.0], [-1.0, 2.0], math.nan, ValueError, "x must not be NaN."),
-        ([2.0, 1.0], [-1.0, 2.0], math.inf, ValueError, "Check x even if the platform is already "
-         "balanced."),
-        ([1.0, 2.0], [1.0], -3.0, ValueError, "Every mass needs a position."),
-        ([1.0], [-1.0, 2.0], 3.0, ValueError, "Every position needs a mass."),
-        ([1.0, "2"], [-1.0, 2.0], -3.0, TypeError, "A mass must be a number."),
+         "cannot balance anything. Raise ValueError."),
+        ([1.0, -2.0], [5.0, 2.0], -3.0, ValueError, "One of the masses is negative. Check every "
+         "mass, and raise ValueError."),
+        ([1.0, math.nan], [-1.0, 2.0], -3.0, ValueError, "One of the masses is NaN. Check every "
+         "mass, and raise ValueError."),
+        ([1.0, 2.0], [-1.0, math.nan], -3.0, ValueError, "One of the positions is NaN. Check "
+         "every position, and raise ValueError."),
+        ([1.0, 2.0], [-1.0, math.inf], -3.0, ValueError, "One of the positions is infinite. Check "
+         "every position, and raise ValueError."),
+        ([1.0, math.inf], [-1.0, 2.0], -3.0, ValueError, "One of the masses is infinite. Check "
+         "every mass, and raise ValueError."),
+        ([1.0, 2.0], [-1.0, 2.0], -math.inf, ValueError, "x is infinite. Check it, and raise "
+         "ValueError."),
+        ([1.0, 2.0], [-1.0, 2.0], math.nan, ValueError, "x is NaN. Check it and raise ValueError."),
+        ([2.0, 1.0], [-1.0, 2.0], math.inf, ValueError, "The platform is already balanced, but x "
+         "is infinite, which is never valid. Check x before you return 0."),
+        ([1.0, 2.0], [1.0], -3.0, ValueError, "There are fewer positions than masses. Every mass "
+         "needs a position, so raise ValueError."),
+        ([1.0], [-1.0, 2.0], 3.0, ValueError, "There are fewer masses than positions. Every "
+         "position needs a mass, so raise ValueError."),
+        ([1.0, "2"], [-1.0, 2.0], -3.0, TypeError, "One of the masses is a string. A mass must be "
+         "a number, so raise TypeError."),
     ):  # fmt: skip
         about(f"balancing_mass({masses}, {places}, {x})", cause=cause)
         expect_error(
@@ -182,45 +215,68 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
     about.read = WEIGHT
     for x in (-3.0, 4.0, round(rng.uniform(-2.5, 3.5), 3)):
         mass = positive_number(rng)
-        about.call = f"platform.put_weight({mass}, {x}): masses of the left end and the right end"
-        about.cause = "The right end carries mass * (x + 3) / 7 and the left end the rest. Each "
-        about.cause += "particle gets half of that in addition to its own 1 kg."
+        about.call = (
+            f"platform.put_weight({mass}, {x}): the masses of the two particles of the left end "
+            "and of the right end"
+        )
+        about.cause = (
+            "The right end carries mass * (x + 3) / 7, and the left end carries the rest. Each "
+            "end consists of two particles. Each of them gets half of the load, in addition to "
+            "its own 1 kg."
+        )
         right = mass * (x + 3.0) / 7.0
         wanted = _masses(1.0, mass - right, right)
         got, _ = weighed([(mass, x)])
         left = mass - right
         near, far = (mass, 0.0) if x < 0.5 else (0.0, mass)
         mistakes = [
-            (_masses(1.0, right, left), "The ends are swapped. The nearer end carries more."),
-            (_masses(1.0, 2.0 * left, 2.0 * right), "An end has two particles. Each carries half "
-                                                    "of the part of that end."),
-            (_masses(0.0, left, right), "The particles lost their own mass. Add MASS to what each "
-             "carries."),
-            (_masses(1.0, near, far), "The nearer end carries everything. Divide the weight "
-             "between the ends."),
+            (_masses(1.0, right, left), "The loads of the two ends are swapped. The end that is "
+                                        "nearer to the weight must carry more."),
+            (_masses(1.0, 2.0 * left, 2.0 * right), "Each particle got the whole load of its end. "
+             "An end consists of two particles, so each one carries half of it."),
+            (_masses(0.0, left, right), "The particles have lost their own mass. Add MASS to the "
+                                        "load that each of them carries."),
+            (_masses(1.0, near, far), "The nearer end carries the whole weight. A weight between "
+                                      "the ends rests on both, so divide it according to the "
+                                      "distances."),
         ]  # fmt: skip
         blame(got[2:], mistakes, tolerance=2e-3)  # a mass of 0 has become 1 g
         expect_close(got[2:], wanted, tolerance=1e-12)
-        about.call = f"platform.put_weight({mass}, {x}): masses of the pivot"
-        about.cause = "The ends carry the weight. The pivot must stay immovable."
+        about.call = f"platform.put_weight({mass}, {x}): the masses of the pivot"
+        about.cause = (
+            "The mass of the pivot has changed. The ends carry the weight, and the pivot must "
+            "stay immovable."
+        )
         expect_exactly(got[:2], [math.inf, math.inf])
-        about.call = f"platform.put_weight(7.0, 1.0); put_weight({mass}, {x}): the masses of the "
-        about.call += "ends"
-        about.cause = "The platform has only one weight. A new one replaces the old one."
+        about.call = (
+            f"platform.put_weight(7.0, 1.0), then put_weight({mass}, {x}): the masses of the ends"
+        )
+        about.cause = (
+            "The old weight still counts. The platform carries only one weight, so a new one "
+            "replaces it."
+        )
         got, _ = weighed([(7.0, 1.0), (mass, x)])
         expect_close(got[2:], wanted, tolerance=1e-12)
-    about.call = "platform.put_weight(3.0, 1.0); put_weight(0.0, 1.0): the masses of the ends"
+    about.call = "platform.put_weight(3.0, 1.0), then put_weight(0.0, 1.0): the masses of the ends"
     got, _ = weighed([(3.0, 1.0), (0.0, 1.0)])
-    expect_close(got[2:], [1.0] * 4, cause="A weight of 0 kg must remove the old weight.")
+    expect_close(
+        got[2:],
+        [1.0] * 4,
+        cause="The old weight still counts. A weight of 0 kg "
+        "replaces it, so each particle of the ends must have only its own mass again.",
+    )
 
 
 @pytest.mark.exercise("B8.7")
 @pytest.mark.robust
 def test_a_weight_that_is_none_is_refused() -> None:
     about.read = WEIGHT
-    about("platform.put_weight(3.0, 1.0)", cause="A weight of 3 kg between the ends is valid.")
+    about(
+        "platform.put_weight(3.0, 1.0)",
+        cause="A weight of 3 kg between the ends is valid, so the call must not raise an error.",
+    )
     before, error = weighed([(3.0, 1.0)])
-    expect_exactly(error, "", then=": the error raised ('' is none)")
+    expect_exactly(error, "", then=": the name of the error ('' if there was none)")
     for mass, x, error in (
         (-1.0, 1.0, "ValueError"),
         (math.nan, 1.0, "ValueError"),
@@ -230,11 +286,17 @@ def test_a_weight_that_is_none_is_refused() -> None:
         (1.0, math.nan, "ValueError"),
         ("1", 1.0, "TypeError"),
     ):
-        about.call = f"platform.put_weight(3.0, 1.0); put_weight({mass!r}, {x!r})"
-        about.cause = "The mass must be finite and 0 or more, and x must be from LEFT to RIGHT."
+        about.call = f"platform.put_weight(3.0, 1.0), then put_weight({mass!r}, {x!r})"
+        about.cause = (
+            "The mass must be finite and not negative, and x must be from LEFT to RIGHT. Raise an "
+            "error for anything else."
+        )
         got, name = weighed([(3.0, 1.0), (mass, x)])
-        expect_exactly(name, error, then=": the error raised ('' is none)")
-        about.cause = "Check both arguments before you change a mass, so that the old weight stays."
+        expect_exactly(name, error, then=": the name of the error ('' if there was none)")
+        about.cause = (
+            "The call was refused, but it has changed the masses. Check both arguments before you "
+            "change a mass, so that the old weight stays."
+        )
         expect_exactly(got, before, then=": the masses")
 
 
@@ -244,61 +306,75 @@ def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
     x = -round(rng.uniform(1.5, 3.0), 3)
     limit = 2.0 / -x  # the ends turn it by 2 kg (4 m - 3 m) to the right
     mass = limit * (1.5 if side == "heavy enough" else 0.5)
-    about(f"platform.put_weight({mass}, {x}); 30 steps of 1/60 s: the left end", read=WEIGHT)
-    about.cause = f"The left end must sink if the weight at {x} m is more than {limit:.3f} kg, and "
-    about.cause += "not otherwise. Compare mass times distance on both sides."
+    about(f"platform.put_weight({mass}, {x}), then 30 steps of 1/60 s: the left end", read=WEIGHT)
+    about.cause = (
+        f"The left end must sink if the weight at {x} m is more than {limit:.3f} kg, and "
+        "stay up if it is less. There, mass times distance is the same on both sides of the pivot."
+    )
     places = tipped(mass, x, 30, 1.0 / 60.0)
     sinks = places[2][1] < places[4][1]
     expect_exactly(sinks, side == "heavy enough", then=": is it below the right end")
     length = math.dist(places[2], places[4])
-    about.cause = "The rods must keep the length of the platform. Add them to the world's contact "
-    about.cause += "generators."
+    about.cause = (
+        "The platform has changed its length, so its rods do not hold. Add them to the contact "
+        "generators of the world."
+    )
     expect_close(length, 7.0, then=": its distance from the right end, to 1 cm", tolerance=0.01)
 
 
 @pytest.mark.exercise("8.1")
 def test_a_free_pivot_is_like_the_other_particles() -> None:
-    about("platform.free_pivot(); the masses of the six particles", read=FREE)
+    about("platform.free_pivot(): the masses of the six particles", read=FREE)
     done = freed(0, 0.1)
-    about.cause = "Give MASS to both of the pivot's particles, so that both can slide."
+    about.cause = "Both particles of the pivot must be able to move. Set the mass of each to MASS."
     expect_close(done["masses"], [1.0] * 6, tolerance=1e-12)
-    about.call = "platform.put_weight(7.0, 4.0); free_pivot(); the masses of the six particles"
-    about.cause = "Change only the two particles of the pivot. The ends keep their weight."
+    about.call = "platform.put_weight(7.0, 4.0), then free_pivot(): the masses of the six particles"
+    about.cause = (
+        "free_pivot() has changed the load of the ends. Change only the masses of the two "
+        "particles of the pivot."
+    )
     wanted = [1.0, 1.0, 1.0, 1.0, 4.5, 4.5]
     got = freed(0, 0.1, weight=7.0)["masses"]
     expect_close(got, wanted, tolerance=1e-12)
     got = [coordinate for place in done["before"] for coordinate in place]
     wanted = [coordinate for place in PLACES for coordinate in place]
     about(
-        "platform.free_pivot(); positions of its particles",
-        cause="free_pivot() must not move anything yet.",
+        "platform.free_pivot(): the positions of its particles",
+        cause="free_pivot() has moved a particle. It should only change masses and add a rod, and "
+        "the next step moves the platform.",
     )
     expect_close(got, wanted, tolerance=0.0)
     for name in ("rods", "in world"):
         where = "platform.rods" if name == "rods" else "world.contact_generators"
-        about.call = f"platform.free_pivot(); the number of motions that the rods in {where} "
-        about.call += "allow, besides those of a rigid body"
+        about.call = (
+            f"platform.free_pivot(): the number of motions that the rods in {where} allow, besides "
+            "those of a rigid body"
+        )
         joined = [(i, j) for i, j, _ in done[name]]
         # Six motions of a rigid body go where 0 is held, 2 moves along its way there, and 1 in a
         # plane: 0, 1 and 2 are no line.
         left = motions(PLACES, joined, (0, 1, 2, 3, 4, 7))
-        about.cause = "Keep all rods in both lists, and add one between the two particles of the "
-        about.cause += "pivot if there is none."
+        about.cause = (
+            "The two particles of the pivot can move now, so they need a rod that joins them. "
+            "Keep all other rods, and add this one to both lists."
+        )
         if left:
             about.cause += f" They still allow this motion: {told(left[0], 'particle')}."
         expect_exactly(len(left), 0)
-    about.cause = "The length of a rod is the distance between its ends."
+    about.cause = "A rod is as long as the distance between its ends."
     for i, j, length in done["rods"]:
-        about.call = f"platform.free_pivot(); the length of the rod from {i} to {j}"
+        about.call = f"platform.free_pivot(): the length of the rod from {i} to {j}"
         wanted = math.dist(PLACES[i], PLACES[j])
         expect_close(length, wanted, tolerance=1e-12)
 
 
 @pytest.mark.exercise("8.1")
 def test_a_free_platform_slides_and_stays_rigid() -> None:
-    about("platform.free_pivot(); 45 steps of 1/60 s", read=FREE)
-    about.cause = "Nothing pushes the platform along X or Z, because the ground has no friction. "
-    about.cause += "Its center of mass can only move down."
+    about("platform.free_pivot(), then 45 steps of 1/60 s", read=FREE)
+    about.cause = (
+        "The ground has no friction, so nothing pushes the platform along X or Z. Its center of "
+        "mass can only move down."
+    )
     done = freed(45, 1.0 / 60.0)
     before, after = done["before"], done["after"]
     for axis, name in ((0, "x"), (2, "z")):
@@ -306,7 +382,10 @@ def test_a_free_platform_slides_and_stays_rigid() -> None:
         wanted = math.fsum(place[axis] for place in before) / 6.0
         # The impulses of rods are equal and opposite, to rounding, however many there are.
         expect_close(got, wanted, then=f": {name} of the center of mass", tolerance=1e-9)
-    about.cause = "The platform must stay rigid, so every distance must stay the same."
+    about.cause = (
+        "The platform has changed its shape. Its rods must hold it, so all distances between its "
+        "particles must stay the same."
+    )
     off = max(
         abs(math.dist(after[i], after[j]) - math.dist(before[i], before[j]))
         for i, j in combinations(range(6), 2)

@@ -45,26 +45,38 @@ def named_design(design: Sequence[float]) -> str:
 @pytest.mark.exercise("P8.2a")
 def test_a_beam_is_rigid(rng: Random) -> None:
     design = draw_design(rng)
-    about(f"Trebuchet(Design{design}).beam(): the number of ways in which it can bend", read=BEAM)
-    about.cause = "Each rod must join two of the three particles: pivot, counterweight and tip."
+    about(
+        f"Trebuchet(Design{design}).beam(): the number of ways in which the beam can bend",
+        read=BEAM,
+    )
+    about.cause = (
+        "Each rod must join two of these three particles: the pivot, the counterweight and the tip."
+    )
     rods, places = beam(design)
     joined = [(i, j) for i, j, _ in rods]
     strange = [pair for pair in joined if min(pair) < 0 or pair[0] == pair[1]]
-    expect_exactly(len(strange), 0, then=": rods that do not")
+    expect_exactly(len(strange), 0, then=": the number of rods that do not")
     # Held are the pivot, the plane and the fall of the counterweight. A rigid beam cannot move.
     left = motions(places, joined, (0, 1, 2, 4, 5, 8))
-    about.cause = "Join every two of the three particles, which gives a rigid triangle."
+    about.cause = (
+        "The beam must be rigid. Join every two of its three particles with a rod, because a "
+        "triangle cannot bend."
+    )
     if left:
-        about.cause += " Your rods still allow this motion: "
-        about.cause += f"{told(left[0], '')} (0 is the pivot, 1 the counterweight, 2 the tip)."
+        about.cause += (
+            f" Your rods still allow this motion: {told(left[0], '')} (0 is the pivot, 1 the "
+            "counterweight, 2 the tip)."
+        )
     expect_exactly(len(left), 0)
     parts = ("pivot", "counterweight", "tip")
     for i, j, length in rods:
         about.call = f"Trebuchet({named_design(design)}).beam(): the length of the rod from "
         about.call += f"{parts[i]} to {parts[j]}"
-        about.cause = "Each rod is as long as the current distance between its ends."
-        straight = "The length is short_arm + long_arm, as for a straight beam. The beam is bent "
-        straight += "at the pivot, so use the current distance between the rod's own ends."
+        about.cause = "Each rod must be as long as the current distance between its ends."
+        straight = (
+            "This length is short_arm + long_arm, which is right for a straight beam. This beam "
+            "is bent at the pivot, so use the current distance between the rod's own ends."
+        )
         blame(length, [(design[1] + design[2], straight)])
         wanted = math.dist(places[i], places[j])
         expect_close(length, wanted, tolerance=1e-12)
@@ -75,32 +87,48 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
     design = draw_design(rng)
     angle = design[4]
     speed, height = positive_number(rng, 5.0, 30.0), positive_number(rng, 0.01, 3.0)
-    about(f"a release angle of {angle} degrees; lets_go() ", read=LETS_GO)
+    about(
+        f"a trebuchet with a release angle of {angle} degrees; lets_go() with the projectile ",
+        read=LETS_GO,
+    )
 
     def flight(degrees: float, above: float = height) -> tuple:
         radians = math.radians(degrees)
         return above, (speed * math.cos(radians), speed * math.sin(radians), 0.0)
 
-    steep = "The projectile still flies too steeply. release_angle is in degrees, but math.atan2 "
-    steep += "returns radians."
-    lower = "The sling lets go at the release angle or lower. Use the angle above the horizontal, "
-    lower += "atan2(v.y, v.x)."
+    steep = (
+        "The projectile still flies too steeply, so the sling must not let go. release_angle is "
+        "in degrees, but math.atan2 returns radians, so convert one of them before you compare."
+    )
+    lower = (
+        "The projectile flies at the release angle or lower, so the sling must let go. The angle "
+        "above the horizontal is atan2(v.y, v.x)."
+    )
     about.cause = lower
     if not lets_go(design, [flight(angle - 0.1)])[0]:
-        steep = "The comparison is reversed: the sling lets go above the release angle. It must "
-        steep += "let go at the release angle or lower."
-    forward = "The projectile must fly forward: v.x > 0."
-    high = "The projectile must be above the pivot."
+        steep = (
+            "The comparison is the wrong way round, because the sling lets go above the release "
+            "angle. It must let go at the release angle or lower."
+        )
+    forward = (
+        "The projectile is not flying forward, so the sling must not let go. Check that v.x > 0."
+    )
+    high = (
+        "The projectile is not above the pivot, so the sling must not let go. Check its height as "
+        "well."
+    )
     for what, how, wanted, cause in (
         ("a little above the angle", flight(angle + 0.1), False, steep),
         ("a little below the angle", flight(angle - 0.1), True, lower),
-        ("just above the pivot", flight(angle - 1.0, 0.01), True, "Any height above the pivot is "
-         "enough."),
-        ("forward and down", flight(-50.0), True, "Any angle below the release angle is enough."),
+        ("just above the pivot", flight(angle - 1.0, 0.01), True, "The projectile is above the "
+         "pivot, so the sling must let go. It does not matter how far above."),
+        ("forward and down", flight(-50.0), True, "The projectile flies below the release angle, "
+         "even if it flies down, so the sling must let go."),
         ("steeply backward", flight(180.0 - angle), False, forward),
         ("backward and down", flight(-150.0), False, forward),
         ("straight down", (height, (0.0, -speed, 0.0)), False, forward),
-        ("slowly forward", (height, (0.25, -speed, 0.0)), True, "Any v.x above 0 is forward."),
+        ("slowly forward", (height, (0.25, -speed, 0.0)), True, "The projectile flies forward, so "
+         "the sling must let go. Any v.x above 0 counts as forward."),
         ("at the pivot's height", flight(angle - 1.0, 0.0), False, high),
         ("below the pivot", flight(angle - 1.0, -height), False, high),
     ):  # fmt: skip
@@ -110,10 +138,17 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
             wanted,
             then=f"{what}: {how[0]} m above the pivot, velocity {how[1]}",
         )
-    about.call = f"a release angle of 0; lets_go() {height} m above the pivot, velocity ({speed}, "
-    about.call += "0, 0)"
+    about.call = (
+        f"a trebuchet with a release angle of 0; lets_go() with the projectile {height} m above "
+        f"the pivot, velocity ({speed}, 0, 0)"
+    )
     got = lets_go((*design[:4], 0.0), [(height, (speed, 0.0, 0.0))])[0]
-    expect_exactly(got, True, cause="At exactly the release angle the sling lets go.")
+    expect_exactly(
+        got,
+        True,
+        cause="The projectile flies at exactly the release angle. The sling "
+        "must let go at this angle as well, so compare with <=.",
+    )
 
 
 @pytest.mark.exercise("P8.2a")
@@ -121,50 +156,75 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
     about.read = THROW
     weight = positive_number(rng, 100.0, 300.0)
     design = (weight, 1.5, 3.0, 1.0, 30.0)
-    about.call = f"Trebuchet(Design{design}).throw(); it lets go in the first step, at (2, 8, 0) "
-    about.call += "with (30, 10, 0) m/s; the counterweight has sunk by 4 m"
+    about.call = (
+        f"Trebuchet(Design{design}).throw(), where the sling lets go in the first step, at (2, 8, "
+        "0) with (30, 10, 0) m/s, and the counterweight has sunk by 4 m"
+    )
     start = 5.0 + 3.0 * math.sin(math.radians(200.0)) - 1.0
-    about.cause = "The flight takes t = (v_y + sqrt(v_y^2 + 2 g y)) / g. The range is x + v_x t."
+    about.cause = (
+        "A projectile that starts at height y with a vertical velocity of v_y flies for t = (v_y "
+        "+ sqrt(v_y^2 + 2 g y)) / g. The range is x + v_x t."
+    )
     distance, share, frames, flies, _ = throw(design, "up")
     seen = (
-        "The sling lets go in the first step. Check self.flies after each self.step(STEP), and "
-        "stop."
+        "The sling lets go in the first step, but the throw continued. Check self.flies after "
+        "each call of self.step(STEP), and stop as soon as it is true."
     )
-    seen = cause_of(frames, [(4, "The step lasted 1/60 s. Use self.step(STEP).")], seen)
+    seen = cause_of(
+        frames,
+        [(4, "The step lasted 1/60 s, which is too long for a trebuchet. Call self.step(STEP).")],
+        seen,
+    )
     expect_exactly(frames, 1, then=": time until then, in units of STEP", cause=seen)
     wanted = 2.0 + 30.0 * (10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
     mistakes = [
-        (wanted - 2.0, "This range is measured from the point of release. Add its x coordinate."),
+        (wanted - 2.0, "This range is measured from the point of release. The trebuchet's own "
+                       "range starts at x = 0, so add the x of the projectile."),
         (2.0 + 30.0 * 20.0 / G,
-         "The range is computed from the ground. The projectile was released 8 m above it."),
+         "This is the range of a throw that starts on the ground. The projectile was released 8 m "
+         "above the ground, so it flies for longer."),
         (600.0 / G,
-         "The range is computed from the ground below the pivot. The projectile was released "
-         "at (2, 8)."),
+         "This is the range of a throw that starts on the ground below the pivot. The projectile "
+         "was released at (2, 8), so both coordinates count."),
     ]  # fmt: skip
     blame(distance, mistakes)
     expect_close(distance, wanted, then=": range", tolerance=1e-9)
-    about.cause = "In Throw, share is m v^2 / 2 + m g (rise of the projectile), divided by M g "
-    about.cause += "(fall of the counterweight)."
+    about.cause = (
+        "The share is the energy that the projectile has gained, m v^2 / 2 + m g times its rise, "
+        "divided by the energy that the counterweight has lost, M g times its fall."
+    )
     gained = 0.5 * 5.0 * 1000.0 + 5.0 * G * (8.0 - start)
     lost = 4.0 * weight * G
     wanted = gained / lost
     mistakes = [
-        (2500.0 / lost, "The potential energy of the projectile is missing: m g times its rise."),
-        ((gained - 2500.0) / lost, "The kinetic energy of the projectile is missing: m v^2 / 2."),
-        (gained / (4.0 * 5.0 * G), "The lost energy was computed with the projectile's mass. Use "
-                                   "the counterweight's mass."),
-        (1.0 / wanted, "The fraction is inverted. Divide the gained energy by the lost energy."),
-        (100.0 * wanted, "The share is a percentage. A share of 1 stands for all of the energy."),
+        (2500.0 / lost, "The potential energy of the projectile is missing. It has also been "
+                        "lifted, so add m g times its rise."),
+        ((gained - 2500.0) / lost, "The kinetic energy of the projectile is missing. Add m v^2 / "
+                                   "2 to the gained energy."),
+        (gained / (4.0 * 5.0 * G), "The lost energy was computed with the mass of the projectile. "
+                                   "It is the counterweight that falls, so use its mass."),
+        (1.0 / wanted, "The fraction is upside down. Divide the energy that the projectile gained "
+                       "by the energy that the counterweight lost."),
+        (100.0 * wanted, "This share is a percentage. Return a fraction, so that 1 stands for all "
+                         "of the energy."),
     ]  # fmt: skip
     blame(share, mistakes)
     expect_close(share, wanted, then=": share", tolerance=1e-9)
-    about.call = f"Trebuchet(Design{design}).throw(), released at (2, 8, 0) with (30, -10, 0) m/s: "
-    about.call += "range"
+    about.call = (
+        f"Trebuchet(Design{design}).throw(), where the sling lets go at (2, 8, 0) with (30, -10, "
+        "0) m/s: the range"
+    )
     wanted = 2.0 + 30.0 * (-10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
-    about.cause = "Keep the sign of v_y. A projectile that flies down reaches the ground sooner."
+    about.cause = (
+        "A projectile that already flies down reaches the ground sooner, so its range is shorter. "
+        "Keep the sign of v_y in the formula."
+    )
     got = throw(design, "down")[0]
     expect_close(got, wanted, tolerance=1e-9)
-    about.cause = "Call self.step(STEP), which also removes the sling and sets flies."
+    about.cause = (
+        "trebuchet.flies is still false after the throw. Call self.step(STEP), which removes the "
+        "sling and sets flies when it lets go."
+    )
     about.call = f"Trebuchet(Design{design}).throw(); trebuchet.flies"
     expect_exactly(flies, True)
 
@@ -175,8 +235,10 @@ def test_a_throw_agrees_with_lagrange(
 ) -> None:
     design = draw_design(rng)
     about(f"Trebuchet(Design{design}).throw()", read=THROW)
-    about.cause = "The throw differs from the solution of Lagrange's equations. Use "
-    about.cause += "self.step(STEP) until self.flies, and check that the beam is rigid."
+    about.cause = (
+        "This throw differs from the solution of Lagrange's equations by more than 10 %. Call "
+        "self.step(STEP) until self.flies is true, and check that the beam is rigid."
+    )
     distance, share, *_, resolved = throw(design)
     true_distance, true_share = thrown(*design)
     if isinstance(distance, float) and isinstance(resolved, int):
@@ -193,32 +255,50 @@ def test_what_never_lets_go_is_no_throw() -> None:
     about.read = THROW
     for sling in (1.0, 3.75):  # with the longer one the projectile starts 0.22 m up
         design = (100.0, 1.5, 3.0, sling, 30.0)
-        about.call = f"Trebuchet(Design{design}).throw(), where nothing moves: range and share"
-        about.cause = "The sling never lets go. After TIME_LIMIT, return Throw(0.0, 0.0)."
+        about.call = (
+            f"Trebuchet(Design{design}).throw(), where nothing moves: the range and the share"
+        )
+        about.cause = (
+            "The sling never lets go, so this is not a throw. Stop after TIME_LIMIT and return "
+            "Throw(0.0, 0.0)."
+        )
         got = throw(design, "nothing")
         expect_close(got[:2], (0.0, 0.0), tolerance=0.0)
-        about.cause = "Stop after TIME_LIMIT, 4 s, so after 1000 steps of STEP, 1/250 s."
+        about.cause = (
+            "The simulation must end after TIME_LIMIT, which is 4 s. At a STEP of 1/250 s this is "
+            "1000 steps."
+        )
         # One more or less if the time is added up with rounding.
         expect_close(got[2], 1000.0, then=": steps", tolerance=1.0)
     heavy = (1.0, 1.5, 3.0, 3.75, 30.0)
-    about.call = f"Trebuchet(Design{heavy}).throw(), whose projectile sinks into the ground: "
-    about.call += "range, share"
-    about.cause = "The projectile reached the ground on its sling. Return Throw(0.0, 0.0) if its "
-    about.cause += "height is 0 or below."
+    about.call = (
+        f"Trebuchet(Design{heavy}).throw(), where the projectile sinks into the ground: the range "
+        "and the share"
+    )
+    about.cause = (
+        "The projectile has reached the ground while it still hangs on the sling. Stop when its "
+        "height is 0 or less, and return Throw(0.0, 0.0)."
+    )
     got = throw(heavy)
     expect_close(got[:2], (0.0, 0.0), tolerance=0.0)
     # It is there after 0.23 s.
     expect_exactly(got[2] < 100, True, then=": has it ended within 100 steps")
-    about.call = f"Trebuchet(Design{design}).throw(), on the ground after one step: range, share, "
-    about.call += "steps"
-    about.cause = "The projectile reached the ground on its sling. Return Throw(0.0, 0.0) at once."
+    about.call = (
+        f"Trebuchet(Design{design}).throw(), where the projectile is on the ground after one step: "
+        "the range, the share, and the number of steps"
+    )
+    about.cause = (
+        "The projectile has reached the ground while it still hangs on the sling. Check this "
+        "after each step, and return Throw(0.0, 0.0) at once."
+    )
     got = throw(design, "ground")
     expect_close(got[:3], (0.0, 0.0, 1.0), tolerance=0.0)
 
 
 def better(design: Sequence[float], distance: float) -> str:
     """Return which number of a design to change by 10 %, so that it throws the farthest."""
-    most, advice = distance, " No single change of 10 % helps, so change two numbers at a time."
+    most = distance
+    advice = " No change of a single number by 10 % helps, so change two numbers at a time."
     for i, name in enumerate(NAMES):
         for change in (0.9, 1.1):
             other = [number * change if i == j else number for j, number in enumerate(design)]
@@ -228,7 +308,9 @@ def better(design: Sequence[float], distance: float) -> str:
             farther, _ = thrown(*other)
             if farther > most:
                 word = "smaller" if change < 1.0 else "larger"
-                advice = f" Try a {word} {name} next: {other[i]:g} would throw {farther:.1f} m."
+                advice = (
+                    f" Try a {word} {name} next. With {other[i]:g} it would throw {farther:.1f} m."
+                )
                 most = farther
     return advice
 
@@ -238,17 +320,26 @@ def better(design: Sequence[float], distance: float) -> str:
     ("meters", "percent"), [(60, 40), (80, 50)], ids=["a good one", "a better one"]
 )
 def test_your_own_trebuchet(meters: int, percent: int) -> None:
-    about("my_design()", cause="Return a Design with five numbers.", read=DESIGN)
+    about(
+        "my_design()",
+        cause="my_design() must return a Design, which consists of five numbers.",
+        read=DESIGN,
+    )
     design = my_design()
     about.call = f"my_design(), which is {named_design(design)}"
-    about.cause = "The counterweight may be at most 400 kg, and both arms together at most 5 m."
+    about.cause = (
+        "This design breaks the limits. The counterweight may weigh at most 400 kg, and both arms "
+        "together may be at most 5 m long."
+    )
     expect_between(design[0], 0.0, 400.0, then=": the counterweight, in kg")
     arms = design[1] + design[2]
     expect_between(arms, 0.0, 5.0, then=": both arms together, in m", tolerance=1e-9)
     distance, share = thrown(*design)
-    about.cause = f"By Lagrange's equations, this design throws {distance:.1f} m, and {share:.0%} "
-    about.cause += "of the energy reaches the projectile."
+    about.cause = (
+        f"According to Lagrange's equations, this design throws {distance:.1f} m, and {share:.0%} "
+        "of the energy reaches the projectile."
+    )
     if distance < meters or share < 0.01 * percent:
         about.cause += better(design, distance)
-    expect_between(distance, meters, math.inf, then=": its range in m")
+    expect_between(distance, meters, math.inf, then=": its range, in m")
     expect_between(share, 0.01 * percent, math.inf, then=": the share of the energy")

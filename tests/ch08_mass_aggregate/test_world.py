@@ -24,7 +24,7 @@ from expect import about, blame, cause_of, expect_close, expect_exactly
 ZERO = (0.0, 0.0, 0.0)
 ENERGY = "the docstring of mechanical_energy"
 WORLD = "book 8.1, and the docstring of ParticleWorld."
-VALID = "A valid argument must not be rejected."
+VALID = "These arguments are valid, so the call must not raise an error."
 
 
 def draw_body(rng: Random) -> Body:
@@ -37,34 +37,48 @@ def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
     bodies = [draw_body(rng) for _ in range(3)]
     parts = [0.5 * m * dot(v, v) - m * dot(a, p) for p, v, a, m in bodies]
     simple = ((0.0, 3.0, 0.0), (4.0, 0.0, 0.0), (0.0, -10.0, 0.0), 2.0)
-    about.call = "mechanical_energy of 2 kg at (0, 3, 0), velocity (4, 0, 0), acceleration (0, "
-    about.call += "-10, 0)"
+    about.call = "mechanical_energy of a particle of 2 kg at (0, 3, 0) with velocity (4, 0, 0) "
+    about.call += "and acceleration (0, -10, 0)"
     got = energy_of([simple])
     mistakes = [
-        (16.0, "The result is the kinetic energy alone. Add the potential energy, m g y = 60 J."),
-        (60.0, "The result is the potential energy alone. Add the kinetic energy, 16 J."),
-        (-44.0, "The potential energy has the wrong sign. It is - m a . p, with a = (0, -g, 0)."),
-        (74.86, "The result uses 9.81 m/s^2. Use the particle's own acceleration, here 10 m/s^2."),
-        (92.0, "The kinetic energy is m v^2 / 2. The half is missing."),
+        (16.0, "This is the kinetic energy alone. Add the potential energy, which is m g y = 60 J "
+               "here."),
+        (60.0, "This is the potential energy alone. Add the kinetic energy, which is m v^2 / 2 = "
+               "16 J here."),
+        (-44.0, "The potential energy has the wrong sign. It is - m a . p, and since a points "
+                "down, it grows with the height."),
+        (74.86, "The result uses 9.81 m/s^2 for gravity. This particle has its own acceleration "
+                "of 10 m/s^2, so use particle.acceleration."),
+        (92.0, "The kinetic energy is twice as large as it should be. It is m v^2 / 2, so the "
+               "factor 1/2 is missing."),
         (38.0, "The mass is missing from the potential energy. It is - m a . p."),
         (46.0, "The mass is missing from the potential energy. It is - m a . p."),
-    ]
-    about.cause = cause_of(got, mistakes, "The energy is m v^2 / 2 + m g y, so 16 J and 60 J.")
+    ]  # fmt: skip
+    about.cause = cause_of(
+        got,
+        mistakes,
+        "The energy is m v^2 / 2 + m g y. Here the kinetic "
+        "energy is 16 J and the potential energy is 60 J.",
+    )
     expect_close(got, 76.0)
     about.cause = (
-        "The energy of a particle is m v^2 / 2 - m a . p. Add the energies of all particles."
+        "The energy of one particle is m v^2 / 2 - m a . p. Add up the energies of all particles."
     )
     for name, some, wanted in (
         ("one particle", bodies[:1], parts[0]),
         ("three particles", bodies, math.fsum(parts)),
     ):
-        bodies_in_words = "; ".join(f"{m} kg at {p}, v {v}, a {a}" for p, v, a, m in some)
+        bodies_in_words = "; ".join(
+            f"{m} kg at {p} with velocity {v} and acceleration {a}" for p, v, a, m in some
+        )
         about.call = f"mechanical_energy of {name}: {bodies_in_words}"
         got = energy_of(some)
         # Rounding of terms of some hundreds of J.
         expect_close(got, wanted, tolerance=1e-10)
-    about.call = f"mechanical_energy of one particle on which a force acts: {bodies[0]}"
-    about.cause = "Forces do not count. Use the particle's own acceleration only."
+    about.call = "mechanical_energy of one particle on which a force acts; its position, "
+    about.call += f"velocity, acceleration and mass are {bodies[0]}"
+    about.cause = "The accumulated force has changed the result. Forces do not count here, so "
+    about.cause += "use only the particle's own acceleration."
     got = energy_of(bodies[:1], components(rng))
     expect_close(got, parts[0], tolerance=1e-10)
 
@@ -73,7 +87,8 @@ def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
 def test_what_nothing_moves_has_no_energy(rng: Random) -> None:
     about.read = ENERGY
     p, v, a, m = draw_body(rng)
-    about.cause = "Skip particles whose inverse_mass is 0. Their energy would be infinite or NaN."
+    about.cause = "An immovable particle has an infinite mass, so its energy would be infinite "
+    about.cause += "or NaN. Skip every particle whose inverse_mass is 0."
     wanted = 0.5 * m * dot(v, v) - m * dot(a, p)
     for first, call in (
         (True, "mechanical_energy of a particle and an immovable one"),
@@ -84,7 +99,9 @@ def test_what_nothing_moves_has_no_energy(rng: Random) -> None:
         got = energy_of(both if first else both[::-1])
         expect_close(got, wanted, tolerance=1e-10)
     about.call = "mechanical_energy of no particles"
-    expect_close(energy_of([]), 0.0, cause="An empty sum is 0.", tolerance=0.0)
+    expect_close(
+        energy_of([]), 0.0, cause="There are no particles, and an empty sum is 0.", tolerance=0.0
+    )
 
 
 @pytest.mark.exercise("B8.2")
@@ -93,9 +110,10 @@ def test_starting_a_frame_clears_the_accumulators(rng: Random) -> None:
     bodies = [draw_body(rng) for _ in range(3)]
     bodies.insert(1, (components(rng), ZERO, ZERO, math.inf))
     force = components(rng)
-    about.call = f"add_force(Vector3{force}) on four particles, number 1 is immovable; "
+    about.call = f"add_force(Vector3{force}) for four particles, of which number 1 is immovable; "
     about.call += "world.start_frame()"
-    about.cause = "Call clear_forces() on every particle, and change nothing else."
+    about.cause = "start_frame must call clear_forces() for every particle, and it must not "
+    about.cause += "change anything else."
     done = started(bodies, force)
     for i, body in enumerate(bodies):
         name = f"{about.call}; particles[{i}].force_accumulator"
@@ -110,20 +128,21 @@ def test_contacts_are_those_of_every_generator(rng: Random) -> None:
     about.read = f"{WORLD}contacts"
     count = rng.randint(150, 300)
     low, high = sorted(float(rng.randint(2, 9)) for _ in range(2))
-    about.call = f"{count} particles at a height of 1, floors at 0, 1, {low} and {high}: the "
+    about.call = f"{count} particles at a height of 1, with floors at 0, 1, {low} and {high}: the "
     about.call += "penetrations in world.contacts()"
-    about.cause = "Return all contacts of all generators in one list. The book's world has a "
-    about.cause += "maximum and drops the others; this one must not."
+    about.cause = "Return all contacts of all generators in one list. The book's world stops at "
+    about.cause += "a maximum number of contacts and drops the others, but yours must keep them "
+    about.cause += "all."
     wanted = [0.0] * count + [low - 1.0] * count + [high - 1.0] * count
     got = depths_of(count, [0.0, 1.0, low, high])
-    first = "The first floor has no contacts. Continue with the next generator."
-    only = (
-        f"Contacts of only {len(got) // count} of 3 floors were returned. Collect the contacts of "
-        "all of them."
-    )
+    first = "The first floor has no contacts, and the search stopped there. Continue with the "
+    first += "next generator if one of them returns nothing."
+    only = f"Only the contacts of {len(got) // count} of the 3 floors were returned. Collect the "
+    only += "contacts of all generators before you return."
     seen = cause_of(len(got), [(0, first), (count, only), (2 * count, only)], about.cause)
     expect_exactly(len(got), 3 * count, then=": how many", cause=seen)
-    order = "The contacts must be in the order of contact_generators."
+    order = "The contacts are in the wrong order. Go through contact_generators from the first "
+    order += "to the last, and append the contacts of each one."
     runs = [round(depth, 9) for depth in got[::count]]
     expect_exactly(
         runs,
@@ -132,7 +151,10 @@ def test_contacts_are_those_of_every_generator(rng: Random) -> None:
         cause=order,
     )
     expect_close(got, wanted)
-    about("world.contacts() without generators", cause="Return an empty list.")
+    about(
+        "world.contacts() without generators",
+        cause="Without generators there are no contacts, so return an empty list.",
+    )
     expect_exactly(depths_of(count, []), [])
 
 
@@ -144,9 +166,10 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
     hand = components(rng)
     bodies = [draw_body(rng) for _ in range(2)]
     about.cause = "Call self.integrator(self.particles, self.registry.update_forces, duration). "
-    about.cause += "Forces that were added after start_frame count, too."
-    about.call = f"world of two particles, integrator={integrator}, forces -{k} x: start_frame(); "
-    about.call += f"add_force(Vector3{hand}); run_physics({h})"
+    about.cause += "Forces that were added after start_frame must still be there, so do not clear "
+    about.cause += "them in run_physics."
+    about.call = f"a world of two particles with integrator={integrator} and forces of -{k} x: "
+    about.call += f"start_frame(); add_force(Vector3{hand}); run_physics({h})"
     done = frame(bodies, "run_physics", h, integrator=integrator, k=k, late=hand)
     for i, (p, v, a, m) in enumerate(bodies):
         push = [a[j] + (hand[j] - k * p[j]) / m for j in range(3)]
@@ -162,19 +185,22 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
             )
             for c, d, why in (
                 (1.0, 0.0, "The forces of the registry are missing. Pass "
-                 "self.registry.update_forces to the integrator."),
-                (1.0, 2.0, "The forces of the registry count twice. Do not call update_forces "
-                 "yourself: the integrator does."),
-                (0.0, 1.0, "The force that was added after start_frame is lost. run_physics must "
-                 "not clear forces."),
-                (0.0, 0.0, "The forces have no effect, only the acceleration does."),
+                           "self.registry.update_forces to the integrator."),
+                (1.0, 2.0, "The forces of the registry count twice. The integrator calls "
+                           "update_forces itself, so do not call it as well."),
+                (0.0, 1.0, "The force that was added after start_frame is lost. Only start_frame "
+                           "may clear the forces, so do not clear them in run_physics."),
+                (0.0, 0.0, "Only the acceleration has an effect, and all forces are lost. Pass "
+                           "self.registry.update_forces to the integrator, and do not clear the "
+                           "forces in run_physics."),
             )
         ]  # fmt: skip
         seen = cause_of(got[1], mistakes, about.cause)
         # A few roundings of numbers of some hundreds.
         expect_close(got[1], velocity, call=f"{name}.velocity", cause=seen, tolerance=1e-11)
         other = [p[j] + v[j] * h for j in range(3)]
-        seen = "The world made a step of explicit Euler. Use self.integrator, which differs here."
+        seen = "The world has made a step of explicit Euler, although it was given another "
+        seen += "integrator. Call self.integrator."
         blame(got[0], [(other, seen)])
         expect_close(got[0], place, call=f"{name}.position", tolerance=1e-11)
 
@@ -184,18 +210,21 @@ def test_a_step_forgets_what_was_added_before_it(rng: Random) -> None:
     h, force = positive_number(rng, 0.05, 0.2), components(rng)
     p, v, a, m = draw_body(rng)
     about(f"add_force(Vector3{force}); world.step({h})", read=f"{WORLD}step")
-    about.cause = "Call start_frame first, which clears earlier forces, and then run_physics."
+    about.cause = "step must call start_frame first, which clears the forces that were added "
+    about.cause += "earlier. Then it calls run_physics."
     done = frame([(p, v, a, m)], "step", h, early=force)
     velocity = [v[j] + a[j] * h for j in range(3)]
     got = done["states"][0][1]
     expect_close(got, velocity, then="; particle.velocity", tolerance=1e-12)
-    about.call = f"world.step({h}) in a subclass that replaces run_physics: the calls of it"
-    about.cause = "Call self.run_physics(duration) once. Do not repeat its code in step, because a "
-    about.cause += "subclass such as SleepingWorld has its own run_physics."
+    about.call = (
+        f"world.step({h}) in a subclass that replaces run_physics: the calls of run_physics"
+    )
+    about.cause = "step must call self.run_physics(duration) once. Do not repeat its code in "
+    about.cause += "step, because a subclass such as SleepingWorld has a run_physics of its own."
     expect_exactly(told_frame(h), [("run_physics", h)])
-    about.cause = "run_physics must use the integrator and the registry."
+    about.cause = "run_physics must call the integrator, and pass it the forces of the registry."
     f = components(rng)
-    about.call = f"a registry with a force -Vector3{f}; world.step({h})"
+    about.call = f"a world whose registry adds a force of -Vector3{f}; world.step({h})"
     done = frame([(p, v, a, m)], "step", h, f=f)
     velocity = [v[j] + (a[j] - f[j] / m) * h for j in range(3)]
     got = done["states"][0][1]
@@ -209,15 +238,18 @@ def test_the_integrator_asks_for_forces_itself(rng: Random, integrator: str) -> 
     h, k = positive_number(rng, 0.05, 0.2), positive_number(rng)
     bodies = [draw_body(rng) for _ in range(2)]
     evaluations = 4 if integrator == "runge_kutta_4" else 1
-    about.call = f"two particles with a generator each, integrator={integrator}; run_physics({h})"
-    about.cause = "Call self.integrator once, with all particles and the whole duration."
+    about.call = f"two particles with one generator each, integrator={integrator}; run_physics({h})"
+    about.cause = (
+        "Call self.integrator only once, and pass it all particles and the whole duration."
+    )
     done = frame(bodies, "run_physics", h, integrator=integrator, k=k)
     asked = [row[1:] for row in done["diary"] if row[0] == "integrator"]
     expect_exactly(asked, [(h, 2)], then=": duration and number of particles of each call of it")
-    about.cause = "Pass self.registry.update_forces to the integrator and do not call it yourself. "
-    about.cause += "Runge-Kutta evaluates the forces four times."
+    about.cause = "Pass self.registry.update_forces to the integrator, but do not call it "
+    about.cause += "yourself. The integrator decides how often it needs the forces, and "
+    about.cause += "Runge-Kutta evaluates them four times per step."
     count = sum(row[0] == "force" for row in done["diary"])
-    expect_exactly(count, 2 * evaluations, then=": calls of update_force in all")
+    expect_exactly(count, 2 * evaluations, then=": the number of calls of update_force")
     asked = [row[1] for row in done["diary"] if row[0] == "force"]
     expect_exactly(asked, [h] * count, then=": the durations passed to update_force")
 
@@ -231,22 +263,23 @@ def test_contacts_are_those_of_the_new_places(rng: Random) -> None:
         ((0.0, 0.5, 0.0), (2.0, -speed, 0.0), ZERO, 1.0),
         ((5.0, 9.0, 0.0), (2.0, -speed, 0.0), ZERO, 1.0),
     ]
-    about.call = f"a particle 0.5 m above a floor at {-speed} m/s; world.run_physics({h})"
-    about.cause = "Move the particles first, then collect the contacts, then resolve them. The "
-    about.cause += "particle should end on the floor and no longer fall."
+    about.call = (
+        f"a particle that is 0.5 m above a floor and moves at {-speed} m/s; world.run_physics({h})"
+    )
+    about.cause = "First move the particles, then collect the contacts, and then resolve them. "
+    about.cause += "The particle ends up on the floor, and it no longer falls."
     done = frame(bodies, "run_physics", h, floors=[0.0])
     place, velocity = done["states"][0]
     fallen = 0.5 - speed * h
-    inside = (
-        "The particle is inside the floor. Collect the contacts after the integrator has moved "
-    )
-    inside += "the particles, and resolve them."
+    inside = "The particle ends up inside the floor, because the contacts were collected before "
+    inside += "it moved. Collect them after the integrator has moved the particles, and then "
+    inside += "resolve them."
     seen = cause_of(place, [((0.25, fallen, 0.0), inside)], about.cause)
     name = f"{about.call}; particle.position"
     expect_close(place, (0.25, 0.0, 0.0), call=name, cause=seen, tolerance=1e-12)
     name = f"{about.call}; particle.velocity"
     expect_close(velocity, (2.0, 0.0, 0.0), call=name, tolerance=1e-12)
-    about.cause = "A particle without a contact keeps its velocity."
+    about.cause = "This particle has no contact, so it must keep its velocity."
     name = f"{about.call}; another particle, far above: velocity"
     got = done["states"][1][1]
     expect_close(
@@ -260,13 +293,14 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     h = 0.125
     low, high = sorted(float(rng.randint(2, 9)) for _ in range(2))
     bodies: list[Body] = [((float(i), 1.0, 0.0), ZERO, ZERO, 1.0) for i in range(3)]
-    about.call = f"three particles at a height of 1, floors at {low} and at {high}; "
-    about.call += f"run_physics({h})"
-    about.cause = "Collect the contacts of every generator once, and call "
-    about.cause += "resolver.resolve_contacts once, with all contacts and the duration."
+    about.call = (
+        f"three particles at a height of 1, with floors at {low} and at {high}; run_physics({h})"
+    )
+    about.cause = "Collect the contacts of all generators once. Then call "
+    about.cause += "resolver.resolve_contacts once, with all of these contacts and the duration."
     done = frame(bodies, "run_physics", h, floors=[low, high], record=True)
     calls = [row for row in done["diary"] if row[0] == "resolve"]
-    expect_exactly(len(calls), 1, then=": calls of the resolver")
+    expect_exactly(len(calls), 1, then=": the number of calls of the resolver")
     depths = [low - 1.0] * 3 + [high - 1.0] * 3
     expect_close(
         (calls[0][1], *calls[0][2]),
@@ -276,10 +310,11 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     asked = [row[1] for row in done["diary"] if row[0] == "contacts"]
     expect_exactly(asked, [low, high], then=": the floors whose contacts() was called")
     about.call = f"three particles at a height of 1, above a floor at 0.5; run_physics({h})"
-    about.cause = "There are no contacts, so do not call the resolver. This saves time."
+    about.cause = "There are no contacts, so do not call the resolver. This saves time in every "
+    about.cause += "step without contacts."
     done = frame(bodies, "run_physics", h, floors=[0.5], record=True)
     count = sum(row[0] == "resolve" for row in done["diary"])
-    expect_exactly(count, 0, then=": calls of the resolver")
+    expect_exactly(count, 0, then=": the number of calls of the resolver")
 
 
 @pytest.mark.exercise("B8.2")
@@ -287,8 +322,9 @@ def test_no_contact_is_left_out(rng: Random) -> None:
     about.read = f"{WORLD}contacts, and the class: there is no maximum"
     count = rng.randint(30, 60)
     about.call = f"{count} particles fall on the ground at once; their heights after a second"
-    about.cause = "Some contacts were not resolved. The book's world has a maximum and drops the "
-    about.cause += "others; this one must not."
+    about.cause = "Some contacts were not resolved, so some particles have fallen through the "
+    about.cause += "ground. The book's world stops at a maximum number of contacts and drops the "
+    about.cause += "others, but yours must resolve all of them."
     heights = rained(count, 0.05, 20)
     expect_close(heights, (0.0,) * count, tolerance=1e-9)
 
@@ -297,9 +333,10 @@ def test_no_contact_is_left_out(rng: Random) -> None:
 def test_a_world_may_get_more_later(rng: Random) -> None:
     about.read = "the docstring of ParticleWorld: its lists may be appended to"
     h = positive_number(rng, 0.05, 0.2)
-    about.call = f"a particle falls for {h} s; then a second one and a third one, which lies on a "
-    about.call += "new ground, are appended; world.step: the vertical velocities"
-    about.cause = "Read self.particles and self.contact_generators again in every step, and "
+    about.call = f"a particle falls for {h} s, then two more particles and a ground below the "
+    about.call += "third one are appended; world.step: the vertical velocities"
+    about.cause = "The world must notice what is appended to its lists. Read self.particles and "
+    about.cause += "self.contact_generators again in every step instead of keeping a copy, and "
     about.cause += "resolve the contacts."
     got = [velocity[1] for _, velocity in appended(h)]
     wanted = (-20.0 * h, -10.0 * h, 0.0)
@@ -319,12 +356,13 @@ def test_a_frame_without_a_duration_is_refused(method: str) -> None:
         ("0.1", "TypeError"),
     ):
         about(
-            f"world.{method}({duration!r})", cause='Check it first: positive("duration", duration).'
+            f"world.{method}({duration!r})",
+            cause='Check the duration first, with positive("duration", duration).',
         )
         done = refused(method, duration)
-        expect_exactly(done["error"], error, then=": the error raised ('' is none)")
-        about.cause = "A rejected call must change nothing. Check the duration before you clear "
-        about.cause += "forces or move anything."
+        expect_exactly(done["error"], error, then=": the name of the error ('' if there was none)")
+        about.cause = "The call was refused, but it has already changed the world. Check the "
+        about.cause += "duration before you clear forces or move anything."
         got = tuple(number for part in done["left"] for number in part)
         wanted = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0)
         expect_close(got, wanted, then="; position, velocity, force_accumulator", tolerance=0.0)

@@ -43,14 +43,14 @@ DRIFT = "the docstring of first_order_drift, and E-31"
 @pytest.mark.exercise("B9.18")
 def test_a_point_of_what_turns() -> None:
     about.read = POINT
-    about.call = "velocity_of_point(q, p, p', w), with q = Vector3(1, 0, 0), p and p' = Vector3(), "
-    about.call += "w = Vector3(0, 0, 2)"
-    about.cause = "The velocity is w x (q - p). The rotation is counter-clockwise about Z, so a "
-    about.cause += "point on X moves along +Y."
+    about.call = "velocity_of_point(q, p, p', w) with q = Vector3(1, 0, 0), p and p' = "
+    about.call += "Vector3(), and w = Vector3(0, 0, 2)"
+    about.cause = "The velocity is w x (q - p). A rotation about Z is counter-clockwise, so a "
+    about.cause += "point on the X axis moves along +Y."
     args = [Vector3(1, 0, 0), Vector3(), Vector3(), Vector3(0, 0, 2)]
     got = xyz(velocity_of_point(*args))
     slips = {
-        "the cross product in the wrong order, (q - p) x w": (0.0, -2.0, 0.0),
+        "the vector product with its factors swapped, (q - p) x w": (0.0, -2.0, 0.0),
         "the velocity without any rotation": (0.0, 0.0, 0.0),
         "the angular velocity itself": (0.0, 0.0, 2.0),
     }
@@ -63,7 +63,9 @@ def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
     point, place, v, w = (components(rng) for _ in range(4))
     given = [Vector3(*a) for a in (point, place, v, w)]
     about.call = f"velocity_of_point(Vector3{point}, Vector3{place}, Vector3{v}, Vector3{w})"
-    about.cause = "The velocity is w x (q - p) + p', where q - p is the offset from the position."
+    about.cause = "The point moves with the object and also rotates about it. Its velocity is w "
+    about.cause += "x (q - p) + p', where q - p is the offset of the point from the object's "
+    about.cause += "position."
     got = xyz(velocity_of_point(*given))
     # The vector part of (0, w) times (0, arm) is their cross product.
     turning, about_world = (
@@ -71,10 +73,10 @@ def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
     )
     wanted = added(turning, v)
     slips = {
-        "the rotation alone, without the velocity p'": turning,
+        "only the part of the rotation, without the velocity p'": turning,
         "the result for a rotation about the world's origin": added(about_world, v),
-        "the difference of w x (q - p) and p', not their sum": subtracted(turning, v),
-        "the velocity p' alone, without the rotation": v,
+        "the difference of w x (q - p) and p' instead of their sum": subtracted(turning, v),
+        "only the velocity p' of the object, without the rotation": v,
     }
     why = named(got, about.cause, slips)
     # Two products of up to 200 each.
@@ -83,7 +85,8 @@ def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
     for name, now, before in zip(names, given, (point, place, v, w), strict=True):
         expect_unchanged(name, xyz(now), before, cause=UNCHANGED)
     about.call = f"v = Vector3{v}; velocity_of_point(q, p, v, Vector3(0, 0, 0)).invert(); v"
-    about.cause = "Return a new vector, even if nothing rotates."
+    about.cause = "The result is the same vector as p', so a change of one also changes the "
+    about.cause += "other. Return a new vector, even if nothing rotates."
     same = velocity_of_point(*given[:3], Vector3())
     same.invert()
     expect_unchanged("v", xyz(given[2]), v)
@@ -94,7 +97,8 @@ def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
 def test_a_point_that_is_nowhere_is_refused() -> None:
     about.read = "the docstring of velocity_of_point"
     good = (1.0, 2.0, 3.0)
-    about.cause = "Check each of the four arguments with finite_vector from arguments.py."
+    about.cause = "One of the arguments is not a finite vector. Check each of the four with "
+    about.cause += "finite_vector from arguments.py."
     for place in range(4):
         for bad in ((1.0, math.nan, 3.0), (1.0, 2.0, math.inf), None):
             vectors = [Vector3(*good) for _ in range(4)]
@@ -127,8 +131,8 @@ def step_slips(q: Quad, old: Components, new: Components, h: float) -> dict[str,
             component / math.hypot(*longer) for component in longer
         ),
         "a step of Eq. 9.5 without normalizing (E-31)": longer,
-        "a rotation by w' without the duration": hamilton(quad(new, size), q),
-        "a rotation about an axis of the object, not of the world": hamilton(
+        "a rotation by w' alone, without the duration": hamilton(quad(new, size), q),
+        "a rotation about an axis of the object instead of the world": hamilton(
             q, quad(new, h * size)
         ),
         "the old orientation": q,
@@ -142,25 +146,29 @@ def test_a_step_turns_by_the_new_angular_velocity(rng: Random) -> None:
     h = positive_number(rng, 0.05, 0.2)
     orientation, velocity, acceleration = Quaternion(*q), Vector3(*w), Vector3(*a)
     about.call = f"q, w = Quaternion{q}, Vector3{w}; integrate_rotation(q, w, Vector3{a}, {h}); "
-    about.cause = "Change the vector in place to w' = w + alpha h."
+    about.cause = "The angular velocity changes first, to w' = w + alpha h. Change the "
+    about.cause += "components of the vector that was passed, so that the caller sees the new "
+    about.cause += "values."
     returned = integrate_rotation(orientation, velocity, acceleration, h)
     new = tuple(p + h * r for p, r in zip(w, a, strict=True))
     got = xyz(velocity)
     slips = {
-        "the old w (was the result assigned to a new vector and lost?)": w,
+        "The angular velocity has not changed. A new vector that is assigned to the parameter is "
+        "lost, so change the components in place.": w,
         "w + alpha, without the duration": added(w, a),
-        "alpha h, without the old w": subtracted(new, w),
+        "alpha h alone, without the old w": subtracted(new, w),
     }
     why = named(got, about.cause, slips)
     expect_close(got, new, then="w", cause=why, tolerance=TIGHT)
     wanted = hamilton(quad(new, h * math.hypot(*new)), q)
-    about.cause = "First compute w' = w + alpha h, then rotate by w' h with rotate_by."
+    about.cause = "First compute the new angular velocity w' = w + alpha h. Then rotate the "
+    about.cause += "orientation by w' h, with rotate_by."
     got = same_sign(rijk(orientation), wanted)
     slips = {name: same_sign(slip, wanted) for name, slip in step_slips(q, w, new, h).items()}
     why = named(got, about.cause, slips)
     expect_close(got, wanted, then="q", cause=why, tolerance=TIGHT)
     expect_unchanged("the acceleration", xyz(acceleration), a, cause=UNCHANGED)
-    about.cause = "This function works in place and returns nothing."
+    about.cause = "This function works in place, so it must not return anything."
     expect_exactly(returned, None, then="the returned value")
 
 
@@ -174,7 +182,8 @@ def test_many_steps_about_one_axis(rng: Random) -> None:
     w, a = tuple(speed * u for u in unit), tuple(gain * u for u in unit)
     about.call = f"{count} times integrate_rotation(q, Vector3{w}, Vector3{a}, {h}), from "
     about.call += "Quaternion(); q"
-    about.cause = "Step k rotates by (w + k alpha h) h about the same axis."
+    about.cause = "The angular velocity grows in each step, so step k rotates by (w + k alpha h) "
+    about.cause += "h. All of these rotations have the same axis."
     got, after, alpha = steps((1.0, 0.0, 0.0, 0.0), w, a, h, count)
     angle = speed * h * count + gain * h * h * count * (count + 1) / 2.0
     wanted = quad(unit, angle)
@@ -182,14 +191,18 @@ def test_many_steps_about_one_axis(rng: Random) -> None:
     got = same_sign(got, wanted)
     expect_close(got, wanted, tolerance=1e-11)
     wanted = [p + h * count * r for p, r in zip(w, a, strict=True)]
-    about.cause = "Each step adds alpha h to the angular velocity."
+    about.cause = "Each step must add alpha h to the angular velocity."
     expect_close(after, wanted, call=f"{about.call[:-1]}w", tolerance=1e-11)
     expect_unchanged("alpha", alpha, a, cause=UNCHANGED)
 
 
 @pytest.mark.exercise("B9.18")
 def test_a_step_leaves_the_length_at_one(rng: Random) -> None:
-    about(cause="Normalize at the end of the step, so that errors do not accumulate.", read=STEP)
+    about(
+        cause="Rounding changes the length of the quaternion a little in each step. Normalize "
+        "it at the end of the step, so that these errors do not accumulate.",
+        read=STEP,
+    )
     for off in (1.001, 1.0 + 5e-7):
         q = tuple(off * component for component in draw_quad(rng))
         orientation = Quaternion(*q)
@@ -208,8 +221,8 @@ def test_a_step_from_rest(rng: Random) -> None:
         orientation, velocity = Quaternion(*q), Vector3()
         about.call = f"q, w = Quaternion{q}, Vector3(); integrate_rotation(q, w, "
         about.call += f"Vector3{acceleration}, {h})"
-        about.cause = "If w' is zero there is no axis, so do not change the orientation. "
-        about.cause += "Otherwise rotate by w' h."
+        about.cause = "If w' is zero, there is no axis, so the orientation must not change. "
+        about.cause += "Otherwise rotate it by w' h."
         integrate_rotation(orientation, velocity, Vector3(*acceleration), h)
         new = tuple(h * component for component in acceleration)
         expect_close(xyz(velocity), new, then="; w", tolerance=TIGHT)
@@ -223,8 +236,8 @@ def test_a_step_from_rest(rng: Random) -> None:
 def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
     about.read = STEP
     q, w, a = draw_quad(rng), components(rng), components(rng)
-    about.cause = "Check all arguments before you change anything. Call positive and finite_vector "
-    about.cause += "from arguments.py."
+    about.cause = "Check all arguments before you change any of them. Use positive and "
+    about.cause += "finite_vector from arguments.py."
     nan = math.nan
     for velocity, acceleration, h, error in (
         (w, a, 0.0, ValueError),
@@ -258,7 +271,7 @@ def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
         lambda: integrate_rotation(q, spin, Vector3(*a), 0.1),
         TypeError,
         allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
-        cause="The orientation must be a Quaternion. Raise TypeError for a tuple.",
+        cause="The orientation must be a Quaternion, and a tuple is not one. Raise TypeError.",
     )
     expect_unchanged("the velocity", xyz(spin), w)
     for name, velocity, acceleration in (
@@ -273,7 +286,8 @@ def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
             ),
             TypeError,
             allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
-            cause="Check both vectors with finite_vector from arguments.py.",
+            cause="Both vectors must be finite Vector3s. Check them with finite_vector from "
+            "arguments.py.",
         )
         expect_unchanged("q", rijk(orientation), q)
 
@@ -306,8 +320,8 @@ def length_slips(speed: float, duration: float, count: int) -> dict[str, float]:
 def lag_slips(right: float, turn: float) -> dict[str, float]:
     """Return the missing angles that likely mistakes give, out of a whole turn."""
     return {
-        "half of the angle, the one between the quaternions": 0.5 * right,
-        "the angle that was turned, not the one that is missing": turn - right,
+        "half of the angle, which is the angle between the quaternions": 0.5 * right,
+        "the angle of all steps together instead of the angle that is missing": turn - right,
         "the angle with the wrong sign": -right,
         "the angle in degrees": math.degrees(right),
     }
@@ -316,12 +330,13 @@ def lag_slips(right: float, turn: float) -> dict[str, float]:
 @pytest.mark.exercise("B9.19")
 def test_a_turn_a_second_in_sixty_frames() -> None:
     about("first_order_drift(2 pi, 1, 60)", read=DRIFT)
-    about.cause = "Each step multiplies the length by sqrt(1 + (w h / 2)^2)."
+    about.cause = "Each step multiplies the length of the quaternion by sqrt(1 + (w h / 2)^2)."
     length, lag = first_order_drift(math.tau, 1.0, 60)
     # Four decimals of the known figure of E-31.
     why = named(length, about.cause, length_slips(math.tau, 1.0, 60))
     expect_close(length, 1.0856, then=", length", cause=why, tolerance=5e-5)
-    about.cause = "Each step rotates by 2 atan(w h / 2) instead of w h."
+    about.cause = "Each step should rotate by w h, but it rotates by only 2 atan(w h / 2). The "
+    about.cause += "missing angle is the difference, for all steps together."
     wanted = math.tau - 120.0 * math.atan(math.pi / 60.0)
     why = named(lag, about.cause, lag_slips(wanted, math.tau))
     expect_close(lag, wanted, then=", angle", cause=why, tolerance=TIGHT)
@@ -333,16 +348,16 @@ def test_what_the_step_of_the_book_lacks(rng: Random) -> None:
     for steps_, low, high in ((1, 0.2, 1.0), (7, 3.0, 9.0), (7, -9.0, -3.0), (500, 20.0, 30.0)):
         speed, duration = positive_number(rng, low, high), positive_number(rng, 0.5, 1.5)
         about.call = f"first_order_drift({speed}, {duration}, {steps_})"
-        about.cause = "The growth of all steps multiplies, so the length is "
-        about.cause += "(1 + (w h / 2)^2)^(steps / 2)."
+        about.cause = "Each step multiplies the length by the same factor, so the factors of all "
+        about.cause += "steps multiply. The length is (1 + (w h / 2)^2)^(steps / 2)."
         length, lag = first_order_drift(speed, duration, steps_)
         wanted, missing = drift_of(speed, duration, steps_)
         # Rounding of 500 steps.
         near = 1e-10 * wanted
         why = named(length, about.cause, length_slips(speed, duration, steps_))
         expect_close(length, wanted, then=", length", cause=why, tolerance=near)
-        about.cause = "The missing angle is w t minus the angle of all steps. It is negative for a "
-        about.cause += "negative speed."
+        about.cause = "The missing angle is w t minus the angle of all steps together. For a "
+        about.cause += "negative speed it is negative."
         why = named(lag, about.cause, lag_slips(missing, speed * duration))
         expect_close(lag, missing, then=", angle", cause=why, tolerance=1e-10)
 
@@ -350,7 +365,7 @@ def test_what_the_step_of_the_book_lacks(rng: Random) -> None:
 @pytest.mark.exercise("B9.19")
 def test_what_does_not_turn_does_not_drift() -> None:
     about("first_order_drift(0, 2, 10)", read=DRIFT)
-    about.cause = "Without rotation the length stays 1 and no angle is missing."
+    about.cause = "Nothing rotates here, so the length stays 1 and no angle is missing."
     got = tuple(first_order_drift(0.0, 2.0, 10))
     expect_close(got, (1.0, 0.0), tolerance=TIGHT)
 
@@ -365,7 +380,9 @@ def test_a_drift_of_nothing_is_refused() -> None:
         (1, 1),
         ((1, 0.0), (1, -1.0)),
     )
-    about.cause = "Check the number of steps with whole from arguments.py."
+    about.cause = (
+        "The number of steps must be a whole number. Check it with whole from arguments.py."
+    )
     for bad, error in ((0, ValueError), (-2, ValueError), (2.0, TypeError), ("2", TypeError)):
         expect_error(
             lambda bad=bad: first_order_drift(1.0, 1.0, bad),

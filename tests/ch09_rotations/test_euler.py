@@ -74,15 +74,17 @@ def test_one_turn_after_another(rng: Random) -> None:
     about.read = ANGLES
     x, y, z = draw_angles(rng)
     far = math.copysign(math.pi - abs(y), y)
-    about.cause = "Rotate about the world's X first, then Y, then Z. The later rotation is on the "
-    about.cause += "left of the product."
+    about.cause = (
+        "Rotate about the world's X axis first, then about Y, and then about Z. A later rotation "
+        "belongs on the left of the product."
+    )
     for angles in ((x, 0.0, 0.0), (0.0, y, 0.0), (0.0, 0.0, z), (x, y, z), (x, far, z)):
         about.call = f"euler_to_quaternion{angles}"
         wanted = in_order(*angles)
         got = same_sign(rijk(euler_to_quaternion(*angles)), wanted)
         turns = [quad(axis, t) for axis, t in zip((X_AXIS, Y_AXIS, Z_AXIS), angles, strict=True)]
         slips = {
-            f"the product of the rotations about {', '.join(names)}, not Z, Y, X": same_sign(
+            f"the product of the rotations about {', '.join(names)} instead of Z, Y, X": same_sign(
                 hamilton(hamilton(*(turns["XYZ".index(name)] for name in names[:2])), last), wanted
             )
             for names in ("XYZ", "XZY", "YXZ", "YZX", "ZXY")
@@ -107,13 +109,15 @@ def test_what_the_rates_make(rng: Random) -> None:
     for x, y, z in (drawn, tuple(-a for a in drawn), steep, (0.4, 0.5 * math.pi, -0.7)):
         wanted = map_of(x, y, z)
         about.call = f"rate_map({x}, {y}, {z})"
-        about.cause = "Each column is the axis of one angle: Z itself, Y rotated by z, and X "
-        about.cause += "rotated by y and then by z."
+        about.cause = (
+            "Each column is the axis about which one of the angles rotates. For z this is Z "
+            "itself. For y it is Y, rotated by z. For x it is X, rotated by y and then by z."
+        )
         got = entries(rate_map(x, y, z))
         slips = {
             "the identity, as if the rates were the angular velocity": IDENTITY,
-            "the transpose, with the axes as rows": transposed(wanted),
-            "the map to axes of the object, not of the world": map_to_own(x, y, z),
+            "the transpose, which has the axes as rows": transposed(wanted),
+            "the map to axes of the object instead of the world": map_to_own(x, y, z),
             "the map with its columns in reverse order": [
                 wanted[3 * row + column] for row in range(3) for column in (2, 1, 0)
             ],
@@ -132,18 +136,23 @@ def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
     for angles in (drawn, (0.4, 2.5, 0.7), (0.4, -2.5, 0.7), (0.4, 4.0, 0.7), drawn):
         x, y, z = angles
         about.call = f"euler_rates({x}, {y}, {z}, Vector3{w})"
-        about.cause = "Rates exist unless |cos y| is nearly 0."
+        about.cause = (
+            "Rates exist everywhere except at gimbal lock, where cos y is 0. Refuse the angles "
+            "only if |cos y| is at most SINGULAR."
+        )
         if math.cos(y) < 0.0:
             about.cause += f" Here cos y is {math.cos(y):.3g}, so compare its absolute value."
         rates = xyz(euler_rates(*angles, velocity))
-        about.cause = "The rates are the inverse of the rate map times the angular velocity."
+        about.cause = (
+            "The rate map takes the rates to the angular velocity. To go back, multiply the "
+            "angular velocity by the inverse of the map."
+        )
         there = map_of(*angles)
         slips = {
             "the angular velocity itself": w,
-            "the rate map times the angular velocity": applied(there, w),
-            "the transpose times the angular velocity, which is right only for a rotation": applied(
-                transposed(there), w
-            ),
+            "the rate map times the angular velocity, which goes the other way": applied(there, w),
+            "the transpose of the map times the angular velocity, which is right only for a "
+            "rotation": applied(transposed(there), w),
         }
         about.cause = named(rates, about.cause, slips)
         got = applied(there, rates) if isinstance(rates, tuple) and len(rates) == 3 else rates
@@ -153,8 +162,11 @@ def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
     x, y, z = (angle + step * rate for angle, rate in zip(angles, rates, strict=True))
     q = in_order(*angles)
     got = hamilton(in_order(x, y, z), (q[0], -q[1], -q[2], -q[3]))
-    about.call += f"; the angles change by these rates for {step} s: the rotation, per second"
-    about.cause = "The rates do not lead to the given angular velocity."
+    about.call += f"; when the angles change by these rates for {step} s: the rotation per second"
+    about.cause = (
+        "These rates do not lead to the given angular velocity. Multiply the angular velocity by "
+        "the inverse of the rate map."
+    )
     # First order in the step: 1e-6 of the square of rates of up to some 50.
     got = tuple(2.0 * component / step for component in got[1:])
     expect_close(got, w, tolerance=0.05)
@@ -170,8 +182,10 @@ def draw_locked(rng: Random) -> tuple[float, float, Components]:
 def expect_rates_near_lock(x: float, z: float, w: Components, off: float) -> None:
     """Expect rates when the second angle is ``off`` a quarter turn."""
     about(f"euler_rates({x}, pi / 2 + {off}, {z}, Vector3{w})", read=BACK)
-    about.cause = f"The angles are near gimbal lock but not in it: |cos y| is {abs(off)}, which is "
-    about.cause += "greater than SINGULAR (1e-13)."
+    about.cause = (
+        "The angles are close to gimbal lock, but they can still be used. Here |cos y| is "
+        f"{abs(off)}, which is greater than SINGULAR (1e-13), so return the rates."
+    )
     rates = euler_rates(x, 0.5 * math.pi + off, z, Vector3(*w))
     expect_vector(rates)
 
@@ -191,8 +205,11 @@ def test_gimbal_lock_is_refused_and_what_is_near_is_not(rng: Random) -> None:
     quarter = 0.5 * math.pi
     for off in (5e-13, -5e-13):
         expect_rates_near_lock(x, z, w, off)
-    about.cause = "Near a quarter turn two axes coincide. Refuse it unless abs(cos y) > SINGULAR. "
-    about.cause += "Matrix3.inverse does not refuse all of these, since a row may be tiny as well."
+    about.cause = (
+        "Near a quarter turn about Y two of the axes coincide, and no rates exist. Refuse the "
+        "angles unless abs(cos y) > SINGULAR. The check in Matrix3.inverse does not cover all of "
+        "these cases, because a row of the map can be tiny as well."
+    )
     for y, turn in (
         (quarter, z),
         (-quarter, z),
@@ -226,7 +243,9 @@ def test_angles_that_are_none_are_refused() -> None:
         (),
         read=ANGLES,
     )
-    about.cause = "Check the angular velocity with finite_vector from arguments.py."
+    about.cause = (
+        "The angular velocity must be finite. Check it with finite_vector from arguments.py."
+    )
     good = (1.0, 2.0, 3.0)
     for bad, error in (((1.0, math.nan, 3.0), ValueError), ((math.inf, 2.0, 3.0), ValueError)):
         expect_error(
@@ -241,6 +260,6 @@ def test_angles_that_are_none_are_refused() -> None:
         TypeError,
         call="euler_rates(1, 1, 1, (1, 2, 3))",
         allowed=lambda: euler_rates(1, 1, 1, Vector3(*good)),
-        cause="The angular velocity must be a Vector3. Raise TypeError for a tuple.",
+        cause="The angular velocity must be a Vector3, and a tuple is not one. Raise TypeError.",
         read=ANGLES,
     )

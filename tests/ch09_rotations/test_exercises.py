@@ -57,11 +57,11 @@ BY_STEPS = "the docstring of turned_by_steps, and Eq. 9.5"
 @pytest.mark.exercise("9.1")
 def test_two_turns_end_where_two_others_do() -> None:
     about.read = "the docstring of two_other_turns"
-    about.call, about.cause = "two_other_turns()", "Return two angles in degrees, (a, b)."
+    about.call, about.cause = "two_other_turns()", "Return the pair (a, b), in degrees."
     a, b = two_other_turns()
     both = hamilton(quad(X_AXIS, math.radians(b)), quad(Z_AXIS, math.radians(a)))
-    about.cause = "The axes are fixed, rotations are right-handed, and angles are in degrees. Take "
-    about.cause += "a book and follow its axes through both rotations."
+    about.cause = "The axes stay fixed, all rotations are right-handed, and the angles are in "
+    about.cause += "degrees. Take a book, and follow its axes through both rotations."
     slips = {
         "the right pair in the wrong order": (90.0, -90.0),
         "the right pair with the wrong sign of a": (90.0, 90.0),
@@ -84,7 +84,7 @@ def test_two_turns_end_where_two_others_do() -> None:
 def test_the_angles_are_within_half_a_turn() -> None:
     about.read = "the docstring of two_other_turns"
     about.call = "two_other_turns()"
-    about.cause = "Give the angles in degrees from -180 to 180, so -90 instead of 270."
+    about.cause = "Give both angles in degrees from -180 to 180. For example, 270 becomes -90."
     for letter, angle in zip("ab", two_other_turns(), strict=True):
         expect_between(angle, -180.0, 180.0, then=f", {letter}")
 
@@ -96,14 +96,15 @@ def test_the_angles_are_within_half_a_turn() -> None:
 def way_back(q: Quad) -> tuple:
     """Return the axis and angle of back_to_reference as plain numbers."""
     about(f"back_to_reference(Quaternion{q})", read=BACK)
-    about.cause = "Return (axis, angle): a unit Vector3 and an angle in radians."
+    about.cause = "Return a pair (axis, angle) of a unit Vector3 and an angle in radians."
     orientation = Quaternion(*q)
     axis, angle = back_to_reference(orientation)
     expect_unchanged("orientation", rijk(orientation), q, cause=UNCHANGED)
     unit = expect_vector(axis, then=", the axis")
     length = math.hypot(*unit)
     expect_close(length, 1.0, then=", the axis's length", tolerance=TIGHT)
-    about.cause = "The angle is from -pi to pi. Instead of a larger one, use the opposite axis."
+    about.cause = "The angle must be from -pi to pi. Instead of a larger angle, use a smaller "
+    about.cause += "one about the opposite axis."
     turn = math.degrees(2.0 * math.atan2(math.hypot(*q[1:]), abs(q[0])))
     slips = {"the angle in degrees": turn, "the angle in degrees, about the opposite axis": -turn}
     if angle:
@@ -116,7 +117,8 @@ def way_back(q: Quad) -> tuple:
 def test_one_turn_leads_back(rng: Random) -> None:
     about.read = BACK
     axis, small, large = components(rng), rng.uniform(0.1, 1.0), rng.uniform(3.3, 6.0)
-    about.cause = "The conjugate undoes a rotation: it has the same axis and the opposite angle."
+    about.cause = "The conjugate of a quaternion undoes its rotation. It has the same axis and "
+    about.cause += "the opposite angle."
     drawn = [draw_quad(rng), quad(axis, small), quad(axis, large), quad(axis, -small)]
     for q in ((0.5, 0.5, 0.5, 0.5), *drawn):
         unit, angle = way_back(q)
@@ -125,7 +127,7 @@ def test_one_turn_leads_back(rng: Random) -> None:
         reference = (1.0, 0.0, 0.0, 0.0)
         got = same_sign(hamilton(quad(unit, angle), q), reference)
         slips = {
-            "the result of rotating further, not back": same_sign(hamilton(q, q), reference),
+            "the result of rotating further instead of back": same_sign(hamilton(q, q), reference),
             "the result of half the angle": same_sign(quad(q[1:], math.acos(q[0])), reference),
         }
         why = named(got, about.cause, slips)
@@ -135,7 +137,7 @@ def test_one_turn_leads_back(rng: Random) -> None:
 @pytest.mark.exercise("9.2")
 def test_the_way_back_at_the_ends(rng: Random) -> None:
     about(
-        cause="This orientation is the reference already, so the angle is 0, about any axis.",
+        cause="This orientation is already the reference, so the angle is 0. Any axis is correct.",
         read=BACK,
     )
     for q in ((1.0, 0.0, 0.0, 0.0), (-1.0, 0.0, 0.0, 0.0)):
@@ -143,7 +145,8 @@ def test_the_way_back_at_the_ends(rng: Random) -> None:
         about.call = f"back_to_reference(Quaternion{q}), the angle"
         expect_close(angle, 0.0, tolerance=0.0)
     axis, near = turned(draw_quad(rng), X_AXIS), math.pi - 2e-7
-    about.cause = "A half-turn is undone by a half-turn about the same axis, in either direction."
+    about.cause = "A half-turn is undone by another half-turn about the same axis. It can go in "
+    about.cause += "either direction."
     for q, turn in (((0.0, *axis), math.pi), (quad(axis, near), near)):
         unit, angle = way_back(q)
         got, wanted = (abs(angle), *same_sign(unit, axis)), (turn, *axis)
@@ -154,7 +157,8 @@ def test_the_way_back_at_the_ends(rng: Random) -> None:
 @pytest.mark.exercise("9.2")
 @pytest.mark.robust
 def test_no_way_back_from_what_is_no_orientation() -> None:
-    about.cause = "This quaternion is not an orientation. to_axis_angle refuses it."
+    about.cause = "This quaternion is not an orientation, because its length is not 1. Call "
+    about.cause += "to_axis_angle, which refuses it."
     for numbers in ((1.0, 1.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0)):
         expect_error(
             lambda numbers=numbers: back_to_reference(Quaternion(*numbers)),
@@ -168,7 +172,7 @@ def test_no_way_back_from_what_is_no_orientation() -> None:
         TypeError,
         call="back_to_reference((1, 0, 0, 0))",
         allowed=lambda: back_to_reference(Quaternion(0.6, 0.8, 0.0, 0.0)),
-        cause="The orientation must be a Quaternion. Raise TypeError for a tuple.",
+        cause="The orientation must be a Quaternion, and a tuple is not one. Raise TypeError.",
         read=FIRST_LINES,
     )
 
@@ -181,7 +185,7 @@ def test_a_product_without_j_and_k(rng: Random) -> None:
     about.read = PLANE
     (r, i), (s, j) = ((number(rng, 1.5), number(rng, 1.5)) for _ in range(2))
     about.call = f"product_without_j_and_k(Quaternion({r}, {i}, 0, 0), Quaternion({s}, {j}, 0, 0))"
-    about.cause = "The result has r = r1 r2 - i1 i2 and i = r1 i2 + i1 r2, since i i = -1."
+    about.cause = "Because i i = -1, the result has r = r1 r2 - i1 i2 and i = r1 i2 + i1 r2."
     a, b = Quaternion(r, i, 0.0, 0.0), Quaternion(s, j, 0.0, 0.0)
     got = rijk(product_without_j_and_k(a, b))
     product = complex(r, i) * complex(s, j)
@@ -194,8 +198,9 @@ def test_a_product_without_j_and_k(rng: Random) -> None:
     }
     why = named(got, about.cause, slips)
     expect_close(got, wanted, cause=why, tolerance=TIGHT)
-    name = f"{about.call}: number of multiplications (up to four count as four)"
-    about.cause = "a * b takes sixteen multiplications. Leave out the terms that are zero."
+    name = f"{about.call}: the number of multiplications (up to four count as four)"
+    about.cause = "The general product a * b takes sixteen multiplications. Most of its terms "
+    about.cause += "are zero here, so leave them out."
     got = max(4, multiplications((r, i), (s, j)))
     expect_exactly(got, 4, call=name)
 
@@ -206,7 +211,8 @@ def test_a_product_with_j_or_k_is_refused(rng: Random) -> None:
     about.read = PLANE
     r, i, n = number(rng), number(rng), number(rng)
     good = (r, i, 0.0, 0.0)
-    about.cause = "Raise ValueError if j or k is not zero, since it would be lost. NaN is not zero."
+    about.cause = "If j or k is not zero, the result would lose it. Raise ValueError in that "
+    about.cause += "case, and also for NaN, because NaN is not zero."
     pairs = [(n, 0.0), (-n, 0.0), (0.0, n), (0.0, -n), (n, n), (n, -n), (math.nan, 0.0)]
     for bad in ((r, i, *pair) for pair in (*pairs, (0.0, math.nan), (1e-12, 0.0), (0.0, -1e-12))):
         for a, b in ((bad, good), (good, bad)):
@@ -241,10 +247,10 @@ def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
         duration = positive_number(rng, 0.5, 3.0)
         orientation = Quaternion(*q)
         about.call = f"turned_by_sense(Quaternion{q}, {rate}, {duration})"
-        about.cause = "Rotate once, by rate * duration about the world's X axis. The rotation is "
-        about.cause += "on the left of the product."
+        about.cause = "Rotate only once, by rate * duration about the world's X axis. This "
+        about.cause += "rotation acts after the old one, so it belongs on the left of the product."
         if rate == 0.0:
-            about.cause = "With a rate of 0 the angle about X is 0, and nothing rotates."
+            about.cause = "With a rate of 0 the angle is 0, so nothing rotates."
         turn = quad(X_AXIS, rate * duration)
         wanted = hamilton(turn, q)
         got = same_sign(rijk(turned_by_sense(orientation, rate, duration)), wanted)
@@ -261,7 +267,8 @@ def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
         expect_unchanged("orientation", rijk(orientation), q, cause=UNCHANGED)
     about.call = f"q = Quaternion{q}; turned_by_sense(q, 0, 1).r = 9.0; q"
-    about.cause = "Return a new quaternion, even if nothing rotates."
+    about.cause = "The result is the same object as q, so a change of one also changes the "
+    about.cause += "other. Return a new quaternion, even if nothing rotates."
     turned_by_sense(orientation, 0.0, 1.0).r = 9.0
     expect_unchanged("q", rijk(orientation), q)
 
@@ -288,8 +295,8 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         rate, duration = share * positive_number(rng, 0.3, 1.2), positive_number(rng, 1.0, 2.0)
         orientation = Quaternion(*q)
         about.call = f"turned_by_steps(Quaternion{q}, {rate}, {duration}, {steps})"
-        about.cause = "On a copy, call add_scaled with duration / steps in each step, and "
-        about.cause += "normalize at the end."
+        about.cause = "Work on a copy of q. Call add_scaled with duration / steps in each step, "
+        about.cause += "and normalize the copy at the end."
         if steps == 1:
             about.call = f"turned_by_steps(Quaternion{q}, {rate}, {duration})"
             result, error = turned_by_steps(orientation, rate, duration)
@@ -323,7 +330,7 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         }
         why = named(error, about.cause, slips)
         if isinstance(error, (int, float)) and 1e-11 < abs(error - missing) < 1e-7:
-            why = f"acos loses half of the digits of so small an angle. {about.cause}"
+            why = f"For an angle as small as this, acos loses half of the digits. {about.cause}"
         expect_close(error, missing, call=name, cause=why, tolerance=1e-11)
         expect_unchanged("orientation", rijk(orientation), q, cause=UNCHANGED)
 
@@ -333,7 +340,8 @@ def test_an_error_is_at_most_half_a_turn() -> None:
     about.read = BY_STEPS
     q = (0.5, 0.5, 0.5, 0.5)
     about.call = f"turned_by_steps(Quaternion{q}, 3, 2), the error"
-    about.cause = "A rotation by more than pi is a smaller one in the opposite direction."
+    about.cause = "A rotation by more than pi is a smaller rotation in the opposite direction, "
+    about.cause += "so the error is at most pi."
     # Of 6 rad it rotates by 2 atan 3 = 2.50: 3.50 are missing, or 2.78 the other way round.
     wanted = math.tau - (6.0 - 2.0 * math.atan(3.0))
     got = turned_by_steps(Quaternion(*q), 3.0, 2.0)[1]
@@ -358,7 +366,7 @@ def test_a_turn_of_nothing_is_refused() -> None:
         bad,
         read=BY_STEPS,
     )
-    about.cause = "Check the number of steps with whole from arguments.py."
+    about.cause = "The steps must be a whole number. Check it with whole from arguments.py."
     for steps, error in ((0, ValueError), (-1, ValueError), (2.0, TypeError)):
         expect_error(
             lambda steps=steps: turned_by_steps(Quaternion(), 1.0, 2.0, steps),
@@ -367,7 +375,8 @@ def test_a_turn_of_nothing_is_refused() -> None:
             allowed=lambda: turned_by_steps(Quaternion(), 1.0, 2.0, 3),
             read=BY_STEPS,
         )
-    about.cause = "This quaternion is not an orientation. Refuse it, or let to_axis_angle do so."
+    about.cause = "This quaternion is not an orientation, because its length is not 1. Refuse "
+    about.cause += "it, or call to_axis_angle, which does so."
     for length in (2.0, 1.000002):
         expect_error(
             lambda length=length: turned_by_steps(Quaternion(length, 0.0, 0.0, 0.0), 1.0, 2.0),
@@ -385,6 +394,6 @@ def test_a_turn_of_nothing_is_refused() -> None:
             TypeError,
             call=f"turned_by_{name}((1, 0, 0, 0), 1, 2)",
             allowed=lambda function=function: function(Quaternion(), 1.0, 2.0),
-            cause="The orientation must be a Quaternion. Raise TypeError for a tuple.",
+            cause="The orientation must be a Quaternion, and a tuple is not one. Raise TypeError.",
             read=FIRST_LINES,
         )

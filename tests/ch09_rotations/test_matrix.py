@@ -43,12 +43,17 @@ def test_a_matrix_times_a_vector(rng: Random) -> None:
     m, a = draw_matrix(rng), components(rng)
     v = Vector3(*a)
     about.call = f"{written(m)}.transform(Vector3{a})"
-    about.cause = "Each component is the scalar product of a row of the matrix and the vector."
+    about.cause = (
+        "Each component of the result is the scalar product of one row of the matrix and the "
+        "vector."
+    )
     got = xyz(Matrix3(*m).transform(v))
     wanted = applied(m, a)
     slips = {
-        "each column times the vector, which is the transpose": applied(transposed(m), a),
-        "the result of using the new x for y, and the new x and y for z": in_place(m, a),
+        "each column times the vector, which is the product with the transpose": applied(
+            transposed(m), a
+        ),
+        "the result of overwriting x before y and z are computed": in_place(m, a),
     }
     why = named(got, about.cause, slips)
     # Three products of numbers up to 90.
@@ -72,7 +77,9 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
     got = entries(first.product(second))
     slips = {
         "the product in the other order": times(n, m),
-        "the product number by number": [p * q for p, q in zip(m, n, strict=True)],
+        "the product of each number with the number in the same position": [
+            p * q for p, q in zip(m, n, strict=True)
+        ],
         "the product of rows with rows": times(m, transposed(n)),
         "the product of columns with columns": times(transposed(m), n),
         "the transpose of the product": transposed(times(m, n)),
@@ -91,7 +98,7 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
 def test_a_matrix_times_something_else_is_refused() -> None:
     about.read = "the docstring at the top of matrix.py"
     v, m = Vector3(1.0, 2.0, 3.0), Matrix3(*IDENTITY)
-    about.cause = "The argument must be a Vector3. Raise TypeError for a tuple."
+    about.cause = "The argument must be a Vector3, and a tuple is not one. Raise TypeError."
     expect_error(
         lambda: m.transform((1.0, 2.0, 3.0)),
         TypeError,
@@ -115,7 +122,10 @@ def test_rows_become_columns(rng: Random) -> None:
     m = draw_matrix(rng)
     matrix = Matrix3(*m)
     about.call = f"{written(m)}.transpose()"
-    about.cause = "The number in row i and column j moves to row j and column i."
+    about.cause = (
+        "The rows of the matrix become the columns of the transpose. The number in row i and "
+        "column j moves to row j and column i."
+    )
     got = entries(matrix.transpose())
     other = transposed(m)[::-1]
     slips = {"the matrix itself": m, "the matrix flipped over the other diagonal": other}
@@ -150,8 +160,8 @@ def determinant_slips(m: Nine) -> dict[str, float]:
         "+ c (d h - e g)": c * (d * h - e * g),
     }
     signs = {
-        f"the determinant with the wrong sign of one term, {name} (rows a b c, d e f, g h i)": right
-        - 2.0 * product
+        f"the determinant with the wrong sign of one term, {name} (the rows are a b c, d e f and g "
+        "h i)": right - 2.0 * product
         for name, product in products.items()
     }
     return signs | {
@@ -171,7 +181,8 @@ def test_the_determinant(rng: Random) -> None:
     about.read = "book 9.4.3, and the docstring of Matrix3.determinant"
     m = draw_matrix(rng)
     about.cause = (
-        "With the rows as vectors, the determinant is first . (second x third). It may be negative."
+        "Treat the rows as vectors. The determinant is first . (second x third), and it can be "
+        "negative."
     )
     for rows in ((0, 1, 2), (1, 0, 2), (2, 0, 1)):
         n = tuple(m[3 * row + column] for row in rows for column in range(3))
@@ -185,7 +196,10 @@ def test_the_determinant(rng: Random) -> None:
         about.call = f"{written(n)}.determinant()"
         got = Matrix3(*n).determinant()
         expect_close(got, determinant(n))
-    about.cause = "The determinant is small but not zero. Do not round it to zero."
+    about.cause = (
+        "The determinant is small, but it is not zero. Return it as it is, without rounding it to "
+        "zero."
+    )
     n = tuple(number * 1e-7 for number in m)
     about.call = f"{written(n)}.determinant()"
     got = Matrix3(*n).determinant()
@@ -196,10 +210,14 @@ def test_the_determinant(rng: Random) -> None:
 def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
     about.read = INVERSE
     m = draw_matrix(rng)
-    plain = "The columns are second x third, third x first and first x second, each divided by the "
-    plain += "determinant."
-    small = "A small matrix is not singular. Compare with SINGULAR times the product of the rows' "
-    small += "lengths."
+    plain = (
+        "The columns of the inverse are second x third, third x first and first x second, each "
+        "divided by the determinant."
+    )
+    small = (
+        "A matrix with small numbers is not singular. Compare the determinant with SINGULAR times "
+        "the product of the lengths of the rows."
+    )
     mirrored = (*m[3:6], *m[0:3], *m[6:9])  # its determinant has the other sign
     for rows, scale, how in (
         (m, 1.0, plain),
@@ -210,7 +228,10 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
         n = tuple(number * scale for number in rows)
         matrix = Matrix3(*n)
         about.call = f"m = {written(n)}; m @ m.inverse()"
-        about.cause = f"The determinant is {determinant(n):.4g}, so the matrix has an inverse."
+        about.cause = (
+            f"The determinant is {determinant(n):.4g}, so the matrix has an inverse and must not "
+            "be refused."
+        )
         if scale != 1.0:
             about.cause = small
         got = entries(matrix.inverse())
@@ -222,19 +243,21 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
             "the result of dividing by the determinant twice": [
                 one / determinant(n) for one in IDENTITY
             ],
-            "the result without the determinant's sign": [-one for one in IDENTITY],
+            "the result without the sign of the determinant": [-one for one in IDENTITY],
             "m times its transpose": times(n, transposed(n)),
             "m times m": times(n, n),
         }
         if product is not got and all(type(number) in (int, float) for number in got):
             back = times(n, transposed(got))
             if all(abs(b - one) < 1e-9 for b, one in zip(back, IDENTITY, strict=True)):
-                slips["the result with rows and columns of the inverse swapped"] = product
+                slips["the result with the rows and columns of the inverse swapped"] = product
         why = named(product, how, slips)
         expect_close(product, IDENTITY, cause=why, tolerance=TIGHT)
         expect_unchanged("m", entries(matrix), n, cause=UNCHANGED)
-    about.cause = "Zeros on the diagonal, or rows of very different lengths, do not make a matrix "
-    about.cause += "singular."
+    about.cause = (
+        "A matrix can have zeros on its diagonal, or rows of very different lengths, and still "
+        "have an inverse. Only the determinant decides."
+    )
     for n in (*ring_and_swap(), (1e-7, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1e7)):
         about.call = f"m = {written(n)}; m @ m.inverse()"
         got = entries(Matrix3(*n).inverse())
@@ -256,12 +279,16 @@ def expect_no_inverse(m: Nine) -> None:
 @pytest.mark.exercise("B9.5")
 @pytest.mark.robust
 def test_a_singular_matrix_has_no_inverse(rng: Random) -> None:
-    about.cause = "The rows are zero or lie in a plane, so the determinant is 0. Refuse a "
-    about.cause += "determinant that equals the limit, too."
+    about.cause = (
+        "The rows lie in a plane, or one of them is zero, so the determinant is 0 and there is no "
+        "inverse. Refuse a determinant that is equal to the limit as well."
+    )
     expect_no_inverse((0.0,) * 9)
     expect_no_inverse((1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0))
-    about.cause = "Rounding leaves a determinant of about 1e-15 times the product of the rows' "
-    about.cause += "lengths. Compare it with SINGULAR times that product."
+    about.cause = (
+        "Because of rounding, the determinant is not exactly 0 here. It is about 1e-15 times the "
+        "product of the lengths of the rows. Compare it with SINGULAR times that product."
+    )
     for scale in (1.0, 1e6):
         for _ in range(6):
             a, b = components(rng), components(rng)
@@ -277,11 +304,15 @@ def test_how_near_to_singular_is_too_near() -> None:
     # Rows of lengths 2, 4 and 8. The determinant is exactly 64 times the small number.
     for small, regular in ((1.1e-13, True), (1e-13, False), (0.9e-13, False)):
         m = (2.0, 0.0, 0.0, 4.0, 4.0 * small, 0.0, 0.0, 0.0, 8.0)
-        about.cause = "|determinant| exceeds 1e-13 of the product of the rows' lengths, so there "
-        about.cause += "is an inverse."
+        about.cause = (
+            "|determinant| is more than 1e-13 of the product of the lengths of the rows, so this "
+            "matrix has an inverse."
+        )
         if not regular:
-            about.cause = f"|determinant| is {small} of the product of the rows' lengths. That "
-            about.cause += "does not exceed 1e-13, so refuse it."
+            about.cause = (
+                f"|determinant| is only {small} of the product of the lengths of the rows. This is "
+                "not more than 1e-13, so refuse the matrix."
+            )
             expect_no_inverse(m)
             continue
         about.call = f"{written(m)}.inverse().entries[0]"
@@ -293,6 +324,9 @@ def test_how_near_to_singular_is_too_near() -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_what_is_not_finite_has_no_inverse(bad: float) -> None:
-    about.cause = "Test `if not abs(determinant) > limit`, which also refuses NaN."
+    about.cause = (
+        "Every comparison with NaN is False. Write `if not abs(determinant) > limit`, which also "
+        "refuses NaN."
+    )
     expect_no_inverse((bad, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0))
     expect_no_inverse((1.0, 2.0, 0.0, 3.0, bad, 0.0, 0.0, 0.0, 1.0))

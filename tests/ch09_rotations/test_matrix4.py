@@ -44,8 +44,8 @@ def test_a_point_is_transformed_and_moved(rng: Random) -> None:
     v = Vector3(*a)
     about.call = f"{written(twelve)}.transform(Vector3{a})"
     about.cause = (
-        "Take the scalar product of the vector and the first three numbers of each row, then add "
-        "the fourth number."
+        "Each component of the result starts with a row of the matrix. Take the scalar product of "
+        "the vector and the first three numbers of that row, and then add the fourth number."
     )
     got = xyz(Matrix4(*twelve).transform(v))
     slips = {
@@ -70,20 +70,23 @@ def test_one_transformation_after_another(rng: Random) -> None:
     first, second = joined(m, p), joined(n, q)
     one, other = Matrix4(*first), Matrix4(*second)
     about.call = f"{written(first)}.product({written(second)})"
-    about.cause = "The translation of m is transformed by self, as any point is."
+    about.cause = (
+        "The matrix m acts first, so its translation is a point like any other for self. "
+        "Transform it by self to get the last column."
+    )
     got = entries(one.product(other))
     wanted = joined(times(m, n), moved(m, p, q))
     slips = {
-        "the right product except the last column, which adds the translations": joined(
+        "the right product except for the last column, which adds the translations": joined(
             times(m, n), added(p, q)
         ),
-        "the right product except the last column, which lacks the translation of self": joined(
+        "the right product except for the last column, which lacks the translation of self": joined(
             times(m, n), applied(m, q)
         ),
-        "the right product except the last column, which is the translation of self": joined(
+        "the right product except for the last column, which is the translation of self": joined(
             times(m, n), p
         ),
-        "the right product except the last column, which is the translation of m": joined(
+        "the right product except for the last column, which is the translation of m": joined(
             times(m, n), q
         ),
         "the right product except the last column, which is translated before the rotation": joined(
@@ -141,7 +144,10 @@ def test_the_translation_has_no_part_in_the_determinant(rng: Random) -> None:
     m, p = draw_mirror(rng), components(rng)
     twelve = joined(m, p)
     about.call = f"{written(twelve)}.determinant()"
-    about.cause = "The determinant is that of the nine numbers without the last column."
+    about.cause = (
+        "The translation does not change volumes. So the determinant is that of the nine numbers "
+        "without the last column."
+    )
     got = Matrix4(*twelve).determinant()
     slips = {
         "the book's determinant, with a plus in place of a minus (E-28)": printed_determinant(m),
@@ -151,7 +157,10 @@ def test_the_translation_has_no_part_in_the_determinant(rng: Random) -> None:
     }
     why = named(got, about.cause, slips)
     expect_close(got, determinant(m), cause=why, tolerance=1e-10)
-    about.cause = "The determinant is small but not zero. Do not round it to zero."
+    about.cause = (
+        "The determinant is small, but it is not zero. Return it as it is, without rounding it to "
+        "zero."
+    )
     small = tuple(1e-7 * number for number in m)
     about.call = f"{written(joined(small, p))}.determinant()"
     got = Matrix4(*joined(small, p)).determinant()
@@ -164,10 +173,18 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
     drawn = draw_matrix(rng)
     small = tuple(1e-7 * number for number in drawn)
     ring = (0.0, 2.0, 0.0, 0.0, 0.0, 3.0, -5.0, 0.0, 0.0)
-    listing = "A Matrix4 has entries 0 to 11. The book's listing also reads entry 15 (E-13)."
-    tiny = "A small matrix is not singular. Call Matrix3.inverse for the nine numbers."
-    zeros = "Zeros on the diagonal do not make a matrix singular. Call Matrix3.inverse for the "
-    zeros += "nine numbers."
+    listing = (
+        "A Matrix4 has only the entries 0 to 11. The book's listing also reads entry 15 (E-13), "
+        "so do not copy it."
+    )
+    tiny = (
+        "A matrix with small numbers is not singular. Call Matrix3.inverse for the nine numbers "
+        "without the last column."
+    )
+    zeros = (
+        "Zeros on the diagonal do not make a matrix singular. Call Matrix3.inverse for the nine "
+        "numbers without the last column."
+    )
     for m, size, how in ((drawn, 1.0, listing), (small, 1e-7, tiny), (ring, 1.0, zeros)):
         p, a = tuple(size * component for component in components(rng)), components(rng)
         twelve = joined(m, p)
@@ -176,7 +193,10 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
         about(f"m = {written(twelve)}; m.inverse() @ (m @ Vector3{a})")
         about.cause = how
         got = entries(matrix.inverse())
-        about.cause = "Invert the nine numbers with Matrix3.inverse. The translation is then -I p."
+        about.cause = (
+            "Invert the nine numbers without the last column by Matrix3.inverse. With this "
+            "inverse I and the translation p, the new translation is -I p."
+        )
         if isinstance(got, tuple) and len(got) == 12:
             linear, move = (*got[0:3], *got[4:7], *got[8:11]), (got[3], got[7], got[11])
             got = moved(linear, move, there)
@@ -195,12 +215,11 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
                 "the result without dividing by the determinant": [
                     determinant(m) * component for component in a
                 ],
-                "the result of the book's determinant, with a plus for a minus (E-28)": [
+                "the result of the book's determinant, with a plus in place of a minus (E-28)": [
                     determinant(m) / printed_determinant(m) * component for component in a
                 ],
-                "the result of the listing, which reads entries it has overwritten (E-30)": moved(
-                    *overwritten(m, p), there
-                ),
+                "the result of the book's listing, which reads entries that it has already "
+                "overwritten (E-30)": moved(*overwritten(m, p), there),
             }
             about.cause = named(got, about.cause, slips)
         expect_close(got, a, tolerance=LOOSE)
@@ -212,8 +231,10 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
 def test_a_flat_transformation_has_no_inverse(rng: Random) -> None:
     about.read = INVERSE
     flat = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0)
-    about.cause = "The nine numbers are singular, whatever the translation is. Matrix3.inverse "
-    about.cause += "refuses them."
+    about.cause = (
+        "The nine numbers without the last column are singular, so there is no inverse, whatever "
+        "the translation is. Call Matrix3.inverse for them, which refuses them."
+    )
     planes = []
     for _ in range(6):  # rows in one plane, apart from rounding errors, which may be zero
         a, b = components(rng), components(rng)
@@ -240,7 +261,10 @@ def small_pair() -> tuple:
 def test_only_vectors_and_matrices_of_twelve() -> None:
     about.read = FIRST_LINES
     matrix, nine, three = small_pair()
-    about.cause = "Raise TypeError for a tuple, and for a matrix or vector of the wrong type."
+    about.cause = (
+        "This argument has the wrong type. Raise TypeError for a tuple, and for a matrix or a "
+        "vector of another type."
+    )
     v = Vector3(1.0, 2.0, 3.0)
     for name, attempt, allowed in (
         ("m.transform((1, 2, 3))", lambda: matrix.transform(three), lambda: matrix.transform(v)),

@@ -48,19 +48,25 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
     q, p = draw_quad(rng), components(rng)
     place, orientation = Vector3(*p), Quaternion(*q)
     about.call = f"Matrix4.from_orientation_and_position(Quaternion{q}, Vector3{p})"
-    about.cause = "The first three columns are Matrix3.from_quaternion(q), and the last column is "
-    about.cause += "the position."
+    about.cause = (
+        "The first three columns are the rotation, which is Matrix3.from_quaternion(q). The last "
+        "column is the position."
+    )
     got = entries(Matrix4.from_orientation_and_position(orientation, place))
     m = matrix_of(q)
     wanted = joined(m, p)
     slips = {
-        "the right matrix except the last column, where the position is rotated": joined(
+        "the right matrix except for the last column, where the position is rotated": joined(
             m, applied(m, p)
         ),
-        "the right matrix except the last column, which is the negative position": joined(
+        "the right matrix except for the last column, which is the negative position": joined(
             m, subtracted((0.0, 0.0, 0.0), p)
         ),
-        "the nine numbers followed by the position; they belong row by row": (*m, *p),
+        "The nine numbers are followed by the position. The entries go row by row, so each "
+        "number of the position belongs at the end of its row.": (
+            *m,
+            *p,
+        ),
         "the transposed rotation, as the book prints it (E-11)": joined(transposed(m), p),
     }
     why = named(got, about.cause, slips)
@@ -69,7 +75,7 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
     near = tuple(component * (1.0 + 5e-7) for component in q)
     orientation = Quaternion(*near)
     about.call = f"Matrix4.from_orientation_and_position(Quaternion{near}, Vector3{p})"
-    about.cause = "A length that is_unit() accepts is close enough to 1. Do not refuse it."
+    about.cause = "The length of this quaternion is close enough to 1 for is_unit(). Accept it."
     got = entries(Matrix4.from_orientation_and_position(orientation, place))
     expect_close(got, wanted, tolerance=1e-5)
     expect_unchanged("q", rijk(orientation), near, cause=UNCHANGED)
@@ -80,7 +86,10 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
 def test_no_matrix_of_what_is_no_orientation() -> None:
     about.read = "the docstring of from_orientation_and_position"
     p, q = Vector3(1.0, 2.0, 3.0), Quaternion(0.6, 0.0, 0.8, 0.0)
-    off = "The length of this quaternion is not 1. Call Matrix3.from_quaternion, which refuses it."
+    off = (
+        "The length of this quaternion is not 1, so it is not an orientation. Call "
+        "Matrix3.from_quaternion, which refuses it."
+    )
     for name, attempt, error, cause in (
         (
             "Quaternion(0.6, 0, 0.81, 0), Vector3(1, 2, 3)",
@@ -94,7 +103,7 @@ def test_no_matrix_of_what_is_no_orientation() -> None:
                 Quaternion(0.6000012, 0.0, 0.8000016, 0.0), p
             ),
             ValueError,
-            "The length is 1 + 2e-6, which is_unit does not accept. Refuse it.",
+            "The length is 1 + 2e-6. This is too far from 1 for is_unit, so refuse the quaternion.",
         ),
         (
             "Quaternion(nan, 0, 0, 0), Vector3(1, 2, 3)",
@@ -106,13 +115,13 @@ def test_no_matrix_of_what_is_no_orientation() -> None:
             "(0.6, 0, 0.8, 0), Vector3(1, 2, 3)",
             lambda: Matrix4.from_orientation_and_position((0.6, 0.0, 0.8, 0.0), p),
             TypeError,
-            "q must be a Quaternion. Raise TypeError for a tuple.",
+            "q must be a Quaternion, and a tuple is not one. Raise TypeError.",
         ),
         (
             "Quaternion(0.6, 0, 0.8, 0), (1, 2, 3)",
             lambda: Matrix4.from_orientation_and_position(q, (1.0, 2.0, 3.0)),
             TypeError,
-            "p must be a Vector3. Raise TypeError for a tuple.",
+            "p must be a Vector3, and a tuple is not one. Raise TypeError.",
         ),
     ):
         about.cause = cause
@@ -162,12 +171,17 @@ def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
     wanted, about.cause = {
         "transform_inverse": (
             applied(transposed(m), subtracted(a, p)),
-            "Subtract the translation first, then rotate back by the transpose.",
+            "To go back, undo the steps in the opposite order. Subtract the translation first, "
+            "and then rotate back by the transpose.",
         ),
-        "transform_direction": (applied(m, a), "Rotate a direction, but do not translate it."),
+        "transform_direction": (
+            applied(m, a),
+            "A direction has no position, so rotate it but do not translate it.",
+        ),
         "transform_inverse_direction": (
             applied(transposed(m), a),
-            "Rotate a direction back by the transpose, but do not translate it.",
+            "A direction has no position, so rotate it back by the transpose but do not translate "
+            "it.",
         ),
     }[method]
     v, matrix = Vector3(*a), Matrix4(*twelve)
@@ -191,7 +205,7 @@ def test_only_vectors_go_there_and_back(rng: Random, method: str) -> None:
         TypeError,
         call=f"{written(twelve)}.{method}({a})",
         allowed=lambda: getattr(matrix, method)(Vector3(*a)),
-        cause="The argument must be a Vector3. Raise TypeError for a tuple.",
+        cause="The argument must be a Vector3, and a tuple is not one. Raise TypeError.",
         read=FIRST_LINES,
     )
 
@@ -202,8 +216,10 @@ def test_a_turn_told_in_other_axes() -> None:
     about_z = matrix_of(quad((0.0, 0.0, 1.0), 0.5 * math.pi))
     z_to_x = matrix_of(quad((0.0, 1.0, 0.0), 0.5 * math.pi))
     about.call = f"change_basis({written(about_z)}, {written(z_to_x)})"
-    about.cause = "The result is the product basis * m * basis^-1. This basis takes Z to X, so a "
-    about.cause += "rotation about Z becomes one about X."
+    about.cause = (
+        "The result is the product basis * m * basis^-1. This basis takes Z to X, so a rotation "
+        "about Z becomes a rotation about X."
+    )
     got = entries(change_basis(Matrix3(*about_z), Matrix3(*z_to_x)))
     wanted = matrix_of(quad((1.0, 0.0, 0.0), 0.5 * math.pi))
     back = transposed(z_to_x)
@@ -227,12 +243,13 @@ def test_any_matrix_in_any_axes(rng: Random) -> None:
     one, other = Matrix3(*m), Matrix3(*basis)
     about.call = f"change_basis({written(m)}, {written(basis)}) @ basis"
     about.cause = (
-        "The result is the product basis * m * basis^-1. The axes need not be at right angles."
+        "The result is the product basis * m * basis^-1. The new axes need not be at right "
+        "angles, so use the inverse and not the transpose."
     )
     got = entries(change_basis(one, other))
     product = times(got, basis) if isinstance(got, tuple) and len(got) == 9 else got
     by_transpose = times(times(times(basis, m), transposed(basis)), basis)
-    slips = {"the result with the transpose of the basis, not its inverse": by_transpose}
+    slips = {"the result with the transpose of the basis instead of its inverse": by_transpose}
     why = named(product, about.cause, slips)
     expect_close(product, times(basis, m), cause=why, tolerance=LOOSE)
     expect_unchanged("m", entries(one), m, cause=UNCHANGED)
@@ -246,7 +263,10 @@ def test_a_motion_told_from_another_place(rng: Random) -> None:
     first, second = joined(m, p), joined(basis, q)
     a = components(rng)
     about.call = f"change_basis({written(first)}, {written(second)}) @ (basis @ Vector3{a})"
-    about.cause = "The result is the product basis * m * basis^-1, including both translations."
+    about.cause = (
+        "The result is the product basis * m * basis^-1. Both matrices have a translation here, "
+        "and the product must include it."
+    )
     told = change_basis(Matrix4(*first), Matrix4(*second))
     got = entries(told)
     if isinstance(got, tuple) and len(got) == 12:
@@ -265,8 +285,14 @@ def test_a_basis_must_fit(rng: Random) -> None:
     small, large = Matrix3(*nine), Matrix4(*twelve)
     flat = Matrix3(*(0.0,) * 9)
     v = Vector3(1.0, 2.0, 3.0)
-    sizes = "The two matrices have different sizes. Check that type(m) is type(basis)."
-    none = "A vector is not a matrix. Check the types of both arguments."
+    sizes = (
+        "The two matrices have different sizes, so they cannot be multiplied. Check that type(m) "
+        "is type(basis), and raise TypeError."
+    )
+    none = (
+        "One of the arguments is a vector and not a matrix. Check the types of both, and raise "
+        "TypeError."
+    )
     for name, attempt, error, cause in (
         ("Matrix3(...), Matrix4(...)", lambda: change_basis(small, large), TypeError, sizes),
         ("Matrix4(...), Matrix3(...)", lambda: change_basis(large, small), TypeError, sizes),
@@ -278,7 +304,7 @@ def test_a_basis_must_fit(rng: Random) -> None:
             "Matrix3(...), a Matrix3 of zeros",
             lambda: change_basis(small, flat),
             ValueError,
-            "This basis has no inverse.",
+            "This basis is singular, so it has no inverse. Let the error of inverse() pass.",
         ),
     ):
         about.cause = cause

@@ -23,7 +23,10 @@ MASS = "book 9.1.3, and the docstring of center_of_mass"
 @pytest.mark.exercise("B9.1")
 def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
     about.read = WRAP
-    about.cause = "Add or subtract whole turns of 2 pi until the angle is above -pi and at most pi."
+    about.cause = (
+        "Angles that differ by whole turns of 2 pi give the same direction. Add or subtract such "
+        "turns until the angle is above -pi and at most pi."
+    )
     for turns in (0, 1, -1, 7, -12):
         for low, high in ((0.01, 1.5), (1.6, 3.1)):
             size = positive_number(rng, low, high)
@@ -34,10 +37,10 @@ def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
                 slips = {
                     "an angle from 0 to 2 pi": angle % math.tau,
                     "the original angle": angle + turns * math.tau,
-                    "the angle minus one turn; subtract as many turns as needed": angle
-                    + (turns - 1) * math.tau,
-                    "the angle plus one turn; add as many turns as needed": angle
-                    + (turns + 1) * math.tau,
+                    "The angle was reduced by only one turn. It can contain many turns, so "
+                    "subtract as many as needed.": angle + (turns - 1) * math.tau,
+                    "The angle was increased by only one turn. It can lack many turns, so add as "
+                    "many as needed.": angle + (turns + 1) * math.tau,
                     "the angle in degrees": math.degrees(angle),
                 }
                 why = named(got, about.cause, slips)
@@ -47,7 +50,10 @@ def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
 @pytest.mark.exercise("B9.1", weight=0.5)
 def test_an_angle_of_many_turns_is_wrapped(rng: Random) -> None:
     about.read = WRAP
-    about.cause = "Remove all whole turns at once, with math.remainder or %."
+    about.cause = (
+        "This angle contains many turns. A loop that removes one at a time adds up rounding "
+        "errors, so remove all of them at once, with math.remainder or %."
+    )
     size = positive_number(rng, 0.1, 3.0)
     for turns, angle in ((160_000, size), (160_000, -size), (-160_000, size), (-160_000, -size)):
         about.call = f"wrap_angle({angle} + {turns} * 2 pi)"
@@ -58,12 +64,18 @@ def test_an_angle_of_many_turns_is_wrapped(rng: Random) -> None:
 
 @pytest.mark.exercise("B9.1")
 def test_half_a_turn_is_pi_and_not_minus_pi() -> None:
-    about(cause="pi and -pi are the same direction. The range contains pi but not -pi.", read=WRAP)
+    about(
+        cause="The angles pi and -pi are the same direction. The range contains pi but not -pi, "
+        "so return pi for both.",
+        read=WRAP,
+    )
     for angle in (math.pi, -math.pi):
         about.call = f"wrap_angle({angle})"
         got = wrap_angle(angle)
         expect_close(got, math.pi, tolerance=0.0)
-    about.cause = "This angle is in the range already. Only -pi itself becomes pi."
+    about.cause = (
+        "This angle is already in the range, so it must not change. Only -pi itself becomes pi."
+    )
     for angle in (1e-6 - math.pi, math.pi - 1e-6):
         about.call = f"wrap_angle({angle})"
         got = wrap_angle(angle)
@@ -85,7 +97,7 @@ def test_no_angle_is_no_direction() -> None:
 @pytest.mark.exercise("B9.2")
 def test_the_direction_of_an_angle(rng: Random) -> None:
     about.read = "book 9.1.1, Eq. 9.1"
-    about.cause = "The direction is (cos(angle), sin(angle)), with the angle in radians."
+    about.cause = "The direction of an angle is (cos(angle), sin(angle)). The angle is in radians."
     angle, small = positive_number(rng, 1.7, 3.0), positive_number(rng, 0.1, 1.4)
     for t in (angle, -angle, small, -small, small + 2.0 * math.tau, 0.0, 0.5 * math.pi, 4.0):
         about.call = f"angle_to_vector({t})"
@@ -106,17 +118,17 @@ def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
     start, place, turn = complex(*point), complex(*origin), cmath.rect(1.0, angle)
     ends = {
         "a clockwise rotation": place + start / turn,
-        "the result of moving first and rotating afterwards": (start + place) * turn,
-        "the rotated point, which was not moved": start * turn,
-        "the moved point, which was not rotated": place + start,
-        "a rotation about origin; the point is relative to the object": place
-        + (start - place) * turn,
+        "the result of moving first and rotating afterward": (start + place) * turn,
+        "the rotated point, which has not been moved": start * turn,
+        "the moved point, which has not been rotated": place + start,
+        "This is a rotation about origin. The point is given relative to the object, so rotate it "
+        "about (0, 0) first and then add origin.": place + (start - place) * turn,
         "the result for an angle in degrees": place + start * cmath.rect(1.0, math.radians(angle)),
     }
     # y computed from an x that has been changed already.
     x = turn.real * point[0] - turn.imag * point[1]
-    ends["the result of computing y from the new x; use the old one"] = place + complex(
-        x, turn.imag * x + turn.real * point[1]
+    ends["This y was computed from the new x. Keep the old x until both results are computed."] = (
+        place + complex(x, turn.imag * x + turn.real * point[1])
     )
     return {name: (end.real, end.imag) for name, end in ends.items()}
 
@@ -124,8 +136,10 @@ def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
 @pytest.mark.exercise("B9.2")
 def test_the_headlight_of_the_book() -> None:
     about("rotate_point((1.5, -0.75), 3 pi / 8, (4, 3.85))", read=POINT)
-    about.cause = "Rotate the point counter-clockwise about the object's own origin, then add the "
-    about.cause += "car's position."
+    about.cause = (
+        "The point is given relative to the car. Rotate it counter-clockwise about (0, 0) first, "
+        "and then add the position of the car."
+    )
     got = rotate_point((1.5, -0.75), 3.0 * math.pi / 8.0, (4.0, 3.85))
     about.cause = named(got, about.cause, slips_of((1.5, -0.75), 3.0 * math.pi / 8.0, (4.0, 3.85)))
     # The book's two decimals.
@@ -139,7 +153,10 @@ def test_a_point_is_turned_and_then_moved(rng: Random) -> None:
         x, y, across, up = (number(rng) for _ in range(4))
         angle = sign * positive_number(rng, 0.3, 2.9)
         about.call = f"rotate_point(({x}, {y}), {angle}, ({across}, {up}))"
-        about.cause = "The result is (x cos t - y sin t, x sin t + y cos t) plus origin."
+        about.cause = (
+            "Rotate the point first, which gives (x cos t - y sin t, x sin t + y cos t) for an "
+            "angle t. Then add origin."
+        )
         got = rotate_point((x, y), angle, (across, up))
         about.cause = named(got, about.cause, slips_of((x, y), angle, (across, up)))
         end = complex(across, up) + complex(x, y) * complex(math.cos(angle), math.sin(angle))
@@ -162,10 +179,12 @@ def test_a_point_of_nothing_is_refused() -> None:
 @pytest.mark.exercise("B9.3")
 def test_the_center_of_two_masses_is_nearer_to_the_larger() -> None:
     about("center_of_mass([6, 2], [(0, 0), (4, 8)])", read=MASS)
-    about.cause = "Sum m x and m y, and divide by the sum of the masses."
+    about.cause = (
+        "Add up m x and m y over all masses. Then divide both sums by the sum of the masses."
+    )
     got = center_of_mass([6.0, 2.0], [(0.0, 0.0), (4.0, 8.0)])
     slips = {
-        "the sum of m x and m y, without dividing": (8.0, 16.0),
+        "the sum of m x and m y, before the division": (8.0, 16.0),
         "the sum divided by the number of masses": (4.0, 8.0),
         "the mean of the positions, which ignores the masses": (2.0, 4.0),
         "the result with the masses swapped": (3.0, 6.0),
@@ -176,7 +195,10 @@ def test_the_center_of_two_masses_is_nearer_to_the_larger() -> None:
 @pytest.mark.exercise("B9.3")
 def test_the_center_of_many_masses(rng: Random) -> None:
     about.read = MASS
-    about.cause = "Sum m x and m y, and divide by the sum of the masses, not by their number."
+    about.cause = (
+        "Add up m x and m y over all masses. Then divide both sums by the sum of the masses, and "
+        "not by their number."
+    )
     for count in (1, 2, 5):
         masses = [positive_number(rng) for _ in range(count)]
         masses[-1] = masses[0]  # equal masses must work too
@@ -188,7 +210,9 @@ def test_the_center_of_many_masses(rng: Random) -> None:
         got = center_of_mass([*masses], [*positions])
         last = dict(pairs)
         slips = {
-            "the result rounded down, as // does": [math.floor(w) for w in wanted],
+            "the result of a dictionary with the masses as keys, which loses equal masses": [
+                math.floor(w) for w in wanted
+            ],
             "the result of a dict by mass, which loses equal masses": [
                 math.fsum(m * p[axis] for m, p in last.items()) / math.fsum(last) for axis in (0, 1)
             ],
@@ -197,7 +221,8 @@ def test_the_center_of_many_masses(rng: Random) -> None:
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
         after = masses_after(masses, positions)
         cause_lists = (
-            "The call must not change its lists. If you sort them or pop from them, use copies."
+            "The call has changed a list that it should only read. If you sort a list or remove "
+            "something from it, work on a copy."
         )
         for name, now, before in (("masses", after[0], masses), ("positions", after[1], positions)):
             expect_unchanged(name, now, before, cause=cause_lists)
@@ -211,7 +236,10 @@ def test_the_center_of_many_masses(rng: Random) -> None:
 def test_masses_and_positions_must_be_as_many(rng: Random) -> None:
     about.read = MASS
     m, x, y = positive_number(rng), number(rng), number(rng)
-    about.cause = "Raise ValueError unless there is one position per mass, and at least one mass."
+    about.cause = (
+        "There must be at least one mass and exactly one position for each mass. Raise ValueError "
+        "otherwise."
+    )
     for masses, positions in (
         ([], []),
         ((), ()),

@@ -16,7 +16,10 @@ from turning import Quad, draw_quad, hamilton, named, rijk
 LENGTH = "the docstrings of Quaternion.magnitude and is_unit"
 NORMALIZE = "book 9.4.8, and the docstring of normalize"
 PRODUCT = "book 9.4.9"
-ONLY_LOOKS = "This method must not change the quaternion. Work with local numbers."
+ONLY_LOOKS = (
+    "This method has changed the quaternion, but it should only read it. Compute with local "
+    "numbers instead."
+)
 
 
 def draw_four(rng: Random) -> Quad:
@@ -26,7 +29,11 @@ def draw_four(rng: Random) -> Quad:
 
 @pytest.mark.exercise("B9.7")
 def test_the_length_of_four_components(rng: Random) -> None:
-    about(cause="The magnitude is sqrt(r^2 + i^2 + j^2 + k^2).", read=LENGTH)
+    about(
+        cause="The magnitude is the square root of the sum of all four squares, sqrt(r^2 + i^2 "
+        "+ j^2 + k^2).",
+        read=LENGTH,
+    )
     about.call = "Quaternion(1, -3, 5, 1).magnitude()"
     got = Quaternion(1.0, -3.0, 5.0, 1.0).magnitude()
     slips = {
@@ -59,15 +66,23 @@ def test_near_which_length_it_is_a_turn(rng: Random) -> None:
     ):
         scaled = tuple(component * length for component in q)
         about.call = f"Quaternion{scaled}.is_unit(), of length {abs(length)}"
-        about.cause = "The length must be within UNIT_TOLERANCE (1e-6) of 1, above or below."
+        about.cause = (
+            "The length must differ from 1 by no more than UNIT_TOLERANCE (1e-6), and it can be "
+            "above or below 1."
+        )
         if 0.0 < abs(length - 1.0) < 1e-5:
-            about.cause += f" Here it is off by {abs(length - 1.0):.2g}. Compare the length, since "
-            about.cause += "its square is off by twice as much."
+            about.cause += (
+                f" Here it is off by {abs(length - 1.0):.2g}. Compare the length and not its "
+                "square, which is off by twice as much."
+            )
         quaternion = Quaternion(*scaled)
         got = quaternion.is_unit()
         expect_exactly(got, wanted)
         expect_unchanged("q", rijk(quaternion), scaled, cause=ONLY_LOOKS)
-    cause = "The length is 1. In a half-turn r is 0."
+    cause = (
+        "The length of this quaternion is 1, so return True. In a half-turn r is 0, but that does "
+        "not change its length."
+    )
     about("Quaternion(0, 0.6, 0, 0.8).is_unit()", cause=cause)
     got = Quaternion(0.0, 0.6, 0.0, 0.8).is_unit()
     expect_exactly(got, True)
@@ -80,22 +95,28 @@ def test_normalized_it_has_length_one(rng: Random) -> None:
     opposite = tuple(-component for component in drawn)
     for q in (drawn, opposite, tuple(component * (1.0 + 5e-7) for component in near)):
         length = math.hypot(*q)
-        about.cause = "Divide all four components by the length. Compute it once, before you "
-        about.cause += "change any of them."
+        about.cause = (
+            "Divide all four components by the length. Compute the length before you change any "
+            "of them, and use the same value for all."
+        )
         quaternion = Quaternion(*q)
         about.call = f"q = Quaternion{q}; q.normalize(); q"
         returned = quaternion.normalize()
         wanted = tuple(component / length for component in q)
         got = rijk(quaternion)
         slips = {
-            "the original quaternion; change self in place": q,
+            "The quaternion has not changed. Assign the new values to the components of self, "
+            "because a new quaternion would be lost.": q,
             "the result of dividing by the squared length": [c / length**2 for c in q],
         }
         if length != 1.0 and abs(length - 1.0) < 1e-6:
             slips = {"the original quaternion, whose length is not exactly 1": q}
-            about.cause = "Divide by the length even if is_unit accepts it."
+            about.cause = (
+                "is_unit accepts this length, but it is not exactly 1. Divide by the length in "
+                "this case as well."
+            )
         expect_close(got, wanted, cause=named(got, about.cause, slips))
-    about.cause = "This method works in place and returns nothing."
+    about.cause = "This method works in place, so it must not return anything."
     about.call = f"Quaternion{q}.normalize()"
     expect_exactly(returned, None)
 
@@ -104,7 +125,8 @@ def test_normalized_it_has_length_one(rng: Random) -> None:
 def test_zero_becomes_the_reference() -> None:
     about("q = Quaternion(0, 0, 0, 0); q.normalize(); q", read=NORMALIZE)
     about.cause = (
-        "The zero quaternion has no direction, so it becomes (1, 0, 0, 0), the rotation by 0."
+        "The zero quaternion has no direction, so its length cannot be used. Set it to (1, 0, 0, "
+        "0), which is the rotation by 0."
     )
     quaternion = Quaternion(0.0, 0.0, 0.0, 0.0)
     quaternion.normalize()
@@ -116,15 +138,19 @@ def test_zero_becomes_the_reference() -> None:
 def test_what_is_huge_or_not_finite_is_no_turn(rng: Random) -> None:
     about.read = LENGTH
     q = draw_quad(rng)
-    about.cause = "Every comparison with NaN is False. Test whether the length is near 1, not "
-    about.cause += "whether it is far from 1."
+    about.cause = (
+        "Every comparison with NaN is False. So test whether the length is near 1, instead of "
+        "testing whether it is far from 1."
+    )
     for length in (math.nan, math.inf):
         scaled = tuple(component * length for component in q)
         about.call = f"Quaternion{scaled}.is_unit()"
         got = Quaternion(*scaled).is_unit()
         expect_exactly(got, False)
     about.call = "Quaternion(1e200, 0, 0, 1e200).is_unit()"
-    about.cause = "The square of 1e200 is too large for a float. Use magnitude()."
+    about.cause = (
+        "The square of 1e200 is too large for a float. Compute the length with magnitude() instead."
+    )
     got = Quaternion(1e200, 0.0, 0.0, 1e200).is_unit()
     expect_exactly(got, False)
 
@@ -137,8 +163,8 @@ def test_huge_and_tiny_components_have_a_length(rng: Random) -> None:
     length = math.hypot(*q)
     wanted = tuple(component / length for component in q)
     about.cause = (
-        "The squares do not fit into a float. Use math.hypot, which takes all four numbers and "
-        "does not overflow."
+        "The squares of these components do not fit into a float. Use math.hypot, which takes all "
+        "four numbers and does not overflow."
     )
     for scale in (1e200, 1e-200):
         scaled = tuple(component * scale for component in q)
@@ -157,13 +183,13 @@ def test_the_conjugate_turns_back(rng: Random) -> None:
     q = draw_four(rng)
     quaternion = Quaternion(*q)
     about.call = f"q = Quaternion{q}; q.conjugate()"
-    about.cause = "Keep r, change the signs of i, j and k, and return a new quaternion."
+    about.cause = "Keep r, and change the signs of i, j and k. Return a new quaternion."
     got = rijk(quaternion.conjugate())
     r, i, j, k = q
     wanted = (r, -i, -j, -k)
     slips = {
         "the result of changing all four signs, which is the same orientation": (-r, -i, -j, -k),
-        "the result of changing the sign of r, not of the other three": (-r, i, j, k),
+        "the result of changing the sign of r instead of the other three": (-r, i, j, k),
         "the original quaternion": q,
     }
     why = named(got, about.cause, slips)
@@ -180,7 +206,10 @@ def test_the_table_of_i_j_and_k() -> None:
         "j": (0.0, 0.0, 1.0, 0.0),
         "k": (0.0, 0.0, 0.0, 1.0),
     }
-    about.cause = "i j = k, j k = i and k i = j, with a minus in the other order. i i = -1."
+    about.cause = (
+        "The rules are i i = -1, i j = k, j k = i and k i = j. If the factors are swapped, the "
+        "product of two different ones changes its sign."
+    )
     products = []
     for first, a in units.items():
         for second, b in units.items():
@@ -190,7 +219,7 @@ def test_the_table_of_i_j_and_k() -> None:
             expect_unchanged("the first factor", rijk(one), a, cause=UNCHANGED)
             expect_unchanged("the second factor", rijk(other), b, cause=UNCHANGED)
     if all(got == hamilton(b, a) for _, a, b, got in products):
-        about.cause = f"The result is the product in the other order. {about.cause}"
+        about.cause = f"This is the product in the other order. {about.cause}"
     for call, a, b, got in products:
         about.call = call
         expect_close(got, hamilton(a, b), tolerance=0.0)
@@ -202,8 +231,10 @@ def test_the_product_of_any_two(rng: Random) -> None:
     a, b = draw_four(rng), draw_four(rng)
     first, second = Quaternion(*a), Quaternion(*b)
     about.call = f"a, b = Quaternion{a}, Quaternion{b}; a * b"
-    about.cause = "The scalar part is r r' - v . v' and the vector part r v' + r' v + v x v'. "
-    about.cause += "Return a new quaternion."
+    about.cause = (
+        "With vector parts v and v', the scalar part is r r' - v . v', and the vector part is r "
+        "v' + r' v + v x v'. Return a new quaternion."
+    )
     got = rijk(first * second)
     # Four products of up to 90.
     expect_close(got, hamilton(a, b), tolerance=1e-12)
@@ -216,7 +247,7 @@ def test_the_product_of_any_two(rng: Random) -> None:
 def test_a_quaternion_times_a_number_is_refused(rng: Random) -> None:
     about.read = "the docstring at the top of quaternion.py"
     q = draw_four(rng)
-    about.cause = "If q is not a Quaternion, return NotImplemented. Python then raises TypeError."
+    about.cause = "q is not a Quaternion, so return NotImplemented. Python then raises TypeError."
     for other in (2.0, "2", None, (1.0, 0.0, 0.0, 0.0), Vector3(1.0, 2.0, 3.0)):
         name = "Vector3(1, 2, 3)" if isinstance(other, Vector3) else repr(other)
         expect_error(

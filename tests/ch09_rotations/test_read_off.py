@@ -46,7 +46,10 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
     twelve = joined(m, p)
     matrix = Matrix4(*twelve)
     about.call = f"read_off({written(twelve)})"
-    about.cause = "The first three columns are the rotation, a Matrix3. The last is the position."
+    about.cause = (
+        "The first three columns are the rotation, which is a Matrix3. The last column is the "
+        "position."
+    )
     rotation, position = read_off(matrix)
     name = f"{about.call}, the rotation"
     got = entries(rotation)
@@ -76,9 +79,15 @@ def test_nothing_is_read_off_what_scales(rng: Random) -> None:
     good = joined(m, p)
     near = tuple(n * (1.0 + 4e-6) for n in m)
     about.call = f"len(read_off({written(joined(near, p))}))"
-    about.cause = "The rows have the length 1 + 4e-6, which is_rotation() accepts."
+    about.cause = (
+        "The rows of this rotation have a length of 1 + 4e-6, which is_rotation() accepts. Accept "
+        "it as well."
+    )
     expect_exactly(len(read_off(Matrix4(*joined(near, p)))), 2)
-    about.cause = "The first three columns are not a rotation. Check them with is_rotation()."
+    about.cause = (
+        "The first three columns are not a rotation. Check them with is_rotation(), and raise "
+        "ValueError."
+    )
     for linear in (
         tuple(2.0 * n for n in m),
         tuple(n * (1.0 + 7e-6) for n in m),
@@ -111,13 +120,16 @@ def test_the_easy_inverse(rng: Random) -> None:
     twelve = joined(m, p)
     matrix = Matrix4(*twelve)
     about.call = f"easy_inverse({written(twelve)})"
-    about.cause = "In the inverse, the rotation is the transpose T and the position is -T p."
+    about.cause = (
+        "The inverse of a rotation is its transpose T. So the inverse matrix has the rotation T, "
+        "and the position -T p."
+    )
     got = entries(easy_inverse(matrix))
     t = transposed(m)
     x, y, z = applied(t, p)
     wanted = joined(t, (-x, -y, -z))
     turned_on = applied(m, p)
-    last = "the right matrix except the last column, which is"
+    last = "the right matrix except for the last column, which is"
     slips = {
         f"{last} -p": joined(t, subtracted((0.0, 0.0, 0.0), p)),
         f"{last} p": joined(t, p),
@@ -156,8 +168,10 @@ def test_the_easy_inverse_divides_by_nothing(rng: Random) -> None:
     for linear in (m, (0.0,) * 9):
         twelve = joined(linear, p)
         about.call = f"easy_inverse({written(twelve)}), which is not a rotation"
-        about.cause = "Use the transpose without any check or division, for every matrix. A "
-        about.cause += "general inverse would divide by the determinant."
+        about.cause = (
+            "Use the transpose for every matrix, without a check and without a division. A "
+            "general inverse would divide by the determinant here."
+        )
         got = entries(easy_inverse(Matrix4(*twelve)))
         x, y, z = applied(transposed(linear), p)
         wanted = joined(transposed(linear), (-x, -y, -z))
@@ -172,7 +186,10 @@ def test_the_easy_inverse_undoes_a_motion(rng: Random) -> None:
     twelve = joined(m, p)
     there = moved(m, p, a)
     about.call = f"m = {written(twelve)}; easy_inverse(m) @ (m @ Vector3{a})"
-    about.cause = "Subtract the position first, then rotate back."
+    about.cause = (
+        "The inverse undoes the steps in the opposite order. It subtracts the position first, and "
+        "then rotates back."
+    )
     got = entries(easy_inverse(Matrix4(*twelve)))
     if isinstance(got, tuple) and len(got) == 12:
         got = moved((*got[0:3], *got[4:7], *got[8:11]), (got[3], got[7], got[11]), there)

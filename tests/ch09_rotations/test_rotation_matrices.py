@@ -54,10 +54,13 @@ def expect_rotation(m: Nine, wanted: bool) -> None:
 
 @pytest.mark.exercise("B9.6")
 def test_rotations_are_known(rng: Random) -> None:
-    about.cause = "The rows have length 1, are at right angles and right-handed: a rotation."
+    about.cause = (
+        "The rows have length 1, they are at right angles to each other, and they are "
+        "right-handed. This is a rotation, so return True."
+    )
     expect_rotation(IDENTITY, True)
     about.cause += (
-        " The numbers are rounded, so test whether the products of rows are near 1 and 0."
+        " The numbers are rounded, so test whether the products of the rows are close to 1 and 0."
     )
     for m in (matrix_of(draw_quad(rng)), matrix_of(draw_quad(rng)), HALF_TURN):
         expect_rotation(m, True)
@@ -67,25 +70,35 @@ def test_rotations_are_known(rng: Random) -> None:
 def test_what_is_no_rotation(rng: Random) -> None:
     m = matrix_of(draw_quad(rng))
     a, b, c, d, e, f, g, h, i = m
-    about.cause = "This matrix scales. The scalar product of each row with itself must be 1."
+    about.cause = (
+        "This matrix changes lengths, so it is not a rotation. The scalar product of each row "
+        "with itself must be 1."
+    )
     expect_rotation(tuple(2.0 * number for number in m), False)
     expect_rotation((0.0,) * 9, False)
     for row in range(3):
         n = [*m]
         n[3 * row : 3 * row + 3] = [1.5 * number for number in n[3 * row : 3 * row + 3]]
         expect_rotation(tuple(n), False)
-    about.cause = "This matrix stretches one axis and shrinks another. Its determinant is 1, but "
-    about.cause += "the product of each row with itself must be 1 too."
+    about.cause = (
+        "This matrix stretches one axis and shrinks another one, so its determinant is still 1. "
+        "It is not a rotation, because the scalar product of each row with itself must be 1 as "
+        "well."
+    )
     expect_rotation((2.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1.0), False)
     about.cause = (
-        "This matrix is a reflection. Its rows are orthonormal, but its determinant is -1."
+        "This matrix is a reflection, so it is not a rotation. Its rows are orthonormal, but its "
+        "determinant is -1, so check the sign of the determinant."
     )
     expect_rotation((d, e, f, a, b, c, g, h, i), False)
     expect_rotation(tuple(-number for number in HALF_TURN), False)
     # The determinant of a mirror with nearly orthonormal rows is near -1, on either side of it.
     for scale in (-1.0, -1.0 - 4e-6, 4e-6 - 1.0):
         expect_rotation(tuple(scale * number for number in m), False)
-    about.cause = "This matrix shears. Its rows have length 1, but are not at right angles."
+    about.cause = (
+        "This matrix shears, so it is not a rotation. Its rows have length 1, but they are not at "
+        "right angles, so check their scalar products, too."
+    )
     s, t = math.sin(0.3), math.cos(0.3)
     for n in (
         (1.0, 0.0, 0.0, s, t, 0.0, 0.0, 0.0, 1.0),
@@ -98,14 +111,19 @@ def test_what_is_no_rotation(rng: Random) -> None:
 @pytest.mark.exercise("B9.6")
 def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
     m = draw_slight_turn(rng)
-    limit = "Products of rows may be off by ROTATION_TOLERANCE (1e-5)."
+    limit = (
+        "The scalar products of the rows may differ from 1 and 0 by up to ROTATION_TOLERANCE "
+        "(1e-5)."
+    )
     for scale, wanted in ((4e-6, True), (-4e-6, True), (7e-6, False), (-7e-6, False)):
-        about.cause = f"{limit} The product of each row with itself is off by {2.0 * scale:.2g} "
-        about.cause += "here. The determinant must only be positive, to exclude mirrors."
+        about.cause = (
+            f"{limit} Here the product of each row with itself is off by {2.0 * scale:.2g}. The "
+            "determinant only excludes reflections, so it only has to be positive."
+        )
         expect_rotation(tuple(number * (1.0 + scale) for number in m), wanted)
     for angle, wanted in ((8e-6, True), (1.3e-5, False), (-1.3e-5, False)):
         n = (1.0, 0.0, 0.0, angle, 1.0, 0.0, 0.0, 0.0, 1.0)
-        about.cause = f"{limit} The product of the first two rows is {angle:.2g} here instead of 0."
+        about.cause = f"{limit} Here the product of the first two rows is {angle:.2g} instead of 0."
         expect_rotation(n, wanted)
 
 
@@ -113,8 +131,10 @@ def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
 @pytest.mark.robust
 def test_what_is_huge_is_no_rotation(rng: Random) -> None:
     m = matrix_of(draw_quad(rng))
-    about.cause = "The square of 1e200 is too large for a float, and ** raises OverflowError. Use "
-    about.cause += "*."
+    about.cause = (
+        "The square of 1e200 is too large for a float. The operator ** raises OverflowError in "
+        "this case, so multiply with * instead."
+    )
     expect_rotation(tuple(1e200 * number for number in m), False)
 
 
@@ -123,8 +143,8 @@ def test_what_is_huge_is_no_rotation(rng: Random) -> None:
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_what_is_not_finite_is_no_rotation(bad: float) -> None:
     about.cause = (
-        "Every comparison with NaN is False. Test whether each product is close enough instead of "
-        "whether it is too far off."
+        "Every comparison with NaN is False. So test whether each product is close enough, "
+        "instead of testing whether it is too far off."
     )
     for place in range(9):
         m = [*IDENTITY]
@@ -151,7 +171,7 @@ def from_slips(q: Quad) -> dict[str, Nine]:
 def test_ninety_degrees_about_each_axis() -> None:
     about.read = FROM
     half = math.sqrt(0.5)
-    about.cause = "The columns are the rotated axes X, Y and Z."
+    about.cause = "The columns of the matrix are the rotated axes X, Y and Z."
     for q, axes, wanted in (
         ((half, half, 0.0, 0.0), "X", (1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0)),
         ((half, 0.0, half, 0.0), "Y", (0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0)),
@@ -165,7 +185,10 @@ def test_ninety_degrees_about_each_axis() -> None:
 
 @pytest.mark.exercise("B9.12")
 def test_the_matrix_of_any_quaternion(rng: Random) -> None:
-    about(cause="Check the signs and the factors 2 of all nine terms.", read=FROM)
+    about(
+        cause="Check the sign and the factor of 2 in every term of the nine numbers.",
+        read=FROM,
+    )
     for scale in (1.0, -1.0, 1.0 + 5e-7, -1.0 - 5e-7):
         q = tuple(scale * component for component in draw_quad(rng))
         quaternion = Quaternion(*q)
@@ -183,7 +206,10 @@ def test_the_matrix_of_any_quaternion(rng: Random) -> None:
 def test_no_matrix_of_what_is_no_turn(rng: Random) -> None:
     about.read = "the docstring of from_quaternion"
     q = draw_quad(rng)
-    about.cause = "Call is_unit() first. It accepts rounding errors of up to 1e-6."
+    about.cause = (
+        "The length of this quaternion is not 1. Call is_unit() first, which accepts rounding "
+        "errors of up to 1e-6."
+    )
 
     def of_length(length: float) -> object:
         return Matrix3.from_quaternion(Quaternion(*(component * length for component in q)))
@@ -195,7 +221,7 @@ def test_no_matrix_of_what_is_no_turn(rng: Random) -> None:
             call=f"Matrix3.from_quaternion(q) for a q of length {length}",
             allowed=lambda: [of_length(1.0 + 5e-7), of_length(1.0 - 5e-7)],
         )
-    about.cause = "The argument must be a Quaternion. Raise TypeError for a tuple."
+    about.cause = "The argument must be a Quaternion, and a tuple is not one. Raise TypeError."
     expect_error(
         lambda: Matrix3.from_quaternion(q),
         TypeError,
@@ -220,17 +246,20 @@ def expect_back(q: Quad) -> None:
     got = same_sign(rijk(Matrix3(*m).to_quaternion()), q)
     r, i, j, k = q
     slips = {
-        "the right quaternion except the sign of r, or the signs of i, j and k": (-r, i, j, k),
+        "the right quaternion except for the sign of r, or the signs of i, j and k": (-r, i, j, k),
         "the right quaternion without its signs": [abs(component) for component in q],
         "twice the quaternion": [2.0 * component for component in q],
         "half of the quaternion": [0.5 * component for component in q],
     }
     for place, letter in enumerate("ijk", start=1):
         other = [-c if p == place else c for p, c in enumerate(q)]
-        slips[f"the right quaternion except the sign of {letter}"] = other
+        slips[f"the right quaternion except for the sign of {letter}"] = other
     # If r is nearly 0, the conjugate cannot be told apart from the right result.
     slips = {name: same_sign(tuple(slip), q) for name, slip in slips.items() if abs(r) > 1e-6}
-    signs = "The signs come from h - f = 4 i r, c - g = 4 j r and d - b = 4 k r."
+    signs = (
+        "The signs come from the numbers on both sides of the diagonal. They are h - f = 4 i r, c "
+        "- g = 4 j r and d - b = 4 k r."
+    )
     why = named(got, signs, slips)
     if why != signs:
         about.cause = why
@@ -240,8 +269,10 @@ def expect_back(q: Quad) -> None:
 
 @pytest.mark.exercise("B9.13", weight=2)
 def test_back_from_a_matrix(rng: Random) -> None:
-    about.cause = "The sum of the diagonal is 4 r^2 - 1. Across the diagonal, h - f = 4 i r, c - g "
-    about.cause += "= 4 j r and d - b = 4 k r."
+    about.cause = (
+        "The sum of the diagonal is 4 r^2 - 1, which gives r. The numbers on both sides of the "
+        "diagonal then give the other three: h - f = 4 i r, c - g = 4 j r and d - b = 4 k r."
+    )
     expect_back((1.0, 0.0, 0.0, 0.0))
     for longest in range(3):
         # Two of i, j and k are negative, so that no two lost signs look alike.
@@ -254,14 +285,17 @@ def test_back_from_a_matrix(rng: Random) -> None:
     expect_back(quad(components(rng), -0.9))
     about.cause = (
         "This matrix is a rotation, although the product of its diagonal is negative. Check it "
+        "with is_rotation(), which uses the whole determinant."
     )
-    about.cause += "with is_rotation()."
     expect_back(quad((2.0, 2.1, 1.0), 3.0))
 
 
 @pytest.mark.exercise("B9.13")
 def test_back_from_a_half_turn(rng: Random) -> None:
-    about.cause = "Here r is 0 or nearly 0. Divide by the largest of the four components."
+    about.cause = (
+        "Here r is 0 or almost 0, so you cannot divide by it. Find the largest of the four "
+        "components, and divide by that one."
+    )
     for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)):
         expect_back((0.0, *axis))
     for longest in range(3):
@@ -270,17 +304,22 @@ def test_back_from_a_half_turn(rng: Random) -> None:
         expect_back(half_turn(axis))
         for short in (1e-3, 1e-9, -1e-9):
             expect_back(quad(axis, math.pi - short))
-    about.cause = "Several components share the largest size here. Divide by any of them."
+    about.cause = "Several components have the largest size here. You can divide by any of them."
     for axis in ((1.0, 1.0, 0.0), (1.0, 0.0, -1.0), (0.0, -1.0, 1.0), (1.0, 1.0, 1.0)):
         expect_back(half_turn(axis))
-    about.cause = "Compare all four components to find the largest one."
+    about.cause = (
+        "The largest component is not r here. Compare all four components to find the largest one."
+    )
     for axis in permutations((0.0, 1e-6, 1.0)):
         expect_back(half_turn(axis))
 
 
 @pytest.mark.exercise("B9.13")
 def test_what_comes_back_has_length_one(rng: Random) -> None:
-    cause = "Normalize the result, since the matrix may be slightly off."
+    cause = (
+        "The matrix may differ slightly from a rotation. Normalize the quaternion, so that its "
+        "length is 1."
+    )
     about(cause=cause, read=TO)
     half_turns = [(0.0, 0.8, 0.6, 0.0), (0.0, 0.0, 0.8, 0.6), (0.0, 0.6, 0.0, 0.8)]
     half_turns.append((0.0, 2.0 / 3.0, 2.0 / 3.0, 1.0 / 3.0))
@@ -296,7 +335,9 @@ def test_what_comes_back_has_length_one(rng: Random) -> None:
 def test_only_a_rotation_has_a_quaternion(rng: Random) -> None:
     about.read = TO
     m = draw_slight_turn(rng)
-    about.cause = "This matrix is not a rotation. Call is_rotation() first."
+    about.cause = (
+        "This matrix is not a rotation, so it has no quaternion. Call is_rotation() first."
+    )
     for n in (
         tuple(2.0 * number for number in m),
         tuple(-number for number in m),

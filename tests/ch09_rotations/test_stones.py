@@ -78,11 +78,11 @@ def center_slips(stones: Stones) -> dict[str, tuple[float, float]]:
         "the mean of the positions, which ignores the masses": middle(
             [(n, 1.0, x, y) for n, _, x, y in stones]
         ),
-        "the result without the first stone, or with one stone per name": middle(
+        "the result without the first stone, or with only one stone per name": middle(
             stones[1:] or stones
         ),
         "the result without the last stone": middle(stones[:-1] or stones),
-        "the sum of mass times position, without dividing": middle(stones)
+        "the sum of mass times position, before the division": middle(stones)
         * sum(m for _, m, _, _ in stones),
     }
     slips = {name: (z.real, z.imag) for name, z in ends.items()}
@@ -92,7 +92,9 @@ def center_slips(stones: Stones) -> dict[str, tuple[float, float]]:
 @pytest.mark.exercise("9.7")
 def test_the_center_of_a_box_with_stones(rng: Random) -> None:
     about.read = CENTER
-    about.cause = "Call center_of_mass with the masses and the (x, y) positions of the stones."
+    about.cause = (
+        "Call center_of_mass, and pass it the masses and the (x, y) positions of the stones."
+    )
     for count in (1, 4):
         stones = draw_stones(rng, count)
         about.call = f"center_of_stones({stones})"
@@ -111,7 +113,7 @@ def offset_slips(stones: Stones, angle: float) -> dict[str, float]:
     offset = next(side for (side, _), mass in zip(sides, passed, strict=True) if mass >= half)
     return {
         "the offset to the right instead of the left": -left_of(center, angle),
-        "the distance along the edge, not to the left of it": left_of(
+        "the distance along the edge instead of the distance to the left of it": left_of(
             center, angle - 0.5 * math.pi
         ),
         "the result for an angle in degrees": left_of(center, math.radians(angle)),
@@ -123,12 +125,17 @@ def offset_slips(stones: Stones, angle: float) -> dict[str, float]:
 def test_where_the_edge_must_lie(rng: Random) -> None:
     about.read = OFFSET
     stones = draw_stones(rng)
-    cause = "An edge along X must be below the center of mass. Return its y."
+    cause = (
+        "The box balances on an edge that passes below its center of mass. This edge is parallel "
+        "to X, so the offset is the y of the center of mass."
+    )
     about(f"balance_offset({stones}, 0)", cause=cause)
     got = balance_offset(stones, 0.0)
     why = named(got, about.cause, offset_slips(stones, 0.0))
     expect_close(got, middle(stones).imag, cause=why, tolerance=TIGHT)
-    about.cause = "The offset is the center of mass . (-sin(angle), cos(angle))."
+    about.cause = (
+        "The offset is the scalar product of the center of mass and (-sin(angle), cos(angle))."
+    )
     small, large = positive_number(rng, 0.3, 1.4), positive_number(rng, 1.7, 3.0)
     for angle in (0.5 * math.pi, small, -small, large, -large, large + math.tau):
         about.call = f"balance_offset({stones}, {angle})"
@@ -143,20 +150,23 @@ def test_it_balances_though_the_masses_differ() -> None:
     about.read = BESIDE
     stones = [("near and heavy", 3.0, 0.2, 0.4), ("far and light", 1.0, 0.6, 0.8)]
     about.call = f"masses_beside({stones}, 0)"
-    about.cause = "The edge lies at y = 0.5. On its left, beyond it, is 1 kg, and 3 kg are on its "
-    about.cause += "right."
+    about.cause = (
+        "The edge is at y = 0.5. On its left, where y is larger, there is 1 kg. On its right "
+        "there are 3 kg."
+    )
     got = masses_beside(stones, 0.0)
     slips = {
         "half of the mass on each side, as in the book (E-32)": (2.0, 2.0),
         "the result with left and right swapped": (3.0, 1.0),
-        "the number of stones on each side, not their mass": (1.0, 1.0),
-        "the result for a line through the corner, not the center of mass": (4.0, 0.0),
+        "the number of stones on each side instead of their mass": (1.0, 1.0),
+        "the result for a line through the corner instead of the center of mass": (4.0, 0.0),
     }
     why = named(got, about.cause, slips)
     expect_close(got, (1.0, 3.0), cause=why, tolerance=TIGHT)
     about.call = f"masses_beside({stones}, pi / 2)"
-    about.cause = "The edge lies at x = 0.3. Smaller values of x are on the left of an edge along "
-    about.cause += "Y."
+    about.cause = (
+        "The edge is at x = 0.3. It is parallel to Y, so stones with a smaller x are on its left."
+    )
     got = masses_beside(stones, 0.5 * math.pi)
     expect_close(got, (3.0, 1.0), tolerance=TIGHT)
 
@@ -164,7 +174,10 @@ def test_it_balances_though_the_masses_differ() -> None:
 @pytest.mark.exercise("9.7")
 def test_the_masses_on_both_sides(rng: Random) -> None:
     about.read = BESIDE
-    about.cause = "A stone is on the left if its own offset is greater than that of the edge."
+    about.cause = (
+        "Compute the offset of each stone from the corner. A stone is on the left of the edge if "
+        "its offset is greater than that of the edge."
+    )
     cases = [(draw_telling_stones(rng), 0.3)]
     while len(cases) < 4:
         stones, angle = draw_stones(rng), number(rng, 0.1, 3.0)
@@ -190,14 +203,16 @@ def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
     ]
     about.call = f"masses_beside({stones}, {angle})"
     about.cause = (
-        "Rounding puts this stone 1e-16 m off the edge. A stone up to 1e-9 m from the edge counts "
-        "as on it."
+        "Because of rounding, this stone seems to be 1e-16 m beside the edge. A stone up to 1e-9 "
+        "m from the edge counts as on it."
     )
     got = tuple(masses_beside(stones, angle))
     expect_close(got, (0.7, 0.7), tolerance=TIGHT)
     for off, wanted in ((3e-9, (0.4, 0.4)), (3e-10, (0.0, 0.0))):
-        about.cause = f"Up to 1e-9 m counts as on the edge, and {off:.0e} m is "
-        about.cause += f"{'less' if off < 1e-9 else 'more'}."
+        about.cause = (
+            f"A stone up to 1e-9 m from the edge counts as on it. Here {off:.0e} m is "
+            f"{'less' if off < 1e-9 else 'more'}."
+        )
         stones = [("left", 0.4, 0.3, 0.5 + off), ("right", 0.4, 0.6, 0.5 - off)]
         about.call = f"masses_beside({stones}, 0); stones {off} m from the edge"
         got = tuple(masses_beside(stones, 0.0))
@@ -210,7 +225,10 @@ def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
     about.read = "the docstring at the top of exercises.py"
     stones = draw_telling_stones(rng)
     about.call = f"{name}({stones}{'' if name == 'center_of_stones' else ', 0.3'})"
-    about.cause = "The call must not change its list. If you sort it or pop from it, use a copy."
+    about.cause = (
+        "The call has changed its list, which it should only read. If you sort the list or remove "
+        "something from it, work on a copy."
+    )
     center = middle(stones)
     wanted = {
         "center_of_stones": (center.real, center.imag),
@@ -232,7 +250,10 @@ def test_a_box_of_nothing_has_no_center(rng: Random) -> None:
         ("balance_offset", balance_offset, (0.3,)),
         ("masses_beside", masses_beside, (0.3,)),
     )
-    about.cause = "Call center_of_mass for all stones. It refuses these."
+    about.cause = (
+        "These stones have no center of mass. Call center_of_mass for all of them, which raises "
+        "the error."
+    )
     for name, function, more in calls:
         for stones in (
             [],
@@ -248,7 +269,7 @@ def test_a_box_of_nothing_has_no_center(rng: Random) -> None:
                 allowed=lambda function=function, more=more: function(good, *more),
                 read=f"the docstring of {name}",
             )
-    about.cause = "Check the angle with finite from arguments.py."
+    about.cause = "The angle must be finite. Check it with finite from arguments.py."
     for name, function, _ in calls[1:]:
         for angle in (math.nan, math.inf):
             expect_error(
@@ -263,17 +284,23 @@ def test_a_box_of_nothing_has_no_center(rng: Random) -> None:
 @pytest.mark.exercise("9.7")
 def test_your_own_stones() -> None:
     about("center_of_stones(the stones of your stones.csv)", read=DATA)
-    about.cause = "Enter your own stones in stones.csv, one per line, in kg and m. For example: a "
-    about.cause += "flat piece of slate,0.212,0.120,0.060"
+    about.cause = (
+        "Enter your own stones in stones.csv, one stone per line, in kg and m. For example: a "
+        "flat piece of slate,0.212,0.120,0.060"
+    )
     stones = [tuple(stone) for stone in entered_stones()]
-    name = "your stones.csv: number of lines, at most 4 (three stones and the box)"
+    name = (
+        "your stones.csv: the number of lines, of which at most 4 count (three stones and the box)"
+    )
     expect_exactly(min(len(stones), 4), 4, call=name)
-    about.cause = "Measure the position of each stone."
+    about.cause = "Some stones have the same position. Measure the position of each stone."
     places = {(x, y) for _, _, x, y in stones}
-    name = "your stones.csv: number of different positions, at most 3"
+    name = "your stones.csv: the number of different positions, of which at most 3 count"
     expect_exactly(min(len(places), 3), 3, call=name)
     about.call = "center_of_stones(your stones)"
     got = center_of_stones(stones)
     wanted = middle(stones)
-    about.cause = "Call center_of_mass with the masses and the (x, y) positions of the stones."
+    about.cause = (
+        "Call center_of_mass, and pass it the masses and the (x, y) positions of the stones."
+    )
     expect_close(got, (wanted.real, wanted.imag), tolerance=TIGHT)

@@ -44,7 +44,7 @@ def make_slips(axis: Components, angle: float) -> dict[str, Quad]:
     """Return the results of likely mistakes in from_axis_angle."""
     cosine, sine, length = math.cos(0.5 * angle), math.sin(0.5 * angle), math.hypot(*axis)
     return {
-        "the result for the whole angle; use half of it": quad(axis, 2.0 * angle),
+        "the result for the whole angle instead of half of it": quad(axis, 2.0 * angle),
         "the result for the whole angle, with an axis that is not normalized": (
             math.cos(angle),
             *(component * math.sin(angle) for component in axis),
@@ -63,7 +63,10 @@ def make_slips(axis: Components, angle: float) -> dict[str, Quad]:
 @pytest.mark.exercise("B9.9")
 def test_the_quaternion_of_axis_and_angle(rng: Random) -> None:
     about("Quaternion.from_axis_angle(Vector3(1, 2, 3), 1.2)", read=MAKE)
-    about.cause = "The result is cos(angle / 2), and the normalized axis times sin(angle / 2)."
+    about.cause = (
+        "The scalar part is cos(angle / 2). The vector part is the normalized axis times "
+        "sin(angle / 2)."
+    )
     got = rijk(Quaternion.from_axis_angle(Vector3(1.0, 2.0, 3.0), 1.2))
     why = named(got, about.cause, make_slips((1.0, 2.0, 3.0), 1.2))
     # Eight decimals of SciPy's Rotation.from_rotvec.
@@ -95,15 +98,17 @@ def expect_any_length(rng: Random, scale: float, cause: str) -> None:
 
 @pytest.mark.exercise("B9.9")
 def test_the_length_of_the_axis_does_not_matter(rng: Random) -> None:
-    expect_any_length(rng, 1e-3, "Normalize a copy of the axis first.")
+    expect_any_length(rng, 1e-3, "The axis was changed. Normalize a copy of it instead.")
 
 
 @pytest.mark.exercise("B9.9")
 @pytest.mark.robust
 def test_an_axis_may_be_huge_or_tiny(rng: Random) -> None:
     for scale in (1e200, 1e-200):
-        about.cause = "The squares of these components do not fit into a float. Use normalized of "
-        about.cause += "Vector3."
+        about.cause = (
+            "The squares of these components do not fit into a float. Call normalized of Vector3, "
+            "which handles such vectors."
+        )
         expect_any_length(rng, scale, about.cause)
 
 
@@ -120,14 +125,16 @@ def test_no_axis_or_no_angle_is_refused() -> None:
         ((0.0, 1.0, 1.0), "1.0", TypeError),
     ):
         about.call = f"Quaternion.from_axis_angle(Vector3{axis}, {angle!r})"
-        about.cause = "Refuse a zero axis, which has no direction. Check the rest with "
-        about.cause += "finite_vector and finite from arguments.py."
+        about.cause = (
+            "A zero axis has no direction, so refuse it. Check the rest with finite_vector and "
+            "finite from arguments.py."
+        )
         expect_error(
             lambda axis=axis, angle=angle: Quaternion.from_axis_angle(Vector3(*axis), angle),
             error,
             allowed=lambda: Quaternion.from_axis_angle(Vector3(0.0, 1.0, 1.0), 1.0),
         )
-    about.cause = "The axis must be a Vector3. Raise TypeError for a tuple."
+    about.cause = "The axis must be a Vector3, and a tuple is not one. Raise TypeError."
     expect_error(
         lambda: Quaternion.from_axis_angle((0.0, 1.0, 1.0), 1.0),
         TypeError,
@@ -173,12 +180,12 @@ def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
         about.call = f"Quaternion{(r, i, j, k)}.to_axis_angle(), "
         if r < 0.0:
             about.cause += (
-                " If r is negative, use -q, which is the same rotation: reverse the axis."
+                " If r is negative, use -q, which is the same rotation. So reverse the axis."
             )
         got, turn = axis_angle_of((r, i, j, k))
         slips = {
             "half of the angle": 0.5 * angle,
-            "the angle above pi; use the shorter way": math.tau - angle,
+            "the angle of the longer way, which is above pi": math.tau - angle,
             "the angle in degrees": math.degrees(angle),
             "the angle with the wrong sign": -angle,
             "half of the angle of the longer way": math.pi - 0.5 * angle,
@@ -186,7 +193,7 @@ def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
         why = named(turn, about.cause, slips)
         expect_close(turn, angle, then="the angle", cause=why, tolerance=TIGHT)
         slips = {
-            "the axis of the longer way, but the angle of the shorter one": [-c for c in wanted],
+            "the axis of the longer way with the angle of the shorter one": [-c for c in wanted],
             "(i, j, k) without normalizing": (i, j, k),
         }
         why = named(got, about.cause, slips)
@@ -200,15 +207,19 @@ def test_axis_and_angle_at_the_ends(rng: Random) -> None:
     length = math.hypot(*axis)
     unit = tuple(component / length for component in axis)
     about.cause = (
-        "This quaternion is a rotation by 0. Return the X axis, by convention, and the angle 0."
+        "This quaternion is a rotation by 0, so its axis could be anything. By convention, return "
+        "the X axis and the angle 0."
     )
     for q in ((1.0, 0.0, 0.0, 0.0), (-1.0, 0.0, 0.0, 0.0)):
         about.call = f"Quaternion{q}.to_axis_angle(), "
         got, turn = axis_angle_of(q)
         expect_close(turn, 0.0, then="the angle", tolerance=0.0)
         expect_close(got, X_AXIS, then="the axis", tolerance=0.0)
-    about.cause = "Here r is 0 and the angle is pi. The axis may point in either direction."
-    by_asin = "asin loses half of the digits near pi, and acos near 0. Use atan2."
+    about.cause = "Here r is 0, so the angle is pi. The axis may point in either direction."
+    by_asin = (
+        "This angle has too few correct digits. Near pi asin loses half of the digits, and so "
+        "does acos near 0, so use atan2."
+    )
     q = (0.0, *unit)
     about.call = f"Quaternion{q}.to_axis_angle(), "
     got, turn = axis_angle_of(q)
@@ -224,7 +235,9 @@ def test_axis_and_angle_at_the_ends(rng: Random) -> None:
         wanted = math.pi - less
         expect_close(turn, wanted, then="the angle", tolerance=TIGHT)
         expect_close(got, unit, then="the axis", tolerance=TIGHT)
-    about.cause = "Near 0 the cosine rounds to 1, so acos cannot find the angle. Use atan2."
+    about.cause = (
+        "Near 0 the cosine of the angle rounds to 1, so acos cannot find the angle. Use atan2."
+    )
     for small in (1e-5, 1e-9):
         expect_small_turn(unit, small)
 
@@ -235,8 +248,10 @@ def test_axis_and_angle_of_the_smallest_turn(rng: Random) -> None:
     axis, _ = draw_turn(rng)
     length = math.hypot(*axis)
     unit = tuple(component / length for component in axis)
-    about.cause = "The squares of these components round to 0. Use magnitude() and normalize() of "
-    about.cause += "Vector3."
+    about.cause = (
+        "The squares of these components are rounded to 0. Use magnitude() and normalize() of "
+        "Vector3, which handle such vectors."
+    )
     expect_small_turn(unit, 1e-200)
 
 
@@ -246,8 +261,10 @@ def test_axis_and_angle_though_the_length_is_a_little_off(rng: Random) -> None:
     drawn = draw_quad(rng)
     length = math.hypot(*drawn[1:])
     unit = tuple(component / length for component in drawn[1:])
-    about.cause = "A length that is_unit accepts may be slightly above or below 1. atan2 does not "
-    about.cause += "mind."
+    about.cause = (
+        "A length that is_unit accepts may be slightly above or below 1. Use atan2, for which "
+        "this does not matter."
+    )
     for off in (1.0 + 5e-7, 1.0 - 5e-7):
         for whole in (drawn, (0.0, *unit), (1.0, 0.0, 0.0, 0.0)):
             q = tuple(component * off for component in whole)
@@ -265,7 +282,10 @@ def test_each_axis_is_a_new_vector() -> None:
     about.read = BACK
     about.call = "axis, _ = Quaternion().to_axis_angle(); axis.invert(); "
     about.call += "Quaternion().to_axis_angle()[0]"
-    about.cause = "Return a new axis vector on every call. A shared one can be changed by a caller."
+    about.cause = (
+        "The returned axis is shared by all calls, so a caller that changes it changes it for "
+        "everyone. Return a new vector in every call."
+    )
     first, _ = Quaternion().to_axis_angle()
     first.invert()
     second, _ = Quaternion().to_axis_angle()
@@ -275,7 +295,11 @@ def test_each_axis_is_a_new_vector() -> None:
 @scoped
 def expect_unit_wanted(what: str, use: object, q: Quad, read: str) -> None:
     """Expect a quaternion to be refused if its length is off by 2e-6, but not by 5e-7."""
-    about(cause="Call is_unit() first. It accepts rounding errors of up to 1e-6.", read=read)
+    about(
+        cause="The length of this quaternion is not 1. Call is_unit() first, which accepts "
+        "rounding errors of up to 1e-6.",
+        read=read,
+    )
     for length in (1.0 + 2e-6, 1.0 - 2e-6, 0.0, 2.0, math.nan):
         scaled = tuple(component * length for component in q)
         expect_error(
@@ -314,12 +338,17 @@ def test_a_vector_is_turned(rng: Random) -> None:
     about.read = ROTATE
     half = math.sqrt(0.5)
     about.call = f"Quaternion({half}, 0, 0, {half}).rotate(Vector3(1, 0, 0)), 90 degrees about Z"
-    about.cause = "The result is q (0, v) q*. A rotation by 90 degrees about Z takes X to Y."
+    about.cause = (
+        "The result is q (0, v) q*, where q* is the conjugate. A rotation by 90 degrees about Z "
+        "takes X to Y."
+    )
     got = xyz(Quaternion(half, 0.0, 0.0, half).rotate(Vector3(1.0, 0.0, 0.0)))
     why = named(got, about.cause, rotate_slips((half, 0.0, 0.0, half), (1.0, 0.0, 0.0)))
     expect_close(got, (0.0, 1.0, 0.0), cause=why, tolerance=TIGHT)
-    about.cause = "The result is q (0, v) q*, or v + 2 r (u x v) + 2 u x (u x v) with u = (i, j, "
-    about.cause += "k)."
+    about.cause = (
+        "The result is the vector part of q (0, v) q*. With u = (i, j, k), this is v + 2 r (u x "
+        "v) + 2 u x (u x v)."
+    )
     for sign in (1.0, -1.0, 1.0 + 5e-7):
         q, a = tuple(sign * component for component in draw_quad(rng)), components(rng)
         quaternion, v = Quaternion(*q), Vector3(*a)
@@ -332,7 +361,10 @@ def test_a_vector_is_turned(rng: Random) -> None:
         expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
         expect_unchanged("q", rijk(quaternion), q, cause=UNCHANGED)
     about.call = f"v = Vector3{a}; Quaternion().rotate(v).invert(); v"
-    about.cause = "Return a new vector, even if nothing rotates."
+    about.cause = (
+        "The result is the same vector as v, so a change of one also changes the other. Return a "
+        "new vector, even if nothing rotates."
+    )
     same = Quaternion().rotate(v)
     same.invert()
     expect_unchanged("v", xyz(v), a)

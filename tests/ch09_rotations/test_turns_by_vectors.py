@@ -51,20 +51,24 @@ def by_vector_slips(q: Quad, a: Components) -> dict[str, Quad]:
         "Eq. 9.9, normalized, which is only accurate to first order (E-12)": unit(
             stepped(q, left, 0.5)
         ),
-        "q times the rotation, about the object's own axis": hamilton(q, quad(a, size)),
+        "q times the rotation, which is about the object's own axis": hamilton(q, quad(a, size)),
         "a rotation by half the angle": hamilton(quad(a, 0.5 * size), q),
         "a rotation by twice the angle": hamilton(quad(a, 2.0 * size), q),
-        "a rotation by 1 radian, whatever the vector's length is": hamilton(quad(a, 1.0), q),
+        "a rotation by 1 radian, no matter how long the vector is": hamilton(quad(a, 1.0), q),
         "a rotation in the opposite direction": hamilton(quad(a, -size), q),
-        "the original q; change it in place": q,
+        "The quaternion has not changed. Assign the new values to the components of self, because "
+        "a new quaternion would be lost.": q,
     }
 
 
 @pytest.mark.exercise("B9.11", weight=2)
 def test_a_quaternion_is_turned_on_by_a_vector(rng: Random) -> None:
     about.read = BY_VECTOR
-    about.cause = "Make a rotation with from_axis_angle(vector, length of the vector). Multiply it "
-    about.cause += "by q, in this order, since the axis is the world's."
+    about.cause = (
+        "The length of the vector is the angle, and its direction is the axis. Make a rotation "
+        "from both with from_axis_angle, and multiply it by q. The axis is the world's, so the "
+        "rotation belongs on the left."
+    )
     for size in (0.3, 1.0, 9.0):
         q, a = draw_quad(rng), tuple(size * component for component in components(rng))
         quaternion, v = Quaternion(*q), Vector3(*a)
@@ -77,14 +81,17 @@ def test_a_quaternion_is_turned_on_by_a_vector(rng: Random) -> None:
         expect_close(got, wanted, cause=why, tolerance=1e-11)
         expect_unchanged("the vector", xyz(v), a, cause=UNCHANGED)
         about.call = f"Quaternion{q}.rotate_by(Vector3{a})"
-        cause_none = "This method works in place and returns nothing."
+        cause_none = "This method works in place, so it must not return anything."
         expect_exactly(returned, None, cause=cause_none)
 
 
 @pytest.mark.exercise("B9.11")
 def test_a_steady_turn_is_exact_in_any_parts() -> None:
     about.read = BY_VECTOR
-    about.cause = "Each part must be an exact rotation, whose angle is the length of the vector."
+    about.cause = (
+        "Each of the parts must be an exact rotation by the length of its vector. Then all parts "
+        "together give the same result, no matter how many there are."
+    )
     for parts in (1, 7, 100):
         about.call = f"{parts} times q.rotate_by(Vector3(0.3, -0.5, 0.8) * 2 / {parts}), from "
         about.call += "Quaternion()"
@@ -99,7 +106,10 @@ def test_a_steady_turn_is_exact_in_any_parts() -> None:
 def expect_tiny_turn(tiny: float) -> None:
     """Expect rotate_by to add half of a very small vector."""
     about.read = BY_VECTOR
-    about.cause = "Do not treat a small angle as 0. The result is half of the vector."
+    about.cause = (
+        "This small angle was treated as 0. Rotate by it as usual, so that the vector part "
+        "becomes half of the vector."
+    )
     quaternion = Quaternion()
     about.call = f"q = Quaternion(); q.rotate_by(Vector3(0, {tiny}, 0)); q.j / {tiny}"
     quaternion.rotate_by(Vector3(0.0, tiny, 0.0))
@@ -138,14 +148,16 @@ def add_slips(q: Quad, a: Components, scale: float) -> dict[str, Quad]:
         "the step with q times (0, vector), about the object's own axis": stepped(
             q, right, 0.5 * scale
         ),
-        "the normalized step; add_scaled must not normalize (E-31)": unit(
+        "the normalized step, although add_scaled must not normalize (E-31)": unit(
             stepped(q, left, 0.5 * scale)
         ),
-        "the exact rotation of rotate_by, not the first-order step": hamilton(
+        "the exact rotation of rotate_by instead of the first-order step": hamilton(
             quad(a, scale * math.hypot(*a)), q
         ),
-        "the result of reading components that have been changed already": in_turn,
-        "the change alone, not added to q": stepped((0.0, 0.0, 0.0, 0.0), left, 0.5 * scale),
+        "This was computed from components that had already been changed. Compute all four from "
+        "the old q before you assign them.": in_turn,
+        "The quaternion has not changed. Assign the new values to the components of self, because "
+        "a new quaternion would be lost.": stepped((0.0, 0.0, 0.0, 0.0), left, 0.5 * scale),
         "q + scale/2 (0, vector), without the product with q": stepped(q, (0.0, *a), 0.5 * scale),
         "the original q; change it in place": q,
     }
@@ -159,15 +171,17 @@ def test_the_step_of_the_book(rng: Random) -> None:
         q, a = draw_quad(rng), components(rng)
         quaternion, v = Quaternion(*q), Vector3(*a)
         about.call = f"q = Quaternion{q}; q.add_scaled(Vector3{a}, {scale}); q"
-        about.cause = "Add scale/2 times (0, vector) q to q. Compute all four components from the "
-        about.cause += "old q."
+        about.cause = (
+            "Add scale/2 times the product (0, vector) q to q. Compute all four components from "
+            "the old q before you assign them."
+        )
         returned = quaternion.add_scaled(v, scale)
         wanted = stepped(q, hamilton((0.0, *a), q), 0.5 * scale)
         got = rijk(quaternion)
         why = named(got, about.cause, add_slips(q, a, scale))
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
         expect_unchanged("the vector", xyz(v), a, cause=UNCHANGED)
-    about.cause = "This method works in place and returns nothing."
+    about.cause = "This method works in place, so it must not return anything."
     about.call = f"Quaternion{q}.add_scaled(Vector3{a}, {scale})"
     expect_exactly(returned, None)
 
@@ -178,8 +192,10 @@ def test_the_step_of_the_book(rng: Random) -> None:
 def test_turned_by_what_is_no_vector(rng: Random, method: str) -> None:
     about.read = f"the docstring of {method}"
     q, scale = draw_quad(rng), positive_number(rng)
-    about.cause = "Check the arguments with finite_vector and finite from arguments.py, before you "
-    about.cause += "change anything."
+    about.cause = (
+        "Check the arguments before you change anything. Use finite_vector and finite from "
+        "arguments.py."
+    )
     good = (0.0, 1.0, 1.0)
     bad = [((0.0, n, 1.0), scale, ValueError) for n in (math.nan, math.inf)]
     bad += [(good, n, ValueError) for n in (math.nan, math.inf) if method == "add_scaled"]
@@ -206,6 +222,6 @@ def test_turned_by_what_is_no_vector(rng: Random, method: str) -> None:
         TypeError,
         call=f"Quaternion{q}.{method}({shown})",
         allowed=lambda: use(Quaternion(*q), Vector3(*good), scale),
-        cause="The vector must be a Vector3. Raise TypeError for a tuple.",
+        cause="The vector must be a Vector3, and a tuple is not one. Raise TypeError.",
         read=FIRST_LINES,
     )

@@ -60,7 +60,7 @@ class FireworkRule:
         not_negative("min_age", self.min_age)
         if not self.min_age <= finite("max_age", self.max_age):
             raise ValueError(
-                f"max_age must be min_age, {self.min_age!r}, or more, got {self.max_age!r}"
+                f"max_age must be at least min_age ({self.min_age!r}), got {self.max_age!r}"
             )
         if not isinstance(self.payloads, (tuple, list)):
             raise TypeError(

@@ -141,14 +141,14 @@ class AdaptiveStep:
                     moving.stop(state)
                     why = problem or moving.worst(errors)
                     raise ArithmeticError(
-                        f"{self} needs steps below {wanted:.1g} s at {duration - left:g} s of a "
-                        f"call of {duration:g} s: {why}"
+                        f"{self} needs steps shorter than {wanted:.1g} s at {duration - left:g} s of "
+                        f"a call of {duration:g} s: {why}"
                     ) from problem
         else:
             moving.stop(state)
             raise ArithmeticError(
-                f"{self} is only at {duration - left:g} s of a call of {duration:g} s after "
-                f"{MOST_STEPS:,} steps: a larger tolerance or shorter calls would help"
+                f"{self} has only reached {duration - left:g} s of a call of {duration:g} s after "
+                f"{MOST_STEPS:,} steps; use a larger tolerance or shorter calls"
             )
         self._step = wanted
         moving.finish(start, duration)

@@ -148,8 +148,8 @@ class SimulationDiverged(ArithmeticError):  # noqa: N818
 
     def __init__(self, particle: int, step: int, speed: float, limit: float) -> None:
         super().__init__(
-            f"particle {particle} has {speed:.4g} m/s after step {step}, above the limit of "
-            f"{limit:g} m/s: use shorter steps, softer springs or another integrator"
+            f"after step {step}, particle {particle} moves at {speed:.4g} m/s, above the limit of "
+            f"{limit:g} m/s. Use shorter steps, softer springs or another integrator"
         )
         self.particle, self.step, self.speed, self.limit = particle, step, speed, limit
 

@@ -115,7 +115,7 @@ class Limits:
         self.min_length = not_negative("min_length", min_length)
         self.max_length = positive("max_length", max_length)
         if self.min_length > self.max_length:
-            wanted = f"min_length must be at most max_length, {max_length!r}"
+            wanted = f"min_length must be at most max_length ({max_length!r})"
             raise ValueError(f"{wanted}, got {min_length!r}")
         self.restitution = a_restitution("restitution", restitution)
 

@@ -262,7 +262,7 @@ def equilibrium(world: ParticleWorld) -> list[float]:
         if balance.is_balanced():
             break
     else:
-        raise ArithmeticError("no equilibrium was found: does something hold every particle?")
+        raise ArithmeticError("found no equilibrium; check that something holds every particle")
     if isinstance(world, SleepingWorld):
         fall_asleep(world, balance)
     for particle, by_hand in zip(balance.free, balance.by_hand, strict=True):

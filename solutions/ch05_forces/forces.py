@@ -243,5 +243,5 @@ class InverseSquareGravity:
         distance = way.magnitude()
         force = particle.mass / distance * (self.mu / distance) if distance else math.inf
         if not math.isfinite(force):
-            raise ArithmeticError(f"m mu / r^2 is not finite: the particle is {distance!r} m away")
+            raise ArithmeticError(f"the force is not finite at {distance!r} m from the center")
         particle.add_force(way.normalized() * force)

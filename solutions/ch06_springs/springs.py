@@ -224,7 +224,7 @@ class ElasticLimitSpring:
         self.rest_length = not_negative("rest_length", rest_length)
         self.limit = not_negative("limit", limit)
         if self.limit < self.rest_length:
-            raise ValueError(f"limit must be rest_length, {rest_length!r}, or more, got {limit!r}")
+            raise ValueError(f"limit must be at least rest_length ({rest_length!r}), got {limit!r}")
         self.share = not_negative("share", share)
 
     def update_force(self, particle: Particle, duration: float) -> None:

@@ -31,7 +31,7 @@ def restitution_of_drop(initial_height: float, bounce_height: float) -> float:
     """
     positive("initial_height", initial_height)
     if not_negative("bounce_height", bounce_height) > initial_height:
-        wanted = f"bounce_height must be at most initial_height, {initial_height!r}"
+        wanted = f"bounce_height must be at most initial_height ({initial_height!r})"
         raise ValueError(f"{wanted}, got {bounce_height!r}")
     return math.sqrt(bounce_height / initial_height)
 
@@ -106,5 +106,5 @@ def force_for_frame(force: Vector3, contact_time: float, frame: float) -> Vector
     force = finite_vector("force", force)
     positive("frame", frame)
     if not_negative("contact_time", contact_time) > frame:
-        raise ValueError(f"contact_time must be at most frame, {frame!r}, got {contact_time!r}")
+        raise ValueError(f"contact_time must be at most frame ({frame!r}), got {contact_time!r}")
     return force * (contact_time / frame)

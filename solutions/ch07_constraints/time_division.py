@@ -26,8 +26,8 @@ class TooManyImpacts(ArithmeticError):  # noqa: N818
 
     def __init__(self, impacts: int, time: float, contact: Contact) -> None:
         super().__init__(
-            f"more than {impacts} impacts in the first {time:.6g} s of the step; the next one is "
-            f"at {contact.particle.position!r}. A body at rest has endless impacts: use a "
+            f"more than {impacts} impacts in the first {time:.6g} s of the step, and the next one "
+            f"is at {contact.particle.position!r}. A body at rest has endless impacts, so use a "
             "resolver, more restitution, or a larger max_impacts"
         )
         self.impacts, self.time, self.contact = impacts, time, contact

@@ -54,8 +54,8 @@ class Bond:
         self.rest_length = rest_length
         self.break_length = positive("break_length", break_length)
         if not rest_length <= limit <= break_length:
-            wanted = f"limit must be from rest_length, {rest_length!r}, to break_length, "
-            raise ValueError(f"{wanted}{break_length!r}, got {limit!r}")
+            wanted = f"limit must be from rest_length ({rest_length!r}) to break_length "
+            raise ValueError(f"{wanted}({break_length!r}), got {limit!r}")
         self.holds = True
 
     def update_force(self, particle: Particle, duration: float) -> None:

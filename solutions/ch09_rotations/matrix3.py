@@ -114,7 +114,7 @@ class Matrix3:
         if not abs(share) > SINGULAR:  # "not >" refuses NaN too
             raise ValueError(
                 f"the matrix must have an inverse, got determinant {self.determinant()!r}, which "
-                f"is {share!r} times the product of its rows' lengths (the limit is {SINGULAR})"
+                f"is {share!r} times the product of the lengths of its rows (limit: {SINGULAR})"
             )
         columns = (second.cross(third), third.cross(first), first.cross(second))
         scaled = [column / share / length for column, length in zip(columns, lengths, strict=True)]

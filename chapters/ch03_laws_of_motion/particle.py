@@ -24,9 +24,9 @@ class Particle:
     it, 0 stops the particle, and a number above 1 speeds it up. A particle is immovable if its mass
     is ``math.inf``, which is the same as an inverse mass of 0.
 
-    A particle has only the attributes that are listed in ``__slots__``. The engine stores 1 / mass
-    in ``_inverse_mass`` and the damping in ``_damping``. If your code must store something else,
-    add the name of the new attribute there.
+    The engine stores 1 / mass in ``_inverse_mass`` and the damping in ``_damping``. A particle can
+    have only the attributes that are listed in ``__slots__``, so if your code stores something
+    else, add its name there.
     """
 
     __slots__ = ("_damping", "_inverse_mass", "acceleration", "position", "velocity")
@@ -122,10 +122,10 @@ class Particle:
         """Move the particle with its velocity for a duration in s: p' = p + v h (Eq. 2.7).
 
         The velocity does not change, and an immovable particle does not move. The duration may be 0
-        or negative, because integrators drift for parts of a step and a few of them drift back.
+        or negative, because integrators drift for parts of a step, and a few of them drift back.
 
-        This method does not check the duration, because a step may consist of several moves. The
-        caller checks it once per step. The caller is ``integrate``, an integrator or a world.
+        This method does not check the duration, because a step may consist of several drifts. The
+        caller, such as ``integrate``, checks it once per step.
         """
         raise NotImplementedError("Exercise B3.4: The step")
 

@@ -1,7 +1,7 @@
 """A Catherine wheel (mini-project 4.4): a nozzle on a rotating wheel that throws sparks.
 
-The rotation of the wheel is given, so the angle, the position and the velocity of the nozzle are
-known at any time, and no force has to be simulated. Only the sparks are particles.
+The wheel rotates at a constant rate, so a formula gives the angle, the position and the velocity of
+the nozzle at any time, and no force has to be simulated. Only the sparks are particles.
 """
 
 from __future__ import annotations
@@ -15,10 +15,11 @@ from ch04_particle_engine.fireworks import FireworksShow
 class CatherineWheel:
     """A wheel in the X-Y plane that rotates at a constant rate and throws sparks from its rim.
 
-    The wheel has its ``center`` and ``radius`` in m and rotates from X toward Y at ``rate`` in
-    rad/s. In each second, ``sparks_per_second`` sparks of one of the show's types leave the rim.
-    They are thrown backward, against the motion of the rim, at the speed ``jet`` in m/s. ``angle``
-    is the angle of the nozzle from the X axis, and ``thrown`` counts the sparks that have left.
+    ``center`` and ``radius`` are in m. The wheel rotates from X toward Y at ``rate`` in rad/s. In
+    each second, ``sparks_per_second`` sparks of one of the show's types leave the nozzle on the
+    rim. They are thrown backward, against the motion of the rim, at the speed ``jet`` in m/s.
+    ``angle`` is the angle of the nozzle from the X axis, and ``thrown`` counts the sparks that have
+    left.
 
     Raises ValueError if the show has no such type, the center is not finite, the radius or the rate
     is not positive, or another number is negative.
@@ -50,17 +51,18 @@ class CatherineWheel:
     def nozzle(self) -> Particle:
         """Mini-project 4.4: return a new particle at the nozzle, to be the parent of sparks.
 
-        The particle is on the rim, at the wheel's angle. Its velocity is perpendicular to the
-        spoke. Its speed is that of the rim, rate times radius, minus the jet.
+        The particle is on the rim, at the wheel's angle, and its velocity is perpendicular to the
+        spoke. The rim moves at the speed rate times radius, and the sparks are thrown backward, so
+        the particle's speed is that of the rim minus ``jet``.
         """
         raise NotImplementedError("Exercise 4.4: A Catherine wheel")
 
     def update(self, duration: float) -> None:
         """Mini-project 4.4: rotate for a duration in s, and light the sparks that are due.
 
-        After a total of t seconds, the number of sparks thrown is ``sparks_per_second`` times t,
+        After a total of t seconds, the wheel has thrown ``sparks_per_second`` times t sparks,
         rounded down. Apart from the rounding of t, this number does not depend on the length of the
-        steps. All sparks of a step leave from the nozzle's position at the end of the step. They
+        steps. All sparks of a step start at the nozzle's position at the end of the step. They
         count as thrown even if the show has no room for them. This method does not update the show.
 
         Raises ValueError if the duration is not positive and finite. In that case nothing moves.

@@ -2,8 +2,8 @@
 
 An animation of a flight needs the position in every frame. If all frames are equally long, the
 three factors of the exact solution are the same in each of them, so they are computed only once.
-Each frame is then a step in plain numbers. No other step costs less, and the only error of this one
-is rounding.
+After that, a frame takes only a few additions and multiplications of plain numbers. No other step
+costs less, and the only error of this step is rounding.
 """
 
 from __future__ import annotations

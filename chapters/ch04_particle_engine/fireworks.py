@@ -38,8 +38,8 @@ class Payload:
 class FireworkRule:
     """The rule of a type: how long its fireworks burn, how they fly and which payloads they light.
 
-    Ages in s and velocities in m/s are drawn between a minimum and a maximum. Each component of a
-    velocity is drawn separately. ``damping`` is the fraction of the velocity that is kept per
+    The age of a firework in s, and each component of its velocity in m/s, are drawn at random
+    between a minimum and a maximum. ``damping`` is the fraction of the velocity that is kept per
     second.
 
     Raises ValueError if an age or the damping is negative, a number is not finite, a velocity does
@@ -60,7 +60,7 @@ class FireworkRule:
         not_negative("min_age", self.min_age)
         if not self.min_age <= finite("max_age", self.max_age):
             raise ValueError(
-                f"max_age must be min_age, {self.min_age!r}, or more, got {self.max_age!r}"
+                f"max_age must be at least min_age ({self.min_age!r}), got {self.max_age!r}"
             )
         if not isinstance(self.payloads, (tuple, list)):
             raise TypeError(
@@ -104,10 +104,10 @@ def make_firework(rule: FireworkRule, random: Random, parent: Particle | None = 
 def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
     """Return the types that lead back to themselves, in ascending order.
 
-    Use this function to check a set of rules, because a show with such a type never ends. If type 1
-    has a payload of type 2, and type 2 has a payload of type 1, both lead back to themselves. A
-    type 3 with a payload of type 1 never ends either. Nothing leads back to type 3, though, so the
-    result does not include it.
+    A show with such a type never ends, so use this function to check a set of rules. If type 1 has
+    a payload of type 2, and type 2 has a payload of type 1, both lead back to themselves. A type 3
+    with a payload of type 1 never ends either. But nothing leads back to type 3, so it is not in
+    the result.
     """
     raise NotImplementedError("Exercise B4.7: Rules without an end")
 
@@ -115,11 +115,11 @@ def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
 class FireworksShow:
     """A show of burning fireworks, listed in the order in which they were lit, the oldest first.
 
-    At most ``capacity`` fireworks burn at a time, even if the rules light each other forever. What
-    happens in a full show depends on ``when_full``. "keep_old" lights no new fireworks, as the
-    book's text says. "drop_oldest" puts out the oldest to make room, as the book's listing does
-    (E-20). ``dropped`` counts the fireworks that were not lit or were put out. The same seed gives
-    the same show.
+    At most ``capacity`` fireworks burn at a time, even if the rules light each other forever.
+    ``when_full`` says what happens when the show is full. With "keep_old" no new fireworks are lit,
+    as the book's text says. With "drop_oldest" the oldest fireworks are put out to make room, as in
+    the book's listing (E-20). ``dropped`` counts the fireworks that were not lit or were put out.
+    The same seed gives the same show.
 
     Raises ValueError if two rules have the same type, a payload has a type without a rule, the
     capacity is below 1, or ``when_full`` is neither of the two policies. Raises TypeError if the
@@ -164,10 +164,10 @@ class FireworksShow:
         """Light as many fireworks as the policy allows. A birth is a tuple (type, count, parent).
 
         New fireworks are added after those that already burn, in the order of the births. If there
-        is no room for all of them, "keep_old" lights only the first ones. "drop_oldest" puts out
-        the oldest fireworks to make room. If there are more births than the capacity, "drop_oldest"
-        lights only the last ones. A call never creates more fireworks than the capacity, however
-        large the counts are.
+        is no room for all of them, "keep_old" lights only the first of the new ones, and
+        "drop_oldest" puts out the oldest fireworks to make room. If there are more new fireworks
+        than the capacity, "drop_oldest" lights only the last of them. A call never creates more
+        fireworks than the capacity, however large the counts are.
 
         Raises ValueError if there is no rule for a type, or if a count is negative. In that case
         nothing is lit.
@@ -179,9 +179,9 @@ class FireworksShow:
 
         Each firework moves, and its age decreases by the duration. A firework has burnt out if its
         age is below 0 or if it is below the ground (y < 0). At an age of exactly 0 it still burns.
-        After all fireworks have moved, remove those that have burnt out. Then light their payloads,
-        starting with those of the oldest firework. The parent of a payload is the particle of the
-        firework that burnt out.
+        After all fireworks have moved, remove the ones that have burnt out, and light their
+        payloads. The payloads of the oldest firework come first. The parent of a payload is the
+        particle of the firework that burnt out.
 
         Raises ValueError if the duration is not positive and finite. In that case nothing moves.
         """

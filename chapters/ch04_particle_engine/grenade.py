@@ -27,9 +27,9 @@ def bounce(particle: Particle) -> None:
 def fragments(particle: Particle) -> list[Particle]:
     """Mini-project 4.1: return the pieces into which a grenade bursts, at its position.
 
-    There are ``FRAGMENTS`` pieces. They have equal masses that add up to the grenade's mass, and
-    the same acceleration and damping as the grenade. Relative to the grenade, each piece flies at
-    ``FRAGMENT_SPEED`` in a different direction. The directions add up to zero, so the total
-    momentum of the pieces equals the grenade's. The grenade does not change.
+    There are ``FRAGMENTS`` pieces. Their masses are equal and add up to the mass of the grenade,
+    and they have the same acceleration and damping as the grenade. Relative to the grenade, each
+    piece flies at ``FRAGMENT_SPEED`` in a different direction. The directions add up to zero, so
+    the pieces together have the momentum of the grenade. The grenade does not change.
     """
     raise NotImplementedError("Exercise 4.1: A grenade")

@@ -28,8 +28,8 @@ def muzzle_energy(mass: float, speed: float) -> float:
 def slowed_mass(mass: float, factor: float) -> float:
     """Return the mass in kg with which a slowed shot keeps its kinetic energy.
 
-    The shot is slower by ``factor``. With the same energy, it pushes a target as hard as the real
-    shot would.
+    The shot is slower by ``factor``, so it needs a larger mass to have the energy of the real shot.
+    With the same energy, it does as much work on a target.
 
     Raises ValueError if the mass or the factor is not positive and finite.
 
@@ -42,8 +42,9 @@ def slowed_mass(mass: float, factor: float) -> float:
 def slowed_gravity(gravity: float, factor: float) -> float:
     """Return the gravity in m/s^2 with which a slowed shot keeps its trajectory.
 
-    The slower shot needs more time for the same distance, and so it falls for longer. With this
-    gravity it drops no farther than the fast shot. The book divides by the factor only once (E-2).
+    The slower shot needs more time for the same distance, so it falls for longer. With this weaker
+    gravity it still drops no farther than the fast shot. The book divides by the factor only once
+    (E-2).
 
     Raises ValueError if the gravity is not finite, or if the factor is not positive and finite.
 

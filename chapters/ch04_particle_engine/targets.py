@@ -16,10 +16,10 @@ from ch03_laws_of_motion.particle import Particle
 class TargetBlock:
     """A box with sides parallel to the axes that stands on the ground or on a post, and can slide.
 
-    ``particle`` is at the center of the box. A mass of ``math.inf`` makes a block that cannot be
+    ``particle`` is at the center of the box. If its mass is ``math.inf``, the block cannot be
     moved. ``size`` contains the lengths of the sides along X, Y and Z in m. ``damping`` imitates
-    friction, so that a block that was hit comes to rest. ``hits`` counts the shots that have hit
-    the block.
+    friction, so that the block comes to rest after it was hit. ``hits`` counts the shots that have
+    hit the block.
 
     Raises ValueError if a side or the mass is not positive, or if the damping is negative or not
     finite.
@@ -61,9 +61,9 @@ def strike_first(
 
     Return None if the shot misses every target.
 
-    The shot moved from ``start`` to the position of ``particle``. The target takes over the
-    particle's present momentum along X and Z, and its ``hits`` grows by 1. The ground takes over
-    the momentum along Y. If two targets are touched at once, the one that comes first in the list
-    is hit.
+    In this step the shot has moved from ``start`` to the position of ``particle``. The target takes
+    over the particle's momentum along X and Z, and its ``hits`` grows by 1. The momentum along Y
+    goes into the ground. If the shot touches two targets at once, it hits the one that comes first
+    in the list.
     """
     raise NotImplementedError("Exercise 4.3c: Blocks of several masses")

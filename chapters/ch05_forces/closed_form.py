@@ -24,9 +24,9 @@ def terminal_speed(weight: float, k1: float, k2: float) -> float:
 def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple[float, float]:
     """Return the speed in m/s and the distance in m of a fall from rest with quadratic drag.
 
-    The drag has no linear part. The speed is u tanh x and the distance is (u^2 / g) ln cosh x, with
-    x = g t / u. Here u is the terminal speed, g is ``gravity`` and t is ``time`` in s. Both results
-    must also be correct for very small and very large x.
+    The drag has no part that is linear in the speed. After ``time`` t in s, the speed is u tanh x
+    and the distance is (u^2 / g) ln cosh x, where x = g t / u, u is the terminal speed and g is
+    ``gravity``. Both results must also be correct for very small and very large x.
 
     Raises:
         ValueError: if the mass, gravity or k2 is not positive, the time is negative, or an argument
@@ -51,10 +51,10 @@ def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float)
 def drag_limits(k1: float, k2: float, mass: float, speed: float) -> tuple[float, float]:
     """Return two limits in s for the length of a time step in which only drag acts.
 
-    If the step is longer than the first limit, drag reverses the motion. If it is longer than the
-    second, the particle is faster after the step than before. The step is v' = v + (f / m) h, where
-    f is the drag of Eq. 5.1 at the speed before the step. Without drag, both limits are
-    ``math.inf``.
+    The step is v' = v + (f / m) h, where f is the drag of Eq. 5.1 at the speed before the step. If
+    the step is longer than the first limit, drag reverses the motion. If it is longer than the
+    second limit, the particle is even faster after the step than before it. Without drag, both
+    limits are ``math.inf``.
 
     Raises:
         ValueError: if the mass is not positive, another argument is negative, or an argument is not

@@ -28,9 +28,9 @@ class ForceGenerator(Protocol):
 class ForceRegistry:
     """A list of pairs: a particle, and a generator that acts on it in every step.
 
-    The constructor sets ``_pairs`` to an empty list for tuples (particle, generator). The pairs
-    stay in the order in which they were added. You may store them in another way. If you do, change
-    ``pairs`` to match.
+    The constructor sets ``_pairs`` to an empty list, for tuples (particle, generator) in the order
+    in which they were added. You may store the pairs in another way, but then change ``pairs`` to
+    match.
     """
 
     def __init__(self) -> None:
@@ -95,7 +95,7 @@ class Gravity:
 class Drag:
     """Drag, a force against the motion that grows with the speed and with its square (Eq. 5.1).
 
-    k1, the coefficient of the speed, is in N s/m. k2, the coefficient of its square, is in N
+    The coefficient of the speed is k1 in N s/m, and the coefficient of its square is k2 in N
     s^2/m^2.
 
     Raises:
@@ -163,10 +163,10 @@ class Airbrake:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Exercise 5.2: if the brake is on, add -k v, but never so much that the motion reverses.
 
-        In a time step, a force f changes the velocity by f h / m. Limit the force so that the brake
-        alone removes at most the fraction ``FULL`` of the velocity, however large k is and however
-        long the step is. The brake has no effect on an immovable particle and raises no error for
-        it.
+        In a time step of h s, a force f changes the velocity by f h / m. If k or the step is large,
+        a force of -k v would therefore reverse the motion. Limit the force so that the brake alone
+        removes at most the fraction ``FULL`` of the velocity. For an immovable particle, do nothing
+        and raise no error.
 
         Raises:
             ValueError: if the duration is not positive and finite.

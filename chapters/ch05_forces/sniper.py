@@ -74,7 +74,7 @@ class Wind:
         """Project 4.2: add the drag for the particle's velocity relative to the air.
 
         Compute the drag with ``drag_force``. A particle that moves with the air feels no force. In
-        still air the force equals that of ``Drag``.
+        still air the force is the same as that of ``Drag``.
         """
         raise NotImplementedError("Exercise P4.2a: Sniper range: the wind")
 
@@ -121,9 +121,9 @@ class SniperRange:
         """Project 4.2: let a time step of a duration in s pass for the bullet in flight.
 
         If no bullet is in flight, do nothing. Otherwise update the forces, move the bullet, and
-        call ``hit_on_the_way`` to find out whether it has passed through a target. After a hit, add
-        the hole to ``holes`` and its points to the score. The shot has landed after a hit, or when
-        the bullet is below the ground (y < 0) or beyond ``END_OF_RANGE`` in z. Then clear the
+        call ``hit_on_the_way`` to find out whether it has passed through a target. If it has, add
+        the hole to ``holes`` and its points to the score. The shot ends with a hit, or when the
+        bullet is below the ground (y < 0) or beyond ``END_OF_RANGE`` in z. When it ends, clear the
         registered forces, set ``bullet`` to None, and change the wind.
 
         Raises:

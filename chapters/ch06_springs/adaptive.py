@@ -43,11 +43,11 @@ Numbers = list[float]
 def adaptive(tolerance: float) -> AdaptiveStep:
     """Return an integrator that chooses its own steps, so that each meets the tolerance.
 
-    ``tolerance`` is the estimated error that one step may make: in m for every coordinate of a
-    position, and in m/s for every component of a velocity. The tolerance is an absolute error, so
-    choose it by the size of your scene. The errors of the steps add up, and an orbit or an
-    oscillation amplifies them. The final error is therefore often ten to a few hundred times the
-    tolerance, but it shrinks in proportion to the tolerance.
+    ``tolerance`` is the largest estimated error that one step may make, in m for every coordinate
+    of a position and in m/s for every component of a velocity. It is an absolute error, so choose
+    it to suit the size of your scene. The errors of the steps add up, and an orbit or an
+    oscillation amplifies them. The final error is therefore often ten to a few hundred times as
+    large as the tolerance, but it shrinks in proportion to the tolerance.
 
     Raises ValueError if the tolerance is not positive and finite, and TypeError if it is not a
     number.
@@ -59,17 +59,17 @@ class AdaptiveStep:
     """An integrator ``(particles, apply_forces, duration)`` made by `adaptive`.
 
     A call moves the particles by exactly ``duration``, in as many steps as necessary. Each step
-    evaluates the forces six times, and each call evaluates them once more. ``evaluations`` counts
-    all evaluations. You may set it to 0.
+    evaluates the forces six times, and each call evaluates them once more at its start.
+    ``evaluations`` counts all evaluations, and you may set it back to 0.
 
     Every call evaluates the forces anew at its start, so you may change particles and forces
     between calls. The integrator remembers only the length of its last good step. That length is
     only a first guess for the next call, so one integrator may also move several groups of
     particles in turn.
 
-    Forces that were added by hand act for the whole call, and damping multiplies the velocity once
-    per call, as in the other integrators. ``apply_forces`` gets the duration of the call in every
-    evaluation.
+    As in the other integrators, forces that were added by hand act for the whole call, and damping
+    multiplies the velocity once per call. Every evaluation passes the duration of the whole call to
+    ``apply_forces``.
 
     The method has order 5, even if forces depend on the velocity, and is not symplectic. A stiff
     spring is stable, because its steps become short, but it needs at least as many of them as a
@@ -91,14 +91,15 @@ class AdaptiveStep:
     ) -> None:
         """Move the particles by a duration in s.
 
-        If the forces raise ArithmeticError or ValueError in a step, the step counts as too long and
-        is repeated with a tenth of its length. In the first evaluation of the call, these errors
-        are passed on. All other errors are always passed on, and leave the particles in the middle
-        of the call.
+        A step that is too long can take particles to positions where a force cannot be computed. So
+        if ``apply_forces`` raises ArithmeticError or ValueError, the step is repeated with a tenth
+        of its length. This does not help in the first evaluation of the call, so there the error is
+        passed on. All other errors are always passed on, and leave the particles in the middle of
+        the call.
 
         Raises ArithmeticError if a step becomes too short to continue, as at a singularity, or if a
-        call needs more than ``MOST_STEPS`` steps. The particles are then where the last good step
-        left them, without damping, and their accumulators are empty. Raises ValueError if the
+        call needs more than ``MOST_STEPS`` steps. The particles then keep the state after the last
+        good step, without damping, and their accumulators are empty. Raises ValueError if the
         duration is not positive and finite, and TypeError if it is not a number. In that case
         nothing changes.
         """
@@ -140,14 +141,14 @@ class AdaptiveStep:
                     moving.stop(state)
                     why = problem or moving.worst(errors)
                     raise ArithmeticError(
-                        f"{self} needs steps below {wanted:.1g} s at {duration - left:g} s of a "
-                        f"call of {duration:g} s: {why}"
+                        f"{self} needs steps shorter than {wanted:.1g} s at {duration - left:g} s of "
+                        f"a call of {duration:g} s: {why}"
                     ) from problem
         else:
             moving.stop(state)
             raise ArithmeticError(
-                f"{self} is only at {duration - left:g} s of a call of {duration:g} s after "
-                f"{MOST_STEPS:,} steps: a larger tolerance or shorter calls would help"
+                f"{self} has only reached {duration - left:g} s of a call of {duration:g} s after "
+                f"{MOST_STEPS:,} steps; use a larger tolerance or shorter calls"
             )
         self._step = wanted
         moving.finish(start, duration)

@@ -2,14 +2,14 @@
 
 The first five take ``(particles, apply_forces, duration)``. Each particle is in the list once.
 ``apply_forces(duration)`` adds the current forces to the accumulators of these particles only, as
-``ForceRegistry.update_forces`` does. An integrator calls it once or several times. At each call the
-accumulators contain only the forces that were added by hand before the step. At the end of the step
+``ForceRegistry.update_forces`` does. An integrator calls it once or several times. Before each
+call, the accumulators contain only the forces that were added by hand before the step. At the end
 they are empty, and ``Particle.last_acceleration`` is the mean acceleration of the step.
 
-A particle's own damping d multiplies the velocity by d^h, once, at the end of the step. The orders
-stated below hold for d = 1. For any other d the order is 1. Immovable particles do not move. The
-stability limits are for a spring without damping, with steps of h s, at d = 1. The number k h^2 / m
-measures how stiff the spring is for such a step.
+A particle's own damping d multiplies its velocity by d^h, once, at the end of the step. The orders
+below hold for d = 1, and for any other d the order is 1. Immovable particles do not move. The
+stability limits are those of a spring without damping at d = 1, with steps of h s. The number k h^2
+/ m measures how stiff the spring is for such a step.
 
 Each integrator raises ValueError if the duration is not positive and finite, and TypeError if it is
 not a number. In that case nothing changes. If ``apply_forces`` raises an exception, the exception
@@ -30,11 +30,11 @@ Integrator = Callable[[Sequence[Particle], ApplyForces, float], None]
 def explicit_euler(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Drift, then kick, as the book's step does: p' = p + v h, and then v' = (v + a h) d^h.
+    """Move first, then accelerate, as in the book: p' = p + v h, and then v' = (v + a h) d^h.
 
-    The method has order 1, is not symplectic, and evaluates the forces once. At d = 1 no spring is
-    stable. For d < 1 a spring is stable below ``max_stable_stiffness``. A damper c in the spring
-    makes it stable for k h < c, if c h / m < 2. The book uses another name (3.3.2, E-17).
+    The method has order 1, is not symplectic, and evaluates the forces once. At d = 1 every spring
+    is unstable. For d < 1 springs below ``max_stable_stiffness`` are stable. A spring with a damper
+    c is stable for k h < c, if c h / m < 2. The book uses another name (3.3.2, E-17).
     """
     raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
 
@@ -42,7 +42,7 @@ def explicit_euler(
 def semi_implicit_euler(
     particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
 ) -> None:
-    """Kick, then drift: v' = (v + a h) d^h, and then p' = p + v' h.
+    """Accelerate first, then move: v' = (v + a h) d^h, and then p' = p + v' h.
 
     The method has order 1 and evaluates the forces once. It is symplectic at d = 1 if no force
     depends on the velocity, so the energy does not drift. It is stable for k h^2 / m < 4. With
@@ -64,9 +64,9 @@ def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration:
     evaluated with the old velocity.
 
     It is stable for k h^2 / m < 4. With damping d, and a damper c in the spring, the condition is k
-    h^2 / m + 2 c h / m < 2 (1 + d^h) / d^h. Semi-implicit Euler has the same limits, because after
-    its first half drift, leapfrog kicks and drifts in turn too. Source: Hairer, Lubich and Wanner,
-    Acta Numerica 12 (2003), 399.
+    h^2 / m + 2 c h / m < 2 (1 + d^h) / d^h. Semi-implicit Euler has the same limits, because
+    leapfrog, after its first half drift, also kicks and drifts in turn. Source: Hairer, Lubich and
+    Wanner, Acta Numerica 12 (2003), 399.
     """
     raise NotImplementedError("Exercise B6.6b: Leapfrog")
 
@@ -91,9 +91,9 @@ def runge_kutta_4(
 ) -> None:
     """Step with the weighted mean of four rates: at the start, twice in the middle, and at the end.
 
-    The first rate is that of the starting state. Each other rate is that of the state reached from
-    the start at the previous rate: after half the step, after half the step again, and after the
-    whole step. The second and third rates count double.
+    The first rate is that of the starting state. For each of the others, go from the start at the
+    previous rate, for half the step, half the step again, and the whole step, and evaluate the rate
+    of the state there. The second and third rates count double.
 
     The method has order 4 and evaluates the forces four times. It is not symplectic, but its energy
     drifts very slowly if the steps are short. It is stable for k h^2 / m < 8, and for more if d <
@@ -141,15 +141,15 @@ def trapezoidal(
 class SimulationDiverged(ArithmeticError):  # noqa: N818
     """Raised when a particle is faster than anything in its scene should be.
 
-    This means that the steps are too long for the forces. ``particle`` is the index of the
-    particle, ``step`` is the number of the step, counted from 1, after which it was too fast, and
+    This usually means that the steps are too long for the forces. ``particle`` is the particle's
+    index, and ``step`` is the number of the step after which it was too fast, counted from 1.
     ``speed`` and ``limit`` are in m/s.
     """
 
     def __init__(self, particle: int, step: int, speed: float, limit: float) -> None:
         super().__init__(
-            f"particle {particle} has {speed:.4g} m/s after step {step}, above the limit of "
-            f"{limit:g} m/s: use shorter steps, softer springs or another integrator"
+            f"after step {step}, particle {particle} moves at {speed:.4g} m/s, above the limit of "
+            f"{limit:g} m/s. Use shorter steps, softer springs or another integrator"
         )
         self.particle, self.step, self.speed, self.limit = particle, step, speed, limit
 
@@ -158,8 +158,8 @@ def watched(integrator: Integrator, speed_limit: float) -> Integrator:
     """Return an integrator that makes the same steps and then checks every particle's speed.
 
     Use it to notice an explosion at once. The new integrator takes the same arguments and counts
-    its steps. It raises SimulationDiverged for the first particle whose speed is above the limit in
-    m/s or NaN. Exceptions of the original integrator are passed on, and such a step does not count.
+    its steps. It raises SimulationDiverged for the first particle whose speed is NaN or above the
+    limit in m/s. If the original integrator raises an exception, the step does not count.
 
     Raises ValueError if the limit is not positive and finite.
     """

@@ -1,7 +1,7 @@
 """Forces that depend on positions: buoyancy, the lift of a balloon, crowding and homing.
 
-Units and the checks of arguments are the same as in springs.py. You can import these classes from
-either module.
+The units are the same as in springs.py, and the arguments are checked in the same way. You can
+import these classes from either module.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ from ch05_forces.particle import Particle
 class Buoyancy:
     """The lift of water with a level surface on a body that floats or sinks in it (6.2.4).
 
-    ``max_depth`` in m is half the height of the body: at this depth of its center the body is just
-    submerged, and at this height above the surface it is just out of the water. ``volume`` is in
-    m^3, ``liquid_density`` in kg/m^3 (1000 for fresh water, 1020 to 1030 for the sea) and
-    ``gravity`` in m/s^2. The lift is in N. Some numbers in the book's text are too large by a
-    factor of 1000 (E-21).
+    ``max_depth`` in m is half the height of the body. When the body's center is this far below the
+    surface, the body is just submerged. When the center is this far above the surface, the body
+    just touches the water. ``volume`` is in m^3, and ``gravity`` is in m/s^2. ``liquid_density`` is
+    in kg/m^3. It is 1000 for fresh water, and from 1020 to 1030 for sea water. Some of these
+    numbers are too large by a factor of 1000 in the book's text (E-21).
 
     Raises ValueError if ``max_depth``, ``volume`` or ``liquid_density`` is not positive,
     ``gravity`` is negative, or one of them is not finite.
@@ -40,10 +40,10 @@ class Buoyancy:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add an upward force equal to the weight of the displaced water.
 
-        The force is rho V g times the submerged fraction of the body. This fraction is (y_w + s -
-        y) / (2 s), limited to the range from 0 to 1. Here s is ``max_depth``, y_w is the height of
-        the water and y is that of the particle. The book's formula has the wrong sign, and its
-        listing lacks parentheses and the factor g (E-5).
+        The force is rho V g times the fraction of the body that is under water. This fraction is
+        (y_w + s - y) / (2 s), limited to the range from 0 to 1, where s is ``max_depth``, y_w is
+        the height of the water surface and y is the height of the particle. The book's formula has
+        the wrong sign, and its listing lacks parentheses and the factor g (E-5).
         """
         raise NotImplementedError("Exercise B6.4: Buoyancy")
 
@@ -51,9 +51,9 @@ class Buoyancy:
 class LighterThanAir:
     """Exercise 6.2: the lift of a balloon, which decreases with the height: F e^(-y / H).
 
-    F is ``max_lift`` in N, the lift at the ground, where y is 0. H is ``scale_height`` in m, over
-    which the lift falls to 1 / e of its value. Below the ground the lift is the same as at the
-    ground.
+    F is ``max_lift`` in N, which is the lift at the ground, where y is 0. H is ``scale_height`` in
+    m. Whenever the balloon rises by this height, its lift falls to 1 / e of its value. Below the
+    ground the lift is the same as at the ground.
 
     Raises ValueError if ``max_lift`` is negative, ``scale_height`` is not positive, or one of them
     is not finite.
@@ -71,9 +71,9 @@ class LighterThanAir:
 class Overcrowding:
     """Exercise 6.3: particles that are too close push each other apart, like a compressed spring.
 
-    ``particles`` is the crowd. It may contain the particle that is pushed. The generator keeps this
-    list itself and not a copy, so you may change the crowd later. Two particles push each other if
-    they are closer than ``distance`` in m.
+    Two particles push each other if they are closer than ``distance`` in m. ``particles`` is the
+    list of the crowd, which may also contain the particle that is pushed. The generator does not
+    copy the list, so particles that you add to the list later belong to the crowd as well.
     """
 
     def __init__(self, particles: list[Particle], distance: float, stiffness: float) -> None:
@@ -88,9 +88,9 @@ class Overcrowding:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Exercise 6.3: push the particle away from each other particle that is too close.
 
-        A particle at a distance l below ``distance`` adds a force of k (``distance`` - l). A
-        particle at exactly the same position adds none, because there is no direction in which to
-        push.
+        Every other particle whose distance l is less than ``distance`` adds a force of k
+        (``distance`` - l). A particle at exactly the same position adds no force, because there is
+        no direction in which it could push.
         """
         raise NotImplementedError("Exercise 6.3: Overcrowding")
 
@@ -98,9 +98,9 @@ class Overcrowding:
 class HomingBullet:
     """Exercise 6.4: a force that steers a bullet toward the future position of its target.
 
-    The future positions are the positions after ``look_ahead`` s if bullet and target keep their
-    velocities. The force is that of a spring of rest length 0 from the bullet's future position to
-    the target's.
+    If the bullet and the target kept their current velocities, they would be at their future
+    positions after ``look_ahead`` s. The force is that of a spring with a rest length of 0 that
+    joins these two positions.
     """
 
     def __init__(self, target: Particle, stiffness: float, look_ahead: float) -> None:

@@ -1,7 +1,7 @@
 """An integrator of your own: accurate, with few evaluations of the forces.
 
-The cost of a step is the number of times that it evaluates the forces, and its benefit is the
-accuracy. The best compromise depends on the scene. The scene here is an orbit.
+What a step costs is the number of times that it evaluates the forces, and what it gains is
+accuracy. Which compromise is best depends on the scene. Here the scene is an orbit.
 """
 
 from __future__ import annotations
@@ -15,15 +15,16 @@ from ch06_springs.integrators import ApplyForces
 def my_step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
     """Move particles by a duration in s, with your own method, in as many parts as you like.
 
-    ``apply_forces(duration)`` adds the current forces to the accumulators. Clear them before you
-    call it again, and at the end. A particle's own acceleration counts in addition to the forces.
-    In the graded scene there is no damping, no force depends on a velocity, no force is added by
-    hand, and all particles can move. The duration that you pass to ``apply_forces`` makes no
-    difference.
+    ``apply_forces(duration)`` evaluates the forces and adds them to the accumulators. Clear the
+    accumulators before you call it again, and at the end of the step. A particle's own acceleration
+    acts in addition to the forces. The graded scene is a simple one: it has no damping, no forces
+    that depend on a velocity, no forces added by hand and no immovable particles. The duration that
+    you pass to ``apply_forces`` makes no difference in it.
 
-    The method is graded on one revolution of an orbit of eccentricity 0.5 in 60 frames. Two numbers
-    count: how often it evaluates the forces, and the largest distance from the true orbit after a
-    frame, in units of the semi-major axis. An error of 1e-3 with at most 500 evaluations is good,
-    and 1e-4 is better. The run is stopped after 5000 evaluations.
+    The method is graded on one revolution of an orbit of eccentricity 0.5 in 60 frames. Your step
+    is called once per frame. The grade depends on the number of evaluations, and on the error,
+    which is the largest distance from the true orbit after a frame, in units of the semi-major
+    axis. With at most 500 evaluations, an error of 1e-3 is good and 1e-4 is better. The run is
+    stopped after 5000 evaluations.
     """
     raise NotImplementedError("Exercise G6.3: Going further: a step of your own")

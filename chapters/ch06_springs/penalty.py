@@ -9,11 +9,13 @@ from ch05_forces.particle import Particle
 class PenaltyGround:
     """Level ground that pushes particles out like a spring, and never pulls.
 
-    ``height`` is in m, ``stiffness`` in N/m and ``damping`` in N s/m. Soft ground is like a sponge:
-    a body at rest on it sinks in by m g / k. Hard ground needs short steps, because it begins to
-    push only after a step has ended below it, and then pushes for the whole next step. Without
-    damping it may therefore throw a body higher than the height from which it fell, unless k h^2 /
-    m is far below 1. If k h^2 / m is above 4, it even throws bodies that rest on it.
+    Neither a small nor a large stiffness k works well. Soft ground is like a sponge, because a body
+    at rest on it sinks in by m g / k. Hard ground needs short steps h. It begins to push only after
+    a step has ended below the ground, and then it pushes for the whole next step. Without damping
+    it may therefore throw a body higher than the height from which it fell, unless k h^2 / m is far
+    below 1. If k h^2 / m is above 4, it even throws bodies that rest on it.
+
+    ``height`` is in m, ``stiffness`` in N/m and ``damping`` in N s/m.
 
     Raises ValueError if the height is not finite, or another argument is negative or not finite.
     """
@@ -26,7 +28,7 @@ class PenaltyGround:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the upward force k depth - c v_y to a particle below the ground, if it is positive.
 
-        v_y is the upward velocity of the particle. Damped ground pushes a particle that is leaving
-        it less hard, but never holds it back.
+        v_y is the upward velocity of the particle. Because of the damping, a particle that is on
+        its way out is pushed less, but it is never held back.
         """
         raise NotImplementedError("Exercise G6.1: Going further: collisions by a spring")

@@ -25,14 +25,14 @@ def spring_force(
 ) -> Vector3:
     """Return the force in N of a spring on one of its ends as a new vector (Eq. 6.1, 6.2).
 
-    The force is -(k (l - l0) + c l') d^. ``offset`` is the position of this end relative to the
-    other end, in m. Its length is l and its direction is d^. ``velocity`` is that of this end
-    relative to the other end, in m/s. l' is the rate at which the spring gets longer, which is the
-    component of the velocity along d^. If the offset is zero, there is no force. The arguments are
-    not checked here, because the constructors of the springs check them.
+    ``offset`` is the position of this end relative to the other end in m, and ``velocity`` is its
+    velocity relative to the other end in m/s. The force is -(k (l - l0) + c l') d^, where l is the
+    length of the offset and d^ is its direction. l' is the rate at which the spring gets longer, so
+    it is the component of the velocity along d^. If the offset is zero, there is no force. The
+    arguments are not checked here, because the constructors of the springs check them.
 
-    A spring that is shorter than its rest length pushes. The book's listing takes the absolute
-    value of the extension and would pull (E-3).
+    A spring that is shorter than its rest length pushes. In the book's listing it pulls instead,
+    because the listing takes the absolute value of the extension (E-3).
     """
     raise NotImplementedError("Exercise B6.1: Springs")
 
@@ -59,8 +59,8 @@ class Spring:
 class AnchoredSpring:
     """A spring from a particle to an anchor, which is a fixed position (6.2.2).
 
-    You may move ``anchor``, for example for a camera on a spring. The spring still treats the
-    anchor as being at rest.
+    You may move ``anchor``, for example to make a camera follow a player on a spring. The damping
+    still treats the anchor as if it were at rest.
     """
 
     def __init__(
@@ -79,8 +79,8 @@ class AnchoredSpring:
 class Bungee(Spring):
     """An elastic rope to another particle: a spring that only pulls (6.2.3).
 
-    At its rest length or shorter the rope is slack and exerts no force. The book's listing
-    subtracts the lengths in the wrong order, so its rope pushes (E-4).
+    When the rope is no longer than its rest length, it is slack and exerts no force. The book's
+    listing subtracts the lengths in the wrong order, so its rope pushes (E-4).
     """
 
     def update_force(self, particle: Particle, duration: float) -> None:
@@ -139,20 +139,21 @@ def connect(
 class FakeStiffSpring:
     """A substitute for a spring that is too stiff for the time steps (6.3.2).
 
-    Its rest length is 0, and its other end is an anchor. In each step, one constant force takes the
-    particle to the position that ``damped_spring_state`` computes for a real spring.
+    It computes where a real spring would have moved the particle by the end of the step, with
+    ``damped_spring_state``, and adds the constant force that takes the particle there. Its rest
+    length is 0, and its other end is an anchor.
 
-    The force is computed for semi-implicit Euler, p' = p + v' h. The particle reaches this position
-    if it has a damping of 1, no acceleration of its own and no other forces. With explicit Euler
-    (``Particle.integrate``) it arrives one step too late and its oscillations grow, because p' = p
-    + v h does not include the force (E-22). The book's formulas for the force do not fit any
+    The force is meant for semi-implicit Euler, p' = p + v' h. The particle reaches the computed
+    position if its damping is 1 and nothing else accelerates it. With explicit Euler
+    (``Particle.integrate``) it arrives one step late, because p' = p + v h does not include the new
+    force, and so its oscillations grow (E-22). The book's formulas for the force do not fit any
     integrator (E-6).
 
-    The velocity after the step is the mean velocity of the step, not that of a real spring. With
-    short steps the force is therefore half that of a real spring, and the oscillation is slower by
-    a factor of 1.41. Even without damping, most oscillations die out. They grow, by up to 13 % per
-    step, only if chi h is slightly larger than pi, 3 pi, 5 pi and so on (up to 4.06 after pi),
-    where chi is sqrt(k / m). A twentieth of the critical damping prevents this growth.
+    After the step, the particle has the mean velocity of the step, not the velocity on a real
+    spring. With short steps the force is therefore half that of a real spring, and the oscillation
+    is slower by a factor of 1.41. Even without damping, most oscillations die out. They grow, by up
+    to 13 % per step, only if chi h is slightly larger than pi, 3 pi, 5 pi and so on (up to 4.06
+    after pi), where chi is sqrt(k / m). A twentieth of the critical damping prevents this.
     """
 
     def __init__(self, anchor: Vector3, stiffness: float, damping: float) -> None:
@@ -174,8 +175,8 @@ class FakeStiffSpring:
 class ElasticLimitSpring:
     """Exercise 6.1: a spring that gets weaker when it is stretched beyond its elastic limit.
 
-    Up to a length of ``limit`` it behaves like a Spring. Beyond the limit, only the fraction
-    ``share`` of the stiffness acts on the additional length. The spring has no damping, and it
+    Up to a length of ``limit`` it behaves like a Spring. The part of its length beyond the limit
+    pulls with only the fraction ``share`` of the stiffness. The spring has no damping, and it
     exerts no force on the other particle.
 
     Raises ValueError if the limit is below the rest length, or if a number is negative or not
@@ -190,7 +191,7 @@ class ElasticLimitSpring:
         self.rest_length = not_negative("rest_length", rest_length)
         self.limit = not_negative("limit", limit)
         if self.limit < self.rest_length:
-            raise ValueError(f"limit must be rest_length, {rest_length!r}, or more, got {limit!r}")
+            raise ValueError(f"limit must be at least rest_length ({rest_length!r}), got {limit!r}")
         self.share = not_negative("share", share)
 
     def update_force(self, particle: Particle, duration: float) -> None:
@@ -201,10 +202,10 @@ class ElasticLimitSpring:
 def max_stable_stiffness(damping: float, duration: float, mass: float = 1.0) -> float:
     """Exercise 6.6b: return the stiffness in N/m above which a spring explodes.
 
-    The result is m (d^-h - 1) / h^2, for time steps of a duration h in s by ``Particle.integrate``.
-    It holds for a spring to an anchor, without damping of its own. ``damping`` is the particle's d,
-    and ``mass`` is in kg. For d = 1 and above the result is 0, because no spring is stable. For d =
-    0, and if d^-h is too large for a float, the result is ``math.inf``.
+    The limit is m (d^-h - 1) / h^2, if ``Particle.integrate`` makes steps of a duration h in s. It
+    holds for a spring to an anchor that has no damping of its own. ``damping`` is the particle's d,
+    and ``mass`` is in kg. If d is 1 or more, no spring is stable, so the result is 0. If d is 0, or
+    if d^-h is too large for a float, the result is ``math.inf``.
 
     Raises ValueError if the damping is negative, the duration or the mass is not positive, or one
     of them is not finite.

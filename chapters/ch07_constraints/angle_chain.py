@@ -21,10 +21,11 @@ from ch02_vectors.vector import Vector3
 class AngleChain:
     """Point masses on massless rods, one below the other, that swing in the X-Y plane.
 
-    The first rod turns about the origin. Rods are listed from there to the tip: ``lengths`` in m,
-    ``masses`` in kg at their outer ends, ``angles`` in radians from straight down toward +X, and
-    ``angular_velocities`` in rad/s (all 0 if left out). ``gravity`` is in m/s^2. The attributes
-    have these names. One rod makes a pendulum, two make a double pendulum.
+    The first rod turns about the origin. With one rod the chain is a pendulum, and with two rods it
+    is a double pendulum. All lists run from the origin to the tip. ``lengths`` are in m, and
+    ``masses``, in kg, are at the outer ends of the rods. ``angles`` are in radians, measured from
+    straight down toward +X. ``angular_velocities`` are in rad/s, and all are 0 if they are left
+    out. ``gravity`` is in m/s^2. The attributes have the names of the arguments.
 
     Raises:
         ValueError: if the lists are empty or differ in length, if a length, a mass or gravity is
@@ -83,8 +84,8 @@ class AngleChain:
     ) -> tuple[list[float], list[float]]:
         """Return the angular velocities and accelerations ``ahead`` s after the present state.
 
-        Until then the angles change at the rates ``turning``, and the angular velocities at the
-        rates ``gaining``.
+        Until then the angles change at the rates ``turning``, and the angular velocities change at
+        the rates ``gaining``.
         """
         # Row i: (1/m0 + 1/m1) T[i] - cos/m0 T[i-1] - cos/m1 T[i+1] = L w^2, with the tensions T in
         # N, the masses m0 and m1 at the ends of the rod, and the cosines of the angles between

@@ -1,9 +1,10 @@
 """Going further, complete: a pendulum and a double pendulum, described by their angles.
 
 In a plane, a mass on a rod can move in only one way, along a circle. So one angle describes a
-pendulum. A model with a particle and a rod would move two coordinates, and then correct them. In a
-model with the angle alone, the rod is never too long, and Runge-Kutta 4 has its order 4 without any
-contacts. Two angles describe a double pendulum. A chain of any number of rods is in angle_chain.py.
+pendulum. A model with a particle and a rod moves two coordinates first, and then has to correct
+them. In a model with the angle alone, the rod is never too long, so it needs no contacts, and
+Runge-Kutta 4 keeps its order of 4. In the same way, two angles describe a double pendulum. The
+module angle_chain.py does this for any number of rods.
 """
 
 from __future__ import annotations
@@ -18,8 +19,9 @@ from ch02_vectors.vector import Vector3
 class AnglePendulum:
     """A mass on a massless rod that swings about the origin in the X-Y plane.
 
-    ``length`` is in m, ``angle`` in radians from straight down toward +X, ``angular_velocity`` in
-    rad/s and ``gravity`` in m/s^2. The attributes have these names. The mass does not matter.
+    ``length`` is in m, and ``angle`` is in radians, measured from straight down toward +X.
+    ``angular_velocity`` is in rad/s and ``gravity`` in m/s^2. The attributes have the names of the
+    arguments. There is no argument for the mass, because it does not affect the motion.
 
     Raises:
         ValueError: if length or gravity is not positive, or a number is not finite.
@@ -63,10 +65,11 @@ class AnglePendulum:
 class DoublePendulum:
     """A pendulum that hangs on a pendulum: two masses on two massless rods in the X-Y plane.
 
-    The first rod turns about the origin, the second one about the first mass. ``lengths`` are in m,
-    ``masses`` in kg, ``angles`` in radians from straight down toward +X, ``angular_velocities`` in
-    rad/s and ``gravity`` in m/s^2. The attributes have these names. AngleChain with two rods moves
-    in the same way, but a step takes twice the time.
+    The first rod turns about the origin, and the second one about the first mass. ``lengths`` are
+    in m and ``masses`` in kg. ``angles`` are in radians, measured from straight down toward +X.
+    ``angular_velocities`` are in rad/s and ``gravity`` is in m/s^2. The attributes have the names
+    of the arguments. An AngleChain with two rods moves in the same way, but its steps take twice as
+    long.
 
     Raises:
         ValueError: if a list does not have two numbers, if a length, a mass or gravity is not
@@ -101,7 +104,7 @@ class DoublePendulum:
     def step(self, duration: float) -> None:
         """Make a Runge-Kutta 4 step of a duration in s, with the equations of Lagrange.
 
-        With the angles a and b, d = a - b, and M the sum of the masses m1 and m2:
+        Here a and b are the two angles, d is a - b, and M is the sum of the masses m1 and m2:
 
             M l1 a'' + m2 l2 b'' cos d = -m2 l2 b'^2 sin d - M g sin a
               l1 a'' cos d + l2 b''    =     l1 a'^2 sin d -   g sin b

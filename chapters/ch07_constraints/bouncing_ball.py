@@ -1,7 +1,8 @@
 """Going further, complete: a bouncing ball, computed from its impacts instead of steps.
 
-Between two impacts the height of the ball is a parabola, so the time of the next impact is known.
-The only work is one computation for each impact and one for each height that you need.
+Between two impacts the height of the ball is a parabola, so the time of the next impact follows
+from a formula. The ball therefore needs no small steps. There is one computation for each impact,
+and one for each height that you ask for.
 """
 
 from __future__ import annotations
@@ -23,14 +24,15 @@ def heights_in_frames(
 ) -> list[float]:
     """Return a ball's height above the ground in m at the end of each frame.
 
-    The ball starts at ``height`` in m above the ground, with an upward ``speed`` in m/s. ``frame``
-    is the duration of a frame in s, ``frames`` their number, and gravity is in m/s^2.
+    The ball starts at ``height`` in m above the ground, and moves upward at ``speed`` in m/s.
+    ``frame`` is the duration of a frame in s, and ``frames`` is the number of frames. Gravity is in
+    m/s^2.
 
     Raises:
-        ValueError: if ``height`` is negative, ``speed`` or the time of all frames not finite,
-            ``restitution`` outside 0 to 1, ``frame`` or ``gravity`` not positive, or ``frames``
-            less than 1.
-        TypeError: if an argument is not a number, or ``frames`` not a whole number.
+        ValueError: if ``height`` is negative, ``speed`` or the time of all frames is not finite,
+            ``restitution`` is not from 0 to 1, ``frame`` or ``gravity`` is not positive, or
+            ``frames`` is less than 1.
+                TypeError: if an argument is not a number, or ``frames`` is not a whole number.
     """
     not_negative("height", height)
     finite("speed", speed)

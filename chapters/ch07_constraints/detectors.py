@@ -1,12 +1,13 @@
 """Detectors, which find the current contacts and predict the next impact.
 
-``contacts()`` returns the current contacts, always in the order of the particles. Particles that
-just touch have a contact too, with a penetration of 0. ``next_impact(duration)`` predicts the next
-impact, so that ``time_division_step`` can stop there.
+A resolver asks a detector after each step which particles touch, by calling ``contacts()``. The
+contacts are always in the order of the particles. Particles that just touch have a contact too,
+with a penetration of 0. ``time_division_step`` must know before a step when something will touch,
+so that it can stop there. It calls ``next_impact(duration)``, which predicts the next impact.
 
-Lengths are in m, times in s. A detector keeps the list of particles itself and not a copy, so you
-may change the list later. Constructors raise ValueError for a number that is negative or not finite
-and for a restitution outside 0 to 1, and TypeError for an argument of the wrong type.
+Lengths are in m, times in s. A detector does not copy its list of particles, so you may add
+particles to the list later. Constructors raise ValueError for a number that is negative or not
+finite and for a restitution outside 0 to 1, and TypeError for an argument of the wrong type.
 """
 
 from __future__ import annotations
@@ -34,8 +35,8 @@ class Detector(Protocol):
 class GroundPlane:
     """Exercise 7.5: level ground at a height, for points or for spheres of one radius.
 
-    Everything below the height is ground. A particle that ends a step there is therefore in
-    contact, however fast it moved.
+    Everything below the height is ground. Even a fast particle therefore cannot pass through: if it
+    ends a step below the height, it is in contact.
     """
 
     def __init__(
@@ -54,18 +55,18 @@ class GroundPlane:
         """Exercise 7.5: return a contact for each particle that touches the ground or is below it.
 
         The contact's ``other`` is None and its normal is (0, 1, 0). Its penetration is the depth of
-        the sphere's lowest point below the ground. Immovable particles are left out.
+        the sphere's lowest point below the ground. Immovable particles have no contacts.
         """
         raise NotImplementedError("Exercise 7.5: A detector for the ground")
 
     def next_impact(self, duration: float) -> Impact | None:
         """Return the time and contact of the first impact on the ground within ``duration`` s.
 
-        A particle moves by p + v t + a t^2 / 2, where a is its ``last_acceleration``. It hits the
-        ground at the time that ``time_to_close`` returns for the gap below it. A particle that lies
-        on the ground and is accelerated downward always has an impact at time 0. Immovable
-        particles have no impacts. If two impacts happen at the same time, take the one of the
-        particle that is first in the list.
+        After t seconds a particle is at p + v t + a t^2 / 2, where a is its ``last_acceleration``.
+        It hits the ground at the time that ``time_to_close`` returns for the gap below it. A
+        particle that lies on the ground and is accelerated downward always has an impact at time 0.
+        Immovable particles have no impacts. If two particles hit the ground at the same time, take
+        the one that is earlier in the list.
 
         Returns:
             (time, contact), where the contact has a penetration of 0, or None if there is no
@@ -90,27 +91,27 @@ class ParticlePairs:
     def contacts(self) -> list[Contact]:
         """Return a contact for each pair of spheres that touch or overlap.
 
-        The pairs are in list order. A contact's ``particle`` is earlier in the list than its
-        ``other``. The normal points from ``other`` to ``particle``. If both positions are equal,
-        the normal is +Y. Two immovable particles have no contact.
+        The contacts are in the order of the list, and the ``particle`` of each contact is earlier
+        in the list than its ``other``. The normal points from ``other`` to ``particle``. If both
+        positions are equal, the normal is +Y. Two immovable particles have no contact.
 
-        Do not compare every pair, because the cost would grow with the square of the number of
-        particles. In a grid, for example, only particles in the same cell or in neighboring cells
-        can touch.
+        If you compared every pair, the cost would grow with the square of the number of particles.
+        Find the pairs in another way. For example, sort the particles into the cells of a grid.
+        Then only particles in the same cell or in neighboring cells can touch.
         """
         raise NotImplementedError("Exercise B7.9: Pairs of spheres")
 
     def next_impact(self, duration: float) -> Impact | None:
         """Return the time and contact of the first impact of two spheres within ``duration`` s.
 
-        Particles move by p + v t + a t^2 / 2, where a is their ``last_acceleration``. Two particles
-        with the same acceleration therefore move in a straight line relative to each other.
-        Immovable particles stay where they are and have no acceleration.
+        After t seconds a particle is at p + v t + a t^2 / 2, where a is its ``last_acceleration``.
+        Two particles with the same acceleration therefore move in a straight line relative to each
+        other. Immovable particles stay where they are and have no acceleration.
 
         Two spheres have an impact when they touch or overlap and close faster than
-        ``VELOCITY_TOLERANCE``. If they do so at the start, the time is 0. A closing speed below the
-        tolerance may be the rounding error of an earlier impact, so ignore it. Of several impacts
-        at the same time, take the first in the order of ``contacts()``.
+        ``VELOCITY_TOLERANCE``. If this is already true at the start, the time is 0. A slower
+        closing speed may be the rounding error of an earlier impact, so ignore it. If several
+        impacts happen at the same time, take the first in the order of ``contacts()``.
 
         Returns:
             (time, contact), or None if there is no impact. The contact's normal is the one at the
@@ -146,16 +147,17 @@ class Detectors:
 def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
     """Return the first time in s at which a gap is 0 or negative and still decreasing.
 
-    After t seconds the gap is gap + v t + a t^2 / 2, in m, with v in m/s and a in m/s^2. If the gap
-    is already 0 or negative at the start, the sign of v decides:
+    After t seconds the gap is gap + v t + a t^2 / 2, where v is the velocity in m/s and a is the
+    acceleration in m/s^2. A negative v makes the gap smaller. If the gap is already 0 or negative
+    at the start, the sign of v decides:
 
     - If v is negative, or if v is 0 and a is negative, the result is 0.
     - If v is positive and a is negative, the result is the time at which the gap returns to 0. If
       the gap never becomes positive, it is the time at which v reverses.
 
-    If a is not negative, a velocity of -VELOCITY_TOLERANCE or more counts as not closing. Return
-    ``math.inf`` if the gap never closes, or if the velocity reverses exactly when the gap is 0. The
-    arguments are not checked.
+    A very slow velocity may be only rounding. So if a is not negative, a velocity of
+    -VELOCITY_TOLERANCE or more does not close the gap. Return ``math.inf`` if the gap never closes,
+    or if the velocity reverses exactly when the gap is 0. The arguments are not checked.
     """
     raise NotImplementedError("Exercise B7.10: When does it reach the ground?")
 

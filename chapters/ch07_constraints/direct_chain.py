@@ -1,9 +1,12 @@
 """Going further, complete: a chain that solves for the tensions of all its rods at once.
 
-The tension of a rod changes three lengths: its own and those of the two rods next to it. So each
-equation for the tensions has at most three unknowns. The equations are solved from the anchor to
-the free end and back, which takes about as much work per rod as resolving it once. No pull has to
-travel from link to link over several iterations, and no rod is left too long.
+A resolver corrects one rod after another, and each correction disturbs the rods next to it. In a
+long chain, a pull therefore needs many iterations to travel from link to link. This chain finds all
+tensions together instead, and no rod is left too long.
+
+The tension of a rod changes only three lengths: its own and those of the two rods next to it. So
+each equation for the tensions has at most three unknowns. The equations are solved from the anchor
+to the free end and back, which takes about as much work per rod as resolving it once.
 """
 
 from __future__ import annotations
@@ -24,8 +27,9 @@ Row = tuple[Vector3, Vector3, float, float, float, float, float, float, float]
 class DirectChain:
     """A chain of rods that starts at an anchor and joins the particles in their order.
 
-    The chain steps its particles itself. Each rod keeps the length in m that it has when the chain
-    is made. If there are several particles, the last one may be immovable, to hold the other end.
+    Call ``step`` instead of an integrator, because the chain moves its particles itself. Each rod
+    keeps the length in m that it has when the chain is created. If there are several particles, the
+    last one may be immovable, to hold the other end.
 
     Raises:
         ValueError: if there are no particles, if a rod has no length, or if a particle other than
@@ -55,14 +59,15 @@ class DirectChain:
     def step(self, duration: float) -> None:
         """Move the chain by one step of a duration in s, with the forces in the accumulators.
 
-        Velocities change before positions, as in semi-implicit Euler. The impulse of each rod acts
-        along the rod's direction at the start of the step and gives the rod its length at the end.
-        These equations are linear except for a small quadratic term. The tensions of the last step
-        give a good estimate of that term, so one solve is enough.
+        Velocities change before positions, as in semi-implicit Euler. Each rod applies an impulse
+        along its direction at the start of the step. The impulses are chosen so that each rod has
+        its length at the end of the step. These equations are linear except for a small quadratic
+        term. The tensions of the last step give a good estimate of that term, so one solve is
+        enough.
 
         The first step accelerates for only half of its duration. From then on the velocities are
-        those in the middle of the previous step. The positions are of order 2 (leapfrog), as long
-        as all steps have the same duration.
+        those in the middle of the previous step, as in leapfrog. This gives the positions order 2,
+        as long as all steps have the same duration.
 
         Raises:
             ValueError: if the duration is not positive and finite. Nothing is changed then.
@@ -76,9 +81,10 @@ class DirectChain:
     def _kick_and_eliminate(self, duration: float, time: float) -> list[Row]:
         """Kick the particles for a time, and return the rods' equations with one unknown fewer.
 
-        With the tensions of the last step, the kicked velocities determine where each rod will be
-        at the end of this step. Equation i relates changes of the tensions i - 1, i and i + 1 to
-        the length of rod i at that time. Change i - 1 is eliminated from it at once (Thomas, 1949).
+        If the tensions stayed as in the last step, the kicked velocities would determine where each
+        rod is at the end of this step. Equation i says how the tensions i - 1, i and i + 1 must
+        change so that rod i has its length there. Change i - 1 is eliminated from the equation at
+        once (Thomas, 1949).
 
         All numbers are plain floats, because a step with vectors, or in separate passes, takes
         longer.

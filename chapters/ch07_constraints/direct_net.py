@@ -32,8 +32,9 @@ TOO_FAR = "the links turn too far in one step; use shorter steps"
 class DirectNet(Net):
     """A net of rods and cables that makes the steps of its particles, at order 2.
 
-    ``links`` are links of chapter 7: rods, cables and Limits, whose restitution is taken as 0. The
-    order is 2 as long as no cable becomes taut. A cable that does so causes an error of order 1.
+    ``links`` are the rods, cables and Limits of chapter 7. Their restitution is ignored, so nothing
+    bounces. The order is 2 as long as no cable becomes taut. Each time a cable becomes taut, it
+    causes an error of order 1.
     """
 
     def __init__(self, links: Iterable[Any], others: Iterable[Particle] = ()) -> None:
@@ -45,8 +46,8 @@ class DirectNet(Net):
     def tensions(self) -> list[float]:
         """The pull of each link in the last step, in N. It is negative for a link that pushed.
 
-        Limits with a ``min_length`` have two pulls: first that of the cable, then that of the
-        strut.
+        Limits with a ``min_length`` count as two links, a cable and a strut, and have two pulls in
+        this order.
         """
         return [pull * length for pull, length in zip(self._pulls, self.lengths, strict=True)]
 
@@ -54,12 +55,12 @@ class DirectNet(Net):
         """Move the particles by one step of a duration in s, with the forces in the accumulators.
 
         Velocities change before positions, as in DirectChain. The first step accelerates for half
-        of its time, and from then on velocities are those in the middle of the previous step. The
-        impulse of each link acts along its direction at the start of the step. At the end of the
-        step, the links have their lengths, to 1e-10 of each.
+        of its time, and from then on the velocities are those in the middle of the previous step.
+        Each link applies an impulse along its direction at the start of the step. At the end of the
+        step, every link has its length, with a relative error of at most 1e-10.
 
-        The pulls of the last step are tried first. For a net at rest they are already correct, so
-        such a net needs no solve at all.
+        The step tries the pulls of the last step first. In a net at rest they are already correct,
+        so no equations have to be solved.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.
@@ -103,10 +104,10 @@ class DirectNet(Net):
     ) -> None:
         """Change the pulls, and with them the velocities, until all lengths are right at the end.
 
-        Each correction solves for the active links: all rods, and the cables that are taut. A cable
-        that would have to push is released, and a cable that has become too long is pulled taut.
-        After several such changes, only one link changes at a time, which guarantees that the
-        search ends (Murty, Linear Algebra and its Applications 7, 1974, 65).
+        Each correction solves the equations for the active links, which are all rods and the taut
+        cables. If a cable would have to push, it is released. If a cable has become too long, it is
+        pulled taut. After several such changes, only one link changes at a time, which guarantees
+        that the search ends (Murty, Linear Algebra and its Applications 7, 1974, 65).
 
         All numbers are plain floats, because a step with vectors takes three times as long.
         """

@@ -48,7 +48,7 @@ def read_drops(path: Path) -> list[tuple[str, float, float]]:
 
 
 def find_drops(name: str = "drops.csv") -> Path:
-    """Return the path of a file of this chapter, preferring the student's own.
+    """Return the path of a file of this chapter, or of the student's own version if there is one.
 
     Raises:
         FileNotFoundError: if no folder of the engine has the file.

@@ -1,11 +1,11 @@
 """Going further, complete: sparse symmetric equations, solved by elimination (LDL^T).
 
 Most coefficients in the equations of a net are 0, because each pull appears only in the equations
-of the links that share a particle with its own link. Elimination turns some of the zeros into other
-numbers, which are called fill-in. The amount of fill-in depends on the order of elimination. A good
-rule is to choose the unknown with the fewest other unknowns in its equation next (minimum degree;
-Tinney and Walker, Proceedings of the IEEE 55, 1967, 1801). The positions of the nonzero
-coefficients are found only once for a net.
+of the links that share a particle with its own link. Elimination turns some of these zeros into
+other numbers, which are called fill-in and cost time. How much fill-in there is depends on the
+order of elimination. A good rule is minimum degree: next, always eliminate the unknown that has the
+fewest other unknowns in its equation (Tinney and Walker, Proceedings of the IEEE 55, 1967, 1801).
+The nonzero coefficients of a net are always in the same positions, so the order is found only once.
 """
 
 from __future__ import annotations
@@ -19,14 +19,17 @@ SINGULAR = "equation {} has no unique solution"
 class Elimination:
     """Solves A x = b for symmetric matrices A that have the same zeros.
 
-    There is no search for pivots, so the order must suit A. Every order does if A is positive
-    definite, or has a positive definite part, a negative definite part, and anything between them
-    (Vanderbei, SIAM Journal on Optimization 5, 1995, 100).
+    This class does not search for pivots, so the order of elimination must suit A. Every order
+    works if A is positive definite. It also works if A consists of a positive definite block, a
+    negative definite block, and any numbers between these two (Vanderbei, SIAM Journal on
+    Optimization 5, 1995, 100).
 
     ``count`` is the number of unknowns, and ``pairs`` are the pairs (i, j) for which A[i][j] may
-    differ from 0. Numbers above and below the diagonal are stored once. ``slot_of`` returns their
-    index in the list of values, which has the length ``size`` and begins with the ``count`` numbers
-    of the diagonal. The unknowns with numbers below ``first`` are eliminated before the others.
+    differ from 0. The unknowns with numbers below ``first`` are eliminated before the others.
+
+    The values of A are a list of the length ``size``. It begins with the ``count`` numbers on the
+    diagonal. Because A is symmetric, A[i][j] and A[j][i] are stored only once, at the index that
+    ``slot_of`` returns.
     """
 
     def __init__(self, count: int, pairs: Iterable[tuple[int, int]], first: int = 0) -> None:

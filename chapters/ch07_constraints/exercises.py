@@ -31,9 +31,10 @@ def restitution_of_drop(initial_height: float, bounce_height: float) -> float:
 def table_of_drops(drops: Sequence[Drop]) -> list[tuple[str, int, float, float | None]]:
     """Exercise 7.1: return a row (material, number of drops, mean, standard error) per material.
 
-    A drop is a tuple of material, initial height and bounce height, in m. The mean is that of the
-    drops' restitutions. Its standard error is s / sqrt(n), where s is the standard deviation of the
-    n restitutions, computed with n - 1. For a single drop, the standard error is None. The rows are
+    A drop is a tuple of a material, its initial height and its bounce height, with heights in m.
+    For each material, compute the restitution of each drop and take the mean of the n results. The
+    standard error of this mean is s / sqrt(n), where s is the standard deviation of the n
+    restitutions, computed with n - 1. For a single drop, the standard error is None. The rows are
     in the order in which the materials first appear.
 
     Raises:
@@ -52,10 +53,10 @@ def top_ball_speed(
 ) -> float:
     """Exercise 7.3: return the upward velocity in m/s of the upper of two balls after a drop.
 
-    Both balls are dropped from a height in m, the upper one almost touching the lower one. Gravity
-    is in m/s^2 and masses are in kg. The lower ball bounces off the ground first. Before it rises
-    noticeably, it hits the upper ball, which is still falling. The result is negative if the upper
-    ball keeps moving down.
+    Both balls are dropped from the same height in m, with the upper ball almost touching the lower
+    one. The lower ball bounces off the ground first. Before it has risen noticeably, it hits the
+    upper ball, which is still falling. If the upper ball then keeps moving down, the result is
+    negative. Gravity is in m/s^2 and masses are in kg.
 
     Raises:
         ValueError: if height or gravity is negative, a mass is not positive, a restitution is not
@@ -68,9 +69,9 @@ def top_ball_speed(
 def force_for_frame(force: Vector3, contact_time: float, frame: float) -> Vector3:
     """Exercise 7.4: return the force in N that has the same effect if it acts for a whole frame.
 
-    ``force`` acts for only ``contact_time`` s of a frame of ``frame`` s, but the engine applies
-    every force for the whole frame. So return a smaller force with the same impulse, as a new
-    vector.
+    A frame lasts ``frame`` s, and ``force`` acts for only ``contact_time`` s of it. The engine
+    applies every force for the whole frame, so return a smaller force that has the same impulse, as
+    a new vector.
 
     Raises:
         ValueError: if the contact time is negative or longer than the frame, the frame is not

@@ -1,14 +1,14 @@
 """Going further, complete: a resolver that finds the worst contact without comparing all of them.
 
-A resolution changes two particles, so it changes only the contacts of these two. A list per
-particle finds these contacts, and a heap finds the worst contact of all. Of several equally bad
-contacts, the resolver takes the first, as ContactResolver does. So both resolve the same contacts
-in the same order and give the same results, apart from rounding. If many contacts are equally bad,
-the last digit may decide which of them is resolved first.
+Resolving a contact moves two particles, so it changes only the contacts of these two. A list for
+each particle finds these contacts, and a heap finds the worst contact of all. If several contacts
+are equally bad, the resolver takes the first, as ContactResolver does. So both resolve the same
+contacts in the same order and give the same results, apart from rounding. If many contacts are
+equally bad, the last digit may decide which of them is resolved first.
 
-For each resolution, the plain scan compares all n contacts. The heap updates the few that changed,
-and visits about log n of its entries. The scan is good enough for ten contacts. For 300 the heap is
-many times faster (`make bench`).
+For each resolution, ContactResolver compares all n contacts. The heap updates only the few contacts
+that changed, and visits about log n of its entries for each. For ten contacts, comparing all of
+them is good enough. For 300 contacts the heap is many times faster (`make bench`).
 
 To reach this speed, the resolver works in plain floats on the particles' own vectors, and computes
 everything that does not change during a step only once.

@@ -1,7 +1,8 @@
 """Links between two particles, or between a particle and an anchor: cables, rods and limits.
 
-A link is a contact generator. ``contacts()`` returns a contact for each limit of its length that is
-reached, and resolving the contact restores the length. Within its limits a link has no contact.
+A link is a contact generator. As long as its length is within its limits, it generates no contact.
+When the length reaches or passes a limit, ``contacts()`` returns a contact, and resolving this
+contact restores the length.
 
 Lengths are in m. Constructors raise ValueError for a length that is not positive, a restitution
 outside 0 to 1 and anything that is not finite, and TypeError for an argument of the wrong type. You
@@ -19,7 +20,8 @@ from ch07_constraints.contacts import Contact, a_restitution
 class Cable:
     """Keeps two particles at most ``max_length`` apart (7.4.1).
 
-    ``restitution`` is the ratio of the speed after the cable snaps taut to the speed before.
+    When the cable snaps taut, its ends may bounce back toward each other. ``restitution`` is the
+    ratio of their speed just after that moment to their speed just before it.
     """
 
     def __init__(
@@ -69,9 +71,9 @@ class Rod:
 
         The contact's ``particle`` is a and its ``other`` is b. Its normal points from a to b if the
         rod is too long, and away from b if the rod is too short. Its penetration is the difference
-        from ``length``, always positive, and its restitution is 0. If both ends are at the same
-        position, use +Y as the direction from a to b. The book's text uses two contacts per rod,
-        but one is enough, as in its listing (E-9).
+        between the distance and ``length``, always positive, and its restitution is 0. If both ends
+        are at the same position, use +Y as the direction from a to b. The book's text uses two
+        contacts per rod, but its listing shows that one contact is enough (E-9).
         """
         raise NotImplementedError("Exercise B7.8: Rods")
 
@@ -87,7 +89,8 @@ class AnchoredRod:
     def contacts(self) -> list[Contact]:
         """Return a contact if the rod is too long or too short, and no contact otherwise.
 
-        The contact is that of a Rod, with the anchor in place of b and with None as ``other``.
+        The contact is the same as that of a Rod, except that the anchor takes the place of b, and
+        ``other`` is None.
         """
         raise NotImplementedError("Exercise B7.8: Rods")
 
@@ -95,9 +98,9 @@ class AnchoredRod:
 class Limits:
     """Exercise 7.6: keeps the distance between two particles within two limits.
 
-    The distance may be from ``min_length`` to ``max_length``. A ``min_length`` of 0 means that
-    there is no lower limit. The constructor also raises ValueError if ``min_length`` is negative or
-    greater than ``max_length``.
+    The distance may vary between ``min_length`` and ``max_length``. If ``min_length`` is 0, there
+    is no lower limit. ValueError is also raised if ``min_length`` is negative or greater than
+    ``max_length``.
     """
 
     def __init__(
@@ -112,17 +115,18 @@ class Limits:
         self.min_length = not_negative("min_length", min_length)
         self.max_length = positive("max_length", max_length)
         if self.min_length > self.max_length:
-            wanted = f"min_length must be at most max_length, {max_length!r}"
+            wanted = f"min_length must be at most max_length ({max_length!r})"
             raise ValueError(f"{wanted}, got {min_length!r}")
         self.restitution = a_restitution("restitution", restitution)
 
     def contacts(self) -> list[Contact]:
         """Exercise 7.6: return a contact for each limit that is reached or passed.
 
-        At ``max_length`` or above, the contact is that of a Cable. At ``min_length`` or below, its
-        normal points away from b, and its penetration is ``min_length`` minus the distance. If both
-        limits are reached, return both contacts in this order. If both ends are at the same
-        position, use +Y as the direction from a to b. Each contact has the link's restitution.
+        If the distance is ``max_length`` or more, the contact is like that of a Cable. If it is
+        ``min_length`` or less, the normal points away from b, and the penetration is ``min_length``
+        minus the distance. If both limits are reached, return both contacts in this order. If both
+        ends are at the same position, use +Y as the direction from a to b. Each contact has the
+        link's restitution.
         """
         raise NotImplementedError("Exercise 7.6: A link with two limits")
 
@@ -131,18 +135,20 @@ class TwoSidedRod(Rod):
     """Going further, G7.1: a rod that always has both a contact that pulls and one that pushes.
 
     A Rod that has the right length, or is a little too short, has no contact that pulls. If its
-    ends fly apart, nothing stops them for one step. In a chain, correcting one rod makes the next
-    one wrong. So a pull travels only about one link per step, however many iterations there are.
-    Two contacts per rod avoid that delay.
+    ends fly apart, nothing stops them for one step. In a chain, this delay adds up: the correction
+    of one rod pulls the next one apart, which is not noticed until the next step. So a pull travels
+    only about one link per step, however many iterations there are. Two contacts per rod avoid the
+    delay.
     """
 
     def contacts(self) -> list[Contact]:
         """G7.1: return two contacts in every case: one that pulls, then one that pushes.
 
-        The first is like the contact of a Cable: its normal points from a to b. Its penetration is
-        the distance minus ``length`` and may be negative. The second has the opposite normal and
-        the opposite penetration. The velocity phase then stops the ends in both directions. If both
-        ends are at the same position, use +Y as the direction from a to b.
+        The first contact is like that of a Cable. Its normal points from a to b, and its
+        penetration is the distance minus ``length``, which may be negative. The second contact has
+        the opposite normal and the opposite penetration. Because of the two, the velocity phase
+        stops motion of the ends in both directions. If both ends are at the same position, use +Y
+        as the direction from a to b.
         """
         raise NotImplementedError("Exercise G7.1: Going further: two-sided rods")
 

@@ -1,7 +1,8 @@
 """Going further, complete: the links of a net in plain numbers, and the equations for their pulls.
 
-DirectNet and SmoothNet solve for the pulls of all links at once. Both use this module: the list of
-the links in plain numbers, and the equations that connect their pulls.
+DirectNet and SmoothNet solve for the pulls of all links at once. Both inherit from the class Net in
+this module, which lists the links in plain numbers and sets up the equations that connect their
+pulls.
 """
 
 from __future__ import annotations
@@ -72,8 +73,9 @@ class Net:
     """Rods and cables between particles and anchors, and the equations for their pulls.
 
     ``links`` are rods, cables and Limits of chapter 7, and Struts. ``others`` are particles that no
-    link holds, but that move with the net. ``particles`` lists every particle once: first those of
-    the links, in the order in which the links name them. Lengths are read once, at the start.
+    link holds, but that are stepped together with the net. ``particles`` lists every particle once.
+    The particles of the links come first, in the order in which the links name them. The lengths of
+    the links are read only once, when the net is created.
 
     Raises:
         ValueError: if there are no links.
@@ -178,10 +180,10 @@ class Net:
     ) -> tuple[list[float], list[float]]:
         """Return the pulls that take ``right`` to 0, and their factors. Cables may only pull.
 
-        The links that are active now, and those that are ``near`` their limit, are tried first. A
-        link that would have to push is released, and a link that would then get too long is tried
-        again. After several such changes, only one link changes at a time, which guarantees that
-        the search ends (Murty, Linear Algebra and its Applications 7, 1974, 65).
+        The search begins with the links that are active now and those that are ``near`` their
+        limit. If a link would have to push, it is released. If a released link would then get too
+        long, it is tried again. After several such changes, only one link changes at a time, which
+        guarantees that the search ends (Murty, Linear Algebra and its Applications 7, 1974, 65).
         """
         tried = {*near, *(i for i, on in enumerate(self.is_active) if on)}
         for i in tried:
@@ -217,10 +219,10 @@ class Net:
     ) -> list[float]:
         """Return the factors of the equations for the pulls of the active links.
 
-        Row i is the rate at which the pulls shorten link i: r_i . (the sum of the changes in the
-        velocities of its ends). ``directions`` are the vectors along the links, and ``gains`` are
-        the changes in the velocity of each end per unit of pull, which are 0 for an immovable end.
-        An inactive link has a 1 on the diagonal and zeros beside it.
+        Row i describes how fast the pulls shorten link i: r_i . (the sum of the changes in the
+        velocities of its ends). ``directions`` are the vectors r along the links. ``gains`` say how
+        much one unit of pull changes the velocity of each end, which is 0 for an immovable end. The
+        row of an inactive link has a 1 on the diagonal and zeros elsewhere.
         """
         if self._equations is None:
             self._analyze()

@@ -1,9 +1,9 @@
 """Going further, complete: rods as forces, so that any integrator of chapter 6 can step a chain.
 
-A resolver corrects a rod after a step has broken it. This module prevents that: it finds the
-tensions with which the rods keep their lengths, and adds them as forces. An integrator then steps a
-chain of rods with the integrator's own order: Runge-Kutta 4 has order 4, while a resolver has order
-1 and DirectChain has order 2.
+A resolver corrects a rod only after a step has changed its length. This module computes the
+tensions that keep the lengths of the rods constant, and adds them as forces. Any integrator can
+then step the chain with its own order of accuracy. So Runge-Kutta 4 reaches order 4, while a
+resolver has order 1 and DirectChain has order 2.
 
 If a rod keeps its length, the relative acceleration of its ends along the rod is known. Each
 tension accelerates the two ends of its rod, so it appears in the equations of three rods: its own
@@ -26,11 +26,11 @@ class RodTensions:
     Each rod keeps the length in m that it has when the chain is created. If there are several
     particles, the last one may be immovable, to hold the other end.
 
-    ``correction``, in 1/s, is the rate at which a rod that has become too long or too short returns
-    to its length. Every integrator makes such errors in each step. If ``correction`` is 0, they add
-    up. If it is 5, they stay small. Values near the number of steps per second make the chain stiff
-    and lower the order of the integrator. Source: J. Baumgarte, Computer Methods in Applied
-    Mechanics and Engineering 1 (1972), pp. 1-16.
+    Every integrator makes a small error in each step, so the rods slowly become too long or too
+    short. ``correction``, in 1/s, is the rate at which a rod returns to its length. If it is 0, the
+    errors add up. If it is 5, they stay small. Values near the number of steps per second make the
+    chain stiff and lower the order of the integrator. Source: J. Baumgarte, Computer Methods in
+    Applied Mechanics and Engineering 1 (1972), pp. 1-16.
 
     Raises:
         ValueError: if a rod has no length, if a particle other than the last is immovable, or if

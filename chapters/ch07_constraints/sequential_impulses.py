@@ -1,14 +1,14 @@
 """Going further, complete: sequential impulses with warm starting, as in Box2D.
 
-ContactResolver moves the particles first and then repairs what the move has broken. This solver
-corrects the velocities first, so that the move breaks almost nothing. It visits all contacts in
-order, several times, and applies an impulse at each. Two ideas make this accurate (Catto,
-"Iterative Dynamics with Temporal Coherence", 2005):
+ContactResolver moves the particles first and then corrects the overlaps that the move has caused.
+This solver corrects the velocities first, so that the move causes almost no overlap. It visits all
+contacts in order, several times, and applies an impulse at each. Two ideas make this accurate
+(Catto, "Iterative Dynamics with Temporal Coherence", 2005):
 
-- Only the sum of a contact's impulses must push. A single impulse may pull, so a later visit can
-  take back what an earlier one gave too much.
-- Warm starting: the sums of the last step are the first guess for this one. In a stack at rest they
-  are already right, however tall it is, so a few visits per step are enough.
+- Only the sum of a contact's impulses has to push. A single impulse may pull, so a later visit can
+  take back part of an earlier impulse that was too large.
+- Warm starting: the sums of the last step are the first guess for this step. In a stack at rest
+  they are already right, however tall the stack is, so a few visits per step are enough.
 """
 
 from __future__ import annotations
@@ -82,9 +82,9 @@ class Row:
 class SequentialImpulses:
     """Steps particles and keeps their contacts by impulses that it remembers from step to step.
 
-    ``generators`` are contact generators of this chapter. Use TwoSidedRod for rods: a Rod of the
-    right length has no contact, and so nothing to remember. ``iterations`` is the number of visits
-    to each contact in a step.
+    ``generators`` are contact generators of this chapter. Use TwoSidedRod instead of Rod, because a
+    Rod of the right length has no contact, so there would be no impulse to remember. ``iterations``
+    is the number of visits to each contact in a step.
 
     Raises:
         ValueError: if ``iterations`` is less than 1.
@@ -105,9 +105,10 @@ class SequentialImpulses:
     def step(self, duration: float) -> None:
         """Move the particles by one step of a duration in s, with the forces in the accumulators.
 
-        The order is: kick, find the contacts, correct the velocities, drift, correct the positions.
-        The last correction leaves the velocities alone, so it adds no kinetic energy. The remembered
-        impulses are a good guess only if all steps have the same duration.
+        The step changes the velocities by the forces, finds the contacts, corrects the velocities,
+        moves the particles and corrects the positions, in this order. Correcting positions does not
+        change the velocities, so it adds no kinetic energy. The remembered impulses are a good
+        guess only if all steps have the same duration.
 
         Raises:
             ValueError: if the duration is not positive and finite. Nothing is changed then.

@@ -1,13 +1,13 @@
 """Going further, complete: soft constraints with small steps, known as XPBD.
 
-Instead of impulses, this solver corrects positions, and reads the velocities off them afterward. A
-constraint has a compliance, which is the inverse of a stiffness: a rope of compliance 0.001 m/N
-becomes 1 mm longer for each newton. The correction is the one of an implicit step, so no stiffness
-is too large, and a compliance of 0 is a hard constraint.
+This solver applies no impulses. It corrects positions, and then computes the velocities from how
+far the particles have moved. A constraint has a compliance, which is the inverse of a stiffness: a
+rope with a compliance of 0.001 m/N becomes 1 mm longer for each newton of pull. The corrections are
+those of an implicit step, so no stiffness is too large. A compliance of 0 makes a constraint hard.
 
-Each constraint is corrected once per step. Instead of more iterations, use shorter steps: for the
-same work they give a much smaller error (Macklin and others, "Small Steps in Physics Simulation",
-2019). Nothing is remembered from one step to the next.
+Each constraint is corrected once per step. If that is not accurate enough, use shorter steps
+instead of more iterations, because for the same work they give a much smaller error (Macklin and
+others, "Small Steps in Physics Simulation", 2019). Nothing is remembered from one step to the next.
 """
 
 from __future__ import annotations
@@ -22,8 +22,9 @@ from ch07_constraints.contacts import Contact, ContactGenerator
 class SmallSteps:
     """Steps particles and keeps their contacts and links by soft corrections of positions.
 
-    ``generators`` are contact generators of this chapter. ``compliance`` is in m/N and holds for
-    all of them. Call ``step`` several times per frame, with a fraction of its duration each.
+    ``generators`` are contact generators of this chapter. ``compliance`` is in m/N, and is the same
+    for all of them. Call ``step`` several times per frame, each time with a fraction of the frame's
+    duration.
 
     Raises:
         ValueError: if ``compliance`` is negative or not finite.
@@ -71,8 +72,8 @@ class SmallSteps:
 def correct(contact: Contact, softness: float) -> None:
     """Move the two particles apart, by less than the depth if the contact is soft.
 
-    The correction divides the depth among three: both particles, by their inverse masses, and the
-    softness, whose part remains.
+    The depth is divided into three parts. Two of them are the moves of the particles, in proportion
+    to their inverse masses. The third is proportional to the softness, and remains.
     """
     a, b = contact.particle, contact.other
     inverse_b = 0.0 if b is None else b.inverse_mass

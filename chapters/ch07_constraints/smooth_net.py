@@ -1,10 +1,11 @@
 """Going further, complete: a net of rods and cables that Runge-Kutta 4 steps, at order 4.
 
 DirectNet finds the pulls that give the links their lengths at the end of a step. SmoothNet finds
-the pulls whose accelerations keep the lengths of rods and taut cables. It does so at each of the
-four stages, as RodTensions does for a chain. The remaining error is corrected at the end of the
-step: positions and velocities are projected back to values that the links allow. This projection
-keeps the order (Hairer, Lubich and Wanner, Geometric Numerical Integration, IV.4).
+the pulls whose accelerations keep the lengths of rods and taut cables constant, and does so at each
+of the four stages of a step, as RodTensions does for a chain. The small error that remains is
+corrected at the end of the step by moving positions and velocities back to values that the links
+allow. This projection does not lower the order (Hairer, Lubich and Wanner, Geometric Numerical
+Integration, IV.4).
 
 A cable that becomes taut stops its ends at once. No step of order 4 can pass such an impact, so the
 step stops there, as in time division.
@@ -34,8 +35,8 @@ Solved = tuple[list[Way], list[float]]  # the directions of the links, and the f
 class SmoothNet(Net):
     """A net of rods and cables that makes the steps of its particles by Runge-Kutta 4.
 
-    ``links`` are links of chapter 7, whose restitution is taken as 0. A particle's damping d acts
-    as a continuous drag: it adds the acceleration ln(d) v.
+    ``links`` are links of chapter 7. Their restitution is ignored, so nothing bounces. A particle's
+    damping d acts as a continuous drag, which adds the acceleration ln(d) v.
 
     Raises:
         ValueError: if there are no links, or a damping is 0.
@@ -105,8 +106,8 @@ class SmoothNet(Net):
     ) -> tuple[list[float], Solved]:
         """Return the accelerations, and the directions of the links with their factors.
 
-        The pulls give each active link the acceleration along it that keeps its length. The first
-        stage ``chooses`` the active links: of the links at their limit, those that pull.
+        The pulls accelerate the ends of each active link so that it keeps its length. The first
+        stage ``chooses`` the active links, which are the links at their limit that pull.
         """
         count, rows = self.count, self.rows
         rates = self._free_rates(places, speeds, constant, forces, duration)
@@ -177,8 +178,8 @@ class SmoothNet(Net):
     ) -> tuple[float, list[int]]:
         """Return the fraction of the step at which links first reach their limit, and these links.
 
-        Between the ends of the step, positions follow the cubic with these positions and velocities
-        at the ends.
+        During the step, the positions follow the cubic curve that has the given positions and
+        velocities at both ends of the step.
         """
         share, hit = 1.0, []
         for i, (a, b, square, kind) in enumerate(self.rows):
@@ -210,8 +211,8 @@ class SmoothNet(Net):
     ) -> None:
         """Give active links their lengths, and stop motion that lengthens or shortens them.
 
-        The links in ``hit`` are stopped by an impact without a bounce, which may release other
-        cables.
+        The links in ``hit`` have just become taut. Their impact stops them without a bounce, and it
+        may release other cables.
         """
         _, factors = solved
         for _ in range(CORRECTIONS):
@@ -245,8 +246,8 @@ def hermite(
 ) -> list[float]:
     """Return positions at a fraction of a step, from the positions and velocities at its ends.
 
-    ``old`` and ``new`` are the positions at the ends, ``fast`` and ``later`` are the velocities.
-    The cubic through them has an error of order 4, as the step has.
+    ``old`` and ``new`` are the positions at the two ends, and ``fast`` and ``later`` are the
+    velocities there. The cubic curve through them has an error of order 4, like the step itself.
     """
     s, left = share, 1.0 - share
     p, q = left * left * (1.0 + 2.0 * s), s * s * (3.0 - 2.0 * s)

@@ -1,8 +1,10 @@
 """Time division: a time step that stops at each impact, so that all happen at the right time (7.3).
 
-Between impacts every particle moves exactly as its constant acceleration requires. So the motion is
-exact as long as bodies fly freely and bounce, as in billiards. The cost grows with the number of
-impacts. A body at rest has endless impacts, so use a resolver for resting bodies.
+An ordinary step finds a collision only after the bodies overlap. Time division predicts the moment
+of the next impact, moves all particles to that moment, resolves the impact, and continues from
+there. Between impacts every particle moves exactly as its constant acceleration requires. So the
+motion is exact as long as bodies fly freely and bounce, as in billiards. The cost grows with the
+number of impacts. A body at rest has endless impacts, so use a resolver for resting bodies.
 """
 
 from __future__ import annotations
@@ -17,14 +19,14 @@ from ch07_constraints.detectors import Detector
 class TooManyImpacts(ArithmeticError):  # noqa: N818
     """Raised when a step has more impacts than allowed, as when a body has come to rest.
 
-    ``impacts`` is the number of impacts resolved. ``time`` is the time of the next impact, in s
-    since the start of the step, and ``contact`` is its contact.
+    ``impacts`` is the number of impacts that were resolved. ``contact`` is the contact of the next
+    impact, and ``time`` is its time in s since the start of the step.
     """
 
     def __init__(self, impacts: int, time: float, contact: Contact) -> None:
         super().__init__(
-            f"more than {impacts} impacts in the first {time:.6g} s of the step; the next one is "
-            f"at {contact.particle.position!r}. A body at rest has endless impacts: use a "
+            f"more than {impacts} impacts in the first {time:.6g} s of the step, and the next one "
+            f"is at {contact.particle.position!r}. A body at rest has endless impacts, so use a "
             "resolver, more restitution, or a larger max_impacts"
         )
         self.impacts, self.time, self.contact = impacts, time, contact
@@ -35,10 +37,10 @@ def time_division_step(
 ) -> None:
     """Move particles by one step of a duration h in s, from impact to impact (7.3).
 
-    The acceleration of a particle is constant during the step: its own acceleration plus f / m,
-    where f is the sum of the forces added before the step. The step uses up the forces, as
-    ``Particle.integrate`` does. From the start of the step, ``last_acceleration`` returns this
-    acceleration, because detectors use it to look ahead.
+    During the step the acceleration of a particle is constant. It is the particle's own
+    acceleration plus f / m, where f is the sum of the forces added before the step. The step uses
+    up these forces, as ``Particle.integrate`` does. Detectors need the acceleration to look ahead,
+    so ``last_acceleration`` returns it from the start of the step.
 
     Between impacts the motion is exact: p + v t + a t^2 / 2. At each impact that ``detector`` finds
     in the rest of the step, resolve the velocity of its contact with a duration of 0. Penetrations
@@ -46,15 +48,16 @@ def time_division_step(
     particle's damping. Immovable particles do not move.
 
     Impacts at the same time are resolved one after the other, in the detector's order. So a ball
-    that hits a row of touching balls passes its motion on to the last one. If two balls hit a third
-    one from both sides at once, the result depends on that order.
+    that hits a row of touching balls passes its motion on to the last ball. If two balls hit a
+    third one from both sides at once, the result depends on the order.
 
     ``particles`` contains every particle of the detector exactly once.
 
     Raises:
         ValueError: if the duration is not positive and finite, or ``max_impacts`` is less than 1.
         TypeError: if ``max_impacts`` is not a whole number. In these two cases nothing changes.
-        TooManyImpacts: if there is another impact after ``max_impacts`` of them. The particles are
-            then at the time of this impact, which is not resolved, and no damping is applied.
+        TooManyImpacts: if there is another impact after ``max_impacts`` of them. The particles have
+            then moved to the time of this impact, but the impact is not resolved and no damping is
+            applied.
     """
     raise NotImplementedError("Exercise B7.12: From impact to impact")

@@ -27,11 +27,11 @@ GRAVITY = Vector3(0.0, -9.81, 0.0)
 class Bond:
     """A soft spring between two particles that has an elastic limit, breaks and heals.
 
-    Up to the length ``limit`` it is a spring of ``stiffness`` in N/m. Beyond the limit, only the
-    fraction ``share`` of the stiffness acts on the additional length (exercise 6.1). A bond that is
-    longer than ``break_length`` breaks: it exerts no force until its ends are ``rest_length`` or
-    less apart. Then it heals. ``holds`` is False while the bond is broken. Lengths are in m.
-    Register the bond for both particles.
+    Up to the length ``limit`` it is a spring with a ``stiffness`` in N/m. The part of its length
+    beyond the limit pulls with only the fraction ``share`` of the stiffness (exercise 6.1). A bond
+    that gets longer than ``break_length`` breaks. From then on it exerts no force, until its ends
+    are ``rest_length`` or less apart and it heals. ``holds`` is False while the bond is broken.
+    Lengths are in m. Register the bond for both particles.
 
     Raises:
         ValueError: if rest_length <= limit <= break_length does not hold, or ElasticLimitSpring
@@ -54,15 +54,15 @@ class Bond:
         self.rest_length = rest_length
         self.break_length = positive("break_length", break_length)
         if not rest_length <= limit <= break_length:
-            wanted = f"limit must be from rest_length, {rest_length!r}, to break_length, "
-            raise ValueError(f"{wanted}{break_length!r}, got {limit!r}")
+            wanted = f"limit must be from rest_length ({rest_length!r}) to break_length "
+            raise ValueError(f"{wanted}({break_length!r}), got {limit!r}")
         self.holds = True
 
     def update_force(self, particle: Particle, duration: float) -> None:
         """Break or heal the bond according to its length, and pull on the particle if it holds.
 
-        The length is checked before the force is computed, so breaking and healing take effect at
-        once for either end.
+        Check the length before you compute the force, so that a bond that breaks or heals does so
+        at once for both ends.
         """
         raise NotImplementedError("Exercise B8.8: Bonds that break and heal")
 
@@ -82,8 +82,8 @@ class Blob:
     """A blob that falls on the ground: ``particles``, ``bonds`` between every two, and a ``world``.
 
     The blob is flat, with all particles at z = 0, and its middle starts at ``height`` in m. If
-    ``cables`` is True, a cable keeps each bond from getting longer than its ``break_length``.
-    Without cables the blob can break. ``push`` is a vector, the force in N on each particle.
+    ``cables`` is True, a cable keeps each bond from getting longer than its ``break_length``, so no
+    bond can break. ``push`` is the force in N that acts on each particle, as a vector.
 
     Raises:
         ValueError: if the height is not finite, or is less than ``RADIUS``, so that the blob would

@@ -1,8 +1,8 @@
 """The plan of the rope bridge: the number, size and position of its planks. This file is complete.
 
-The bridge runs along X, and up is Y. Its numbers are close to those of the book's demo. The planks
-have 1 kg at each end, the ends of a plank are 2 m apart, and the cables are too short at first
-(8.2).
+The bridge runs along X, and Y points up. Its numbers are close to those of the book's demo. Each
+plank has a particle of 1 kg at both ends, which are 2 m apart. At the start the cables between the
+rows are 10 cm too short (8.2).
 """
 
 from __future__ import annotations
@@ -41,6 +41,7 @@ def support_length(row: int) -> float:
 def anchor_of(plank: Particle) -> Vector3:
     """Return the anchor from which an end of a plank hangs, given that end's start position.
 
-    The anchor is 10 % farther from the middle of the bridge along X, and 20 % nearer to it along Z.
+    Measured from the middle of the bridge, the anchor is 10 % farther away along X than the end of
+    the plank, and 20 % nearer along Z.
     """
     return Vector3(1.1 * plank.position.x, ANCHOR_HEIGHT, 0.8 * plank.position.z)

@@ -1,9 +1,10 @@
 """Going further, complete: find the positions at which a world comes to rest, without stepping it.
 
-At rest the forces on each particle add up to zero: its weight, the forces of the registry, and the
-pulls of the rods and cables that hold it. Newton's method solves these equations together with the
-lengths of the links. The search also finds the taut cables: a cable that would have to push is
-slack, and one that would get too long is taut (an active set).
+At rest, all forces on a particle add up to zero: its weight, the forces of the registry, and the
+pulls of the rods and cables that hold it. In addition, the links must have the right lengths.
+Newton's method solves all of these equations together. The search also finds out which cables are
+taut. A cable that would have to push is slack, and a cable that would get too long is taut (an
+active set).
 
 Far from rest, Newton's method may jump anywhere. So the particles get some inertia, as in a step of
 backward Euler: each move costs a force of m / t^2 N per m. The time t doubles from step to step,
@@ -128,7 +129,7 @@ class Balance:
     def move(self, time: float) -> bool:
         """Make one step of Newton's method, with the inertia for this time in s.
 
-        Return whether the step was made in full. Otherwise it was shortened to FARTHEST.
+        Return True if the step was made in full, and False if it was shortened to FARTHEST.
         """
         slopes = self.find_slopes()
         for hold in self.holds:
@@ -236,17 +237,18 @@ class Balance:
 def equilibrium(world: ParticleWorld) -> list[float]:
     """Move the particles of a world to a position of rest, and return the tensions in N.
 
-    There is one tension for each rod and cable among the world's contact generators, in their
-    order. It is 0 for a slack cable, and negative for a rod that pushes. Velocities become 0.
-    Forces in the accumulators count, and stay there. Other contacts, such as those with the ground,
-    count if the search finds them. They hold without friction.
+    The list has one tension for each rod and cable, in the order of the world's contact generators.
+    It is 0 for a slack cable, and negative for a rod that pushes. The velocities of the particles
+    become 0. Forces in the accumulators act on the particles, and stay in the accumulators. Other
+    contacts, such as contacts with the ground, also hold the particles if the search finds them,
+    but without friction.
 
     In a SleepingWorld all particles fall asleep at once, and sleep until something touches them.
 
     If there are several equilibria, the result is usually one near the start.
 
     Raises:
-        ArithmeticError: if none is found, for example because nothing holds a particle.
+        ArithmeticError: if no equilibrium is found, for example because nothing holds a particle.
     """
     balance = Balance(world)
     for particle in balance.free:
@@ -260,7 +262,7 @@ def equilibrium(world: ParticleWorld) -> list[float]:
         if balance.is_balanced():
             break
     else:
-        raise ArithmeticError("no equilibrium was found: does something hold every particle?")
+        raise ArithmeticError("found no equilibrium; check that something holds every particle")
     if isinstance(world, SleepingWorld):
         fall_asleep(world, balance)
     for particle, by_hand in zip(balance.free, balance.by_hand, strict=True):

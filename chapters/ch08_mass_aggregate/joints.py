@@ -1,8 +1,8 @@
 """Find out which particles of a world are connected to each other. This file is complete.
 
-A contact names its particles. A force generator names the particles on which its force depends by
-public attributes. The generators of chapters 6 and 8 already do so, because they store these
-particles under the names of their arguments.
+A contact has its particles as attributes. A force generator must also show on which particles its
+force depends, so it keeps them in public attributes. The generators of chapters 6 and 8 already do
+so, because they store these particles under the names of their arguments.
 """
 
 from __future__ import annotations
@@ -49,10 +49,10 @@ def partners(generator: object) -> list[Particle]:
 
     Such an attribute is a particle, or a list or tuple of particles. Anything else is ignored.
 
-    If a generator of your own depends on other particles, give it one of these attributes. A
-    property called `particles` is enough if it stores them in some other way. A generator without
-    such an attribute joins nothing. The particle that it pushes then sleeps independently of other
-    particles, and wakes when the push changes.
+    If you write a generator whose force depends on other particles, give it one of these
+    attributes. If it stores the particles in some other way, a property called `particles` is
+    enough. A generator without such an attribute joins nothing. The particle that it pushes then
+    sleeps independently of other particles, and wakes when the push changes.
     """
     found: list[Particle] = []
     for name in PARTNERS:

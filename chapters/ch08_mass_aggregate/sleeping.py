@@ -1,7 +1,8 @@
 """Going further: particles at rest fall asleep and cost almost nothing until something wakes them.
 
-A sleeping particle is immovable, and the rest of the engine already skips immovable particles. The
-world stores the inverse mass of each sleeping particle and restores it when the particle wakes.
+Most bodies in a game lie still most of the time, but the engine spends as much time on them as on
+moving ones. If a particle is made immovable while it is at rest, the rest of the engine skips it.
+The world stores the inverse mass of each sleeping particle and restores it when the particle wakes.
 """
 
 from __future__ import annotations
@@ -38,12 +39,12 @@ class SleepingWorld(ParticleWorld):
     """A ParticleWorld in which particles at rest fall asleep, together with the ones they touch.
 
     A particle is slow if its kinetic energy per kg of mass is at most ``sleep_energy`` in J/kg at
-    the end of a step. It is tired after ``sleep_frames`` slow steps in a row. A sleeping particle
-    has no velocity and a mass of ``math.inf``. ``asleep`` is a dict from each sleeping particle to
-    its Sleep.
+    the end of a step. After ``sleep_frames`` slow steps in a row it is tired, and a group falls
+    asleep when all of its particles are tired. A sleeping particle has no velocity and a mass of
+    ``math.inf``. The dict ``asleep`` maps each sleeping particle to its Sleep.
 
-    Wake a sleeping particle yourself before you move the ground or an anchor under it, join
-    something new to it, or make it immovable.
+    The world cannot notice every change. Wake a sleeping particle yourself before you move the
+    ground or an anchor under it, join something new to it, or make it immovable.
 
     Raises:
         ValueError: if ``sleep_energy`` is negative or not finite, or ``sleep_frames`` is less than
@@ -76,29 +77,29 @@ class SleepingWorld(ParticleWorld):
 
         Particles that fell asleep together therefore wake together. Each of them gets its mass
         back, unless it was given another finite mass by hand. The count of its slow steps starts
-        again at 0, even if the particle was awake.
+        again at 0. This also happens if the particle was already awake.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def wake_moved(self) -> None:
         """Wake the sleeping particles that were changed by hand since they fell asleep.
 
-        Such a particle has a velocity, a new position, a finite mass, or a force in its
-        accumulator.
+        A sleeping particle was changed if it has a velocity, a new position, a finite mass, or a
+        force in its accumulator.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def wake_pushed(self, duration: float) -> None:
         """Wake the sleeping particles on which the force generators now act differently.
 
-        The acceleration now is a + f / m, where f is the sum of the generators' forces. Compare it
-        with the acceleration when the particle fell asleep. The particle wakes if the change is
-        more than ``SAME`` times the larger of two sizes: |a| + |f / m| now, and the magnitude of
-        the old acceleration.
+        The current acceleration is a + f / m, where f is the sum of the generators' forces. Compare
+        it with the acceleration when the particle fell asleep. The particle wakes if the change is
+        more than ``SAME`` times the larger of two numbers: the current |a| + |f / m|, and the
+        magnitude of the old acceleration.
 
-        Call only generators that are registered for sleeping particles. During the call, each
-        particle has its own mass. The accumulators of sleeping particles are empty before and
-        after.
+        Call only generators that are registered for sleeping particles. While they are called, each
+        sleeping particle must have the mass that it had when it was awake. The accumulators of
+        sleeping particles are empty before and after.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
@@ -114,21 +115,22 @@ class SleepingWorld(ParticleWorld):
 
         Two particles are in the same group if they were in contact in one of the last
         ``sleep_frames`` steps, or if a generator of the registry joins them, directly or through
-        other particles. A group falls asleep as a whole or not at all, because a moving particle
-        would soon push the sleeping ones. Immovable particles join nothing and never sleep. A
-        particle that falls asleep is added to ``asleep``, and its ``velocity`` and ``inverse_mass``
-        become 0.
+        other particles. A group falls asleep as a whole or not at all, because a particle that
+        still moves would soon push the sleeping ones. Immovable particles do not connect groups,
+        and they never sleep. When a particle falls asleep, it is added to ``asleep``, and its
+        ``velocity`` and ``inverse_mass`` become 0.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def run_physics(self, duration: float) -> None:
         """Move all particles that are awake forward by one time step of this duration in s.
 
-        - Wake the particles that were moved by hand. In every LOOK_EVERY-th step, also wake those
-          on which the generators act differently.
-        - If all particles sleep, nothing else is done.
-        - Call the integrator with the particles that are awake, and no others.
-        - Find the contacts. If they wake a sleeping particle, find them again, until none wakes.
+        - Wake the particles that were moved by hand. In every LOOK_EVERY-th step, also wake the
+          particles on which the generators now act differently.
+        - If all particles sleep, the step is finished.
+        - Otherwise, call the integrator with only the particles that are awake.
+        - Find the contacts. If a contact wakes a particle, find the contacts again, until no
+          particle wakes.
         - Resolve the contacts, and then let tired groups fall asleep.
 
         Raises:

@@ -19,10 +19,10 @@ class ParticleWorld:
     """A set of particles with the forces, the integrator and the contacts that move them.
 
     ``particles`` and ``contact_generators`` are copied into new lists, which you may extend later.
-    A particle may be listed only once. ``registry`` is an empty ForceRegistry, ``integrator`` can
-    be any integrator of chapter 6, and ``resolver`` is a ContactResolver with the limit
-    ``iterations``. The number of contacts in a step is not limited. The book's world has a maximum
-    and silently drops the contacts beyond it.
+    A particle may be listed only once. ``registry`` is an empty ForceRegistry at first.
+    ``integrator`` can be any integrator of chapter 6, and ``resolver`` is a ContactResolver with
+    the limit ``iterations``. The number of contacts in a step is not limited. The book's world does
+    have a limit, and silently ignores the contacts beyond it.
 
     Raises:
         ValueError: if a particle is listed twice, or the resolver rejects ``iterations``.
@@ -71,10 +71,10 @@ class ParticleWorld:
     def run_physics(self, duration: float) -> None:
         """Move the world forward by one time step of this duration in s.
 
-        First the integrator moves the particles. The forces on them come from the registry and from
-        calls of ``add_force`` since ``start_frame``. Then ``contacts()`` of every generator is
-        called once, at the new positions, and the resolver gets all contacts in one call. If there
-        are no contacts, the resolver is not called. Book 8.1.
+        First the integrator moves the particles. The forces on them come from the registry, and
+        from calls of ``add_force`` since ``start_frame``. Then, at the new positions,
+        ``contacts()`` of every generator is called once, and the resolver resolves all contacts in
+        one call. If there are no contacts, the resolver is not called. Book 8.1.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.
@@ -96,8 +96,8 @@ class ParticleWorld:
 def mechanical_energy(particles: Iterable[Particle]) -> float:
     """Return the mechanical energy of the particles in J: the sum of m v^2 / 2 - m a . p.
 
-    Use it to check a simulation, because without damping and forces the energy should stay
-    constant. Here a is the particle's own acceleration and p is its position. For a = (0, -g, 0)
-    the energy is m v^2 / 2 + m g y. Forces and immovable particles do not contribute.
+    You can check a simulation with it, because the energy should stay constant as long as there are
+    no damping and no forces. Here a is the particle's own acceleration and p is its position. For a
+    = (0, -g, 0) the energy is m v^2 / 2 + m g y. Forces and immovable particles do not contribute.
     """
     raise NotImplementedError("Exercise B8.1: Mechanical energy")

@@ -20,8 +20,8 @@ def two_other_turns() -> tuple[float, float]:
     """Exercise 9.1: return the angles (a, b) in degrees, from -180 to 180.
 
     Rotating an object by 90 degrees about X and then by 90 degrees about Y has the same result as
-    rotating it by a about Z and then by b about X. The axes are the world's and do not rotate with
-    the object. Rotations are right-handed.
+    rotating it by a about Z and then by b about X. The axes are those of the world, so they do not
+    rotate with the object. Rotations are right-handed.
     """
     raise NotImplementedError("Exercise 9.1: Two rotations, and two others")
 
@@ -72,8 +72,9 @@ def turned_by_steps(
 ) -> tuple[Quaternion, float]:
     """Exercise 9.4: return the same orientation, computed by equal steps of Eq. 9.5, and its error.
 
-    The orientation is a new quaternion, normalized after the last step. The error is the angle,
-    from 0 to pi, of the rotation from this orientation to the result of ``turned_by_sense``.
+    The orientation is a new quaternion, which is normalized after the last step. The error is the
+    angle of the rotation from this orientation to the result of ``turned_by_sense``. It is from 0
+    to pi.
 
     >>> q, error = turned_by_steps(Quaternion(0.5, 0.5, 0.5, 0.5), 0.5, 2.0)
     >>> [round(component, 6) for component in q], round(error, 6)  # 4.2 degrees
@@ -102,9 +103,10 @@ def read_off(matrix: Matrix4) -> tuple[Matrix3, Vector3]:
 def easy_inverse(matrix: Matrix4) -> Matrix4:
     """Exercise 9.6: return the inverse of a rotation and a translation, without any division.
 
-    The rotation becomes its transpose, and the translation is rotated back and negated. For other
-    matrices, the result is not the inverse. The matrix is not checked, because a check would cost
-    most of the time that this method saves.
+    The inverse of a rotation is its transpose, so transpose the rotation. Then rotate the
+    translation back and negate it. If the 3x3 part is not a rotation, the result is not the
+    inverse. This is not checked, because a check would cost most of the time that this method
+    saves.
     """
     raise NotImplementedError("Exercise 9.6: The inverse, the easy way")
 
@@ -124,8 +126,8 @@ def center_of_stones(stones: Sequence[Stone]) -> Point:
 def balance_offset(stones: Sequence[Stone], angle: float) -> float:
     """Exercise 9.7: return the offset in m of a straight edge on which the box balances.
 
-    The edge has the direction (cos, sin) of an angle. Its offset is its distance from the corner x
-    = y = 0 of the box, measured to the left, in the direction (-sin, cos).
+    The edge has the direction (cos, sin) of the angle. Its offset is its distance from the corner
+    of the box at x = y = 0. It is measured to the left of the edge, in the direction (-sin, cos).
 
     Raises:
         ValueError, TypeError: for the same reasons as ``center_of_stones``, or if the angle is not
@@ -137,10 +139,10 @@ def balance_offset(stones: Sequence[Stone], angle: float) -> float:
 def masses_beside(stones: Sequence[Stone], angle: float) -> tuple[float, float]:
     """Exercise 9.7: return the masses in kg to the left and to the right of the balance edge.
 
-    The edge is the one of ``balance_offset``. The two masses may differ although the box balances,
-    because a small mass far from the edge balances a large one near it. The book says that they are
-    equal (E-32). A stone counts on the side of its center. If its center is within 1e-9 m of the
-    edge, it counts on neither side.
+    The edge is that of ``balance_offset``. The book says that the two masses are equal (E-32), but
+    they need not be, because a small mass far from the edge balances a large mass near it. A stone
+    counts for the side on which its center is. If its center is within 1e-9 m of the edge, it
+    counts for neither side.
 
     Raises:
         ValueError, TypeError: for the same reasons as ``balance_offset``.

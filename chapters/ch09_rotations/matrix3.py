@@ -1,8 +1,9 @@
 """Matrices that rotate and scale vectors (book 9.2.3, 9.4.1 to 9.4.4).
 
-Vectors are columns, on the right of a matrix: ``m @ v``. The product ``a @ b`` applies b first and
-then a. Matrices are immutable: every method returns a new object. The methods raise TypeError for
-an argument of the wrong type. The components of a vector are not checked.
+A vector is a column, so it is on the right of a matrix: ``m @ v``. The product ``a @ b`` therefore
+applies b first and then a. Matrices are immutable, and every method returns a new object. The
+methods raise TypeError for an argument of the wrong type. The components of a vector are not
+checked.
 """
 
 from __future__ import annotations
@@ -97,9 +98,9 @@ class Matrix3:
     def is_rotation(self) -> bool:
         """Return whether the matrix is a pure rotation, without scaling, shear or reflection.
 
-        The scalar product of each row with itself must be 1, and with each other row 0, both within
-        ``ROTATION_TOLERANCE``. The determinant must be positive. Otherwise, and for NaN, return
-        False.
+        The scalar product of each row with itself must be 1, and its scalar product with each other
+        row must be 0, both within ``ROTATION_TOLERANCE``. The determinant must be positive.
+        Otherwise, and if an entry is NaN, return False.
         """
         raise NotImplementedError("Exercise B9.6: Is it a rotation?")
 
@@ -117,9 +118,10 @@ class Matrix3:
     def to_quaternion(self) -> Quaternion:
         """Return the unit quaternion of this rotation. Both q and -q are right.
 
-        Four sums of the diagonal give 4 r^2, 4 i^2, 4 j^2 and 4 k^2. Choose the largest of them,
-        which is at least 1, and compute the other components from it. A smaller sum may consist
-        only of rounding errors: in a half-turn, for example, 4 r^2 should be 0.
+        From the diagonal you can compute four sums, which are 4 r^2, 4 i^2, 4 j^2 and 4 k^2. Take
+        the component with the largest sum, which is at least 1, and compute the other components
+        from it. A smaller sum may consist only of rounding errors. In a half-turn, for example, 4
+        r^2 should be 0.
 
         Raises:
             ValueError: if this is not a rotation (``is_rotation``).

@@ -1,8 +1,8 @@
 """Read the stones in a box for exercise 9.7 from a CSV file with one stone per line.
 
-The columns are what, mass, x and y: a name, the mass in kg, and the distances of the stone's center
-from the left side and from the front side of the box in m. Enter at least three stones, and the
-empty box in a line of its own.
+The columns are what, mass, x and y. The first is a name, and the second is the mass in kg. x and y
+are the distances in m of the stone's center from the left side and from the front side of the box.
+Enter at least three stones, and the empty box in a line of its own.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def read_stones(path: Path) -> list[tuple[str, float, float, float]]:
 
 
 def own_stones() -> Path:
-    """Return the path of stones.csv, preferring the student's own.
+    """Return the path of stones.csv, or of the student's own version if there is one.
 
     Raises:
         FileNotFoundError: if no folder of the engine has the file.

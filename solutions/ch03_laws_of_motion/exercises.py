@@ -51,9 +51,9 @@ def position_by_equation(
 ) -> Vector3:
     """Exercise 3.4a: return the position after a time with constant acceleration (Eq. 2.9).
 
-    The result is the new vector p' = p + v t + a t^2 / 2, with lengths in m and times in s. In this
-    example and those below, the start position and two components of the acceleration differ from
-    the book's.
+    The result is the new vector p' = p + v t + a t^2 / 2. Lengths are in m and times in s. In this
+    example and the ones below, the start position and two components of the acceleration are not
+    those of the book.
 
     Raises ValueError if the time is not positive and finite.
 

@@ -60,8 +60,9 @@ class Shot:
 def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
     """Exercise 4.3a: return the velocity of a shot in m/s as a new vector.
 
-    At azimuth 0 the shot flies along Z, and at an azimuth of a quarter turn along X. At elevation 0
-    it flies horizontally, and at an elevation of a quarter turn straight up.
+    The azimuth is the horizontal angle from Z toward X, so at an azimuth of 0 the shot flies along
+    Z, and after a quarter turn it flies along X. The elevation is the angle above the horizontal.
+    At an elevation of a quarter turn the shot flies straight up.
 
     Raises ValueError if the speed is negative or not finite, or if an angle is not finite.
     """
@@ -87,9 +88,10 @@ def is_spent(shot: Shot) -> bool:
 def grenade_after(shot: Shot) -> list[Shot]:
     """Mini-project 4.1: return the shots that replace a grenade after one step.
 
-    The grenade has already moved. If it is below the ground, it bounces first. If its age has
-    reached ``FUSE``, return its fragments, as shots of the type "fragment" with an age of 0.
-    Otherwise return a list that contains the grenade itself, or an empty list if it is spent.
+    The grenade has already moved in this step. If it is below the ground, let it bounce first. If
+    its age has then reached ``FUSE``, it bursts: return its fragments, as shots of the type
+    "fragment" with an age of 0. Otherwise return a list that contains the grenade itself, or an
+    empty list if it is spent.
     """
     bounce(shot.particle)
     if shot.age >= FUSE:
@@ -146,10 +148,10 @@ class BallisticRange:
     def update(self, duration: float) -> None:
         """Move everything by one step of a duration in s, and remove spent shots (4.1.2).
 
-        First the targets move. Then each shot moves, and its age grows by the duration. Each shot
-        is then replaced by the shots that ``what_is_left`` returns for it. That function needs the
-        position of the shot before the move. Pass a copy, because ``integrate`` changes the
-        position itself.
+        First the targets move. Then each shot moves, and its age grows by the duration. Replace
+        each shot by the shots that ``what_is_left`` returns for it. That function needs the
+        position of the shot before the move. Keep a copy of this position, because ``integrate``
+        changes the vector itself.
 
         Raises ValueError if the duration is not positive and finite. In that case nothing moves.
         """

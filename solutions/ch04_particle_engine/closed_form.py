@@ -1,8 +1,9 @@
 """The state of a particle at any time, without time steps.
 
-Treat the damping d as a drag, dv/dt = a - k v, with a constant acceleration a and k = -ln d. This
-equation has an exact solution, which gives the position and the velocity at any time. A body that
-moves in this way, such as a spark, therefore needs no time steps: a single evaluation is enough.
+If you treat the damping d as a continuous drag, the equation of motion is dv/dt = a - k v, with a
+constant acceleration a and k = -ln d. This equation has an exact solution, which gives the position
+and the velocity at any time. A body that moves in this way, such as a spark, therefore needs no
+time steps, because a single evaluation is enough.
 """
 
 from __future__ import annotations
@@ -24,10 +25,10 @@ def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
     - gone = (1 - d^t) / k, in s, is the distance that a speed of 1 m/s covers.
     - fallen = (t - gone) / k, in s^2, is the distance that an acceleration of 1 m/s^2 covers.
 
-    As the damping approaches 1, the factors approach 1, t and t^2 / 2. The result must have at
-    least 9 correct digits even for a damping as close to 1 as a float can be, where the formulas
-    divide almost 0 by almost 0. A damping of 0 stops everything at once: for any time above 0, the
-    factors are 0, 0 and 0.
+    As the damping approaches 1, the factors approach 1, t and t^2 / 2. There the formulas divide
+    almost 0 by almost 0, but the result must have at least 9 correct digits even for a damping as
+    close to 1 as a float can be. A damping of 0 stops everything at once, so for any time above 0
+    all three factors are 0.
 
     Raises ValueError if the damping or the time is negative or not finite, and OverflowError if a
     factor does not fit in a float.
@@ -87,10 +88,10 @@ def burst_positions(
 ) -> list[float]:
     """Return the positions of all sparks of a burst along one axis, in m, after a time in s.
 
-    All sparks start at the same position and time, with the same acceleration and damping. Only
-    their speeds along the axis, in m/s, differ. So compute the factors, and the position of a spark
-    without speed, only once per call. Each call handles one axis, because a screen shows only two
-    of the three.
+    All sparks start at the same position and time, with the same acceleration and damping, and only
+    their speeds along the axis differ. So compute the factors, and the position of a spark with a
+    speed of 0, only once per call. The speeds are in m/s. Each call handles only one axis, because
+    a screen shows only two of the three.
 
     The speeds are not checked. Raises ValueError if the start or the acceleration is not finite, or
     if the damping or the time is negative or not finite, and OverflowError as ``drag_factors``

@@ -30,10 +30,10 @@ class Display:
 def find_rocket(display: Display, x: float, y: float) -> Firework | None:
     """Project 4.1: return the rocket nearest to a point, or None if none is within ``REACH``.
 
-    The point and the distances are in the X-Y plane. A rocket is any firework whose rule has
-    payloads, even if the rocket was itself a payload. A rocket with an age of 0 or less has no fuse
-    left and is not found, because a click can no longer save it. A rocket at exactly the distance
-    ``REACH`` is found.
+    The point is in the X-Y plane, and distances are measured in this plane. A rocket is any
+    firework whose rule has payloads, even if the rocket was itself a payload. A rocket at exactly
+    the distance ``REACH`` is found. A rocket with an age of 0 or less has no fuse left and is not
+    found, because a click can no longer save it.
     """
     nearest, distance = None, REACH
     for rocket in _rockets(display):
@@ -68,7 +68,8 @@ def is_over(display: Display) -> bool:
     """Project 4.1: return whether no rocket is left or too many clicks have missed.
 
     The first ``MISSES_ALLOWED`` misses are free, and the next miss ends the game. A rocket that was
-    clicked on counts as left until it has burst. A new game begins when a rocket has been launched.
+    clicked on still counts until it has burst. At the very start no rocket is left either, so a
+    game begins only when a rocket has been launched.
     """
     return display.misses > MISSES_ALLOWED or not _rockets(display)
 

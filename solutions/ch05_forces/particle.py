@@ -17,11 +17,11 @@ NO_FORCE: Numbers = (0.0, 0.0, 0.0)
 class Particle(particle.Particle):
     """A particle that adds up the forces on it until its next step uses them.
 
-    It inherits position, velocity, mass and damping from chapter 3. You choose how to store the
-    forces. Here ``_forces`` is a list with two entries: the sum since the last step, and the sum
-    that the last step used. Each entry is a tuple of three numbers, or None if no force was added.
-    If you store the forces in another way, change ``__slots__``, the constructor, ``__copy__``,
-    ``take_forces`` and ``add_force_pair`` to match.
+    It inherits position, velocity, mass and damping from chapter 3. Here ``_forces`` is a list with
+    two entries, the sum of the forces since the last step and the sum that the last step used. Each
+    entry is a tuple of three numbers, or None if no force was added. You may store the forces in
+    another way, but then change ``__slots__``, the constructor, ``__copy__``, ``take_forces`` and
+    ``add_force_pair`` to match.
     """
 
     __slots__ = ("_forces",)
@@ -50,8 +50,9 @@ class Particle(particle.Particle):
     def take_forces(self) -> Numbers:
         """Return the sum of the forces in N as three numbers, and clear it.
 
-        Use it in an integrator that evaluates the forces several times per step. It has the same
-        effect as ``force_accumulator`` followed by ``clear_forces``, but takes a third of the time.
+        It has the same effect as ``force_accumulator`` followed by ``clear_forces``, but takes a
+        third of the time. This matters for an integrator that evaluates the forces several times
+        per step.
         """
         forces = self._forces
         force = forces[0]
@@ -134,9 +135,9 @@ class Particle(particle.Particle):
         """Change the velocity as in chapter 3, now with the forces too: v' = (v + a h) d^h.
 
         Here a is the constant acceleration plus f / m, where f is the sum of the forces since the
-        last kick. The kick clears the sum, also for an immovable particle, and stores it for
-        ``last_acceleration``. You need not write ``integrate`` again, because chapter 3's version
-        drifts and then calls this kick.
+        last kick. The kick then clears the sum, even for an immovable particle, but keeps a copy
+        for ``last_acceleration``. You need not write ``integrate`` again, because chapter 3's
+        version drifts and then calls this method.
 
         As in chapter 3, the duration is not checked.
         """

@@ -12,15 +12,16 @@ def damped_spring_state(
 ) -> tuple[float, float]:
     """Return the position in m and velocity in m/s of a damped spring after a time in s (6.3.2).
 
-    The equation of motion is m x'' = -k x - c x'. The spring starts at ``x0`` with the velocity
-    ``v0``, and its rest position is 0. ``stiffness`` k is in N/m, ``damping`` c in N s/m and
-    ``mass`` m in kg. The sign of c^2 - 4 k m decides how it moves:
+    The body starts at ``x0`` with the velocity ``v0``, and 0 is the position where the spring
+    exerts no force. The equation of motion is m x'' = -k x - c x', where k is ``stiffness`` in N/m,
+    c is ``damping`` in N s/m and m is ``mass`` in kg. The sign of c^2 - 4 k m decides how the body
+    moves:
 
     - If c^2 < 4 k m, it oscillates through 0 (under-damped).
-    - If c^2 = 4 k m, it comes to rest the soonest (critically damped).
-    - If c^2 > 4 k m, it creeps back (over-damped).
+    - If c^2 = 4 k m, it comes to rest as soon as possible (critically damped).
+    - If c^2 > 4 k m, it creeps back to 0 without oscillating (over-damped).
 
-    The book covers only the first case (E-23). If the stiffness is 0, no spring force acts, and
+    The book covers only the first case (E-23). If the stiffness is 0, there is no spring force, and
     only the damping slows the body down.
 
     Raises ValueError if the mass is not positive, the stiffness, damping or time is negative, or if

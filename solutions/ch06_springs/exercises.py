@@ -25,10 +25,10 @@ def swings_wider(integrator: Integrator, stiffness: float, damping: float, durat
     gravity. The integrator makes ``FRAMES`` steps, each of a duration in s. Oscillations of
     constant amplitude do not count as growing.
 
-    The answer must be correct for a stiffness that differs from the limit by at least 1 % and whose
-    oscillations take at most FRAMES / 6 steps. If the damping is 1, the answer need not be correct
-    for oscillations of nearly 3 or nearly 4 steps. In those cases the steps miss the extremes of
-    the oscillation for a long time.
+    The answer must be correct if the stiffness differs from the limit by at least 1 % and an
+    oscillation takes at most FRAMES / 6 steps. There is one exception: if the damping is 1, the
+    answer may be wrong for oscillations that take nearly 3 or nearly 4 steps, because the steps
+    then miss the extremes of the oscillation for a long time.
 
     >>> from ch06_springs.integrators import semi_implicit_euler
     >>> swings_wider(semi_implicit_euler, 14_000.0, 1.0, 1.0 / 60.0)
@@ -57,11 +57,13 @@ def swings_wider(integrator: Integrator, stiffness: float, damping: float, durat
 def largest_stable_stiffness(integrator: Integrator, damping: float, duration: float) -> float:
     """Exercise 6.5: measure the stiffness in N/m above which the oscillations grow.
 
+    Search the stiffnesses from SOFTEST / h^2 to STIFFEST / h^2. If even the softest spring is
+    unstable, the result is 0 or almost 0. If even the stiffest one is stable, the result is
+    STIFFEST / h^2.
+
     The error must be at most 1 % for a damping from 0.3 to 0.95 and a duration from 1/120 to 1/20
-    s. For a damping closer to 1, the oscillations of the book's step grow so slowly that ``FRAMES``
-    steps are not enough. The search covers stiffnesses from SOFTEST / h^2 to STIFFEST / h^2. If
-    none of them is stable, the result is 0 or almost 0. If all are stable, the result is STIFFEST /
-    h^2.
+    s. If the damping is closer to 1, the oscillations of the book's step grow so slowly that
+    ``FRAMES`` steps are not enough to notice it.
 
     Raises ValueError if the damping is negative, the duration is not positive, or one of them is
     not finite.

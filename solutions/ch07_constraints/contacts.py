@@ -1,9 +1,9 @@
 """Contacts between two particles or a particle and the world, and the resolver for them.
 
-A contact describes two bodies that touch: the contact normal, the depth of their overlap, and the
-fraction of their speed that a bounce returns. Resolving the contact applies an impulse (a change of
-momentum in N s, E-24) and pushes the two bodies apart. Impulses conserve momentum at every
-restitution, but kinetic energy only at restitution 1 (E-7).
+A contact describes two bodies that touch. It stores the direction of the contact, the depth of the
+overlap, and the fraction of the speed that is left after a bounce. Resolving the contact changes
+the velocities by an impulse (a change of momentum in N s, E-24) and pushes the two bodies apart.
+Impulses conserve momentum at every restitution, but kinetic energy only at restitution 1 (E-7).
 
 Lengths are in m, velocities in m/s.
 """
@@ -29,9 +29,8 @@ class Contact:
     ``normal`` is the unit vector that points from ``other`` to ``particle``. For two balls it is
     the direction of pa - pb, and on the ground it is (0, 1, 0) (Eq. 7.2, 7.4). The contact stores a
     copy. ``restitution`` is the ratio of the separating speed after a bounce to the closing speed
-    before it. ``penetration`` is the depth of the overlap. It is 0 when the two just touch, and
-    negative when there is a gap. You may change the attributes later, but these changes are not
-    checked.
+    before it. ``penetration`` is the depth of the overlap. It is 0 if the two just touch, and
+    negative if there is a gap. Attributes may be changed later, but changes are not checked.
 
     Raises:
         ValueError: if the length of the normal differs from 1 by more than 1e-6, the restitution is
@@ -85,16 +84,16 @@ class Contact:
         If the separating velocity v_s is 0 or positive, the result is v_s. A closing contact (v_s <
         0) bounces with the restitution c, so the result is -c v_s (Eq. 7.3).
 
-        The contact of a body at rest on the ground closes too, because gravity has just accelerated
-        the body for one time step. If the body bounced, it would jitter. So if the acceleration
-        closes the contact, (aa - ab) . n < 0, return c (-v_s + (aa - ab) . n h) instead, but never
-        less than 0. Here h is the duration of the time step in s, and aa and ab are the
-        ``last_acceleration`` of the particles, which includes forces. For an immovable or missing
-        particle, use 0. The book counts only the constant acceleration, so a body under a gravity
-        generator would jitter (7.2.3, E-26).
+        A body at rest on the ground closes its contact too, because gravity has just accelerated it
+        for one time step. If this small velocity made it bounce, the body would jitter. So if the
+        acceleration closes the contact, (aa - ab) . n < 0, take out the velocity that it has built
+        up: return c (-v_s + (aa - ab) . n h), but never less than 0. Here h is the duration of the
+        step in s, and aa and ab are the ``last_acceleration`` of the particles, which includes
+        forces. For an immovable or missing particle, use 0. The book counts only the constant
+        acceleration, so a body under a gravity generator would jitter (7.2.3, E-26).
 
-        Pass a duration of 0 for an impact at one instant, before which no step has accelerated the
-        particles.
+        Time division resolves an impact at one instant, when no such velocity has built up. Pass a
+        duration of 0 for it.
 
         Raises:
             ValueError: if the duration is negative or not finite, in every case.
@@ -135,11 +134,11 @@ class Contact:
     def resolve_penetration(self) -> tuple[Vector3, Vector3]:
         """Move the two particles apart along the normal until they touch, and return both moves.
 
-        The depth d is divided in the ratio of the inverse masses, so the lighter particle moves
-        farther. ``particle`` moves by n d mb / (ma + mb) and ``other`` by -n d ma / (ma + mb). If
-        one of the two is immovable, the other moves by the whole depth. Afterwards the penetration
-        is 0. If the penetration is 0 or negative, or neither particle can move, nothing changes.
-        Book 7.2.2.
+        The lighter particle moves farther, because the depth d is divided in the ratio of the
+        inverse masses. ``particle`` moves by n d mb / (ma + mb) and ``other`` by -n d ma / (ma +
+        mb). If one of the two is immovable, the other moves by the whole depth. Afterward the
+        penetration is 0. If the penetration is 0 or negative, or neither particle can move, nothing
+        changes. Book 7.2.2.
 
         Returns:
             The displacements of ``particle`` and ``other`` in m, as two new vectors. A particle
@@ -186,10 +185,10 @@ class ContactResolver:
     """Resolves the contacts of a time step in two phases: velocities, then penetrations (7.3.1).
 
     Each phase resolves the worst contact first. If several contacts are equally bad, it takes the
-    first of them. Each resolution can make other contacts better or worse, so all contacts are
-    compared again afterward. ``iterations`` limits the number of resolutions in each phase. None
-    means twice the number of contacts. ``iterations_used`` is the number that both phases together
-    used in the last step.
+    first of them. Resolving one contact can make others better or worse, so all contacts are
+    compared again afterward. ``iterations`` limits the number of resolutions in each phase. If it
+    is None, the limit is twice the number of contacts. After a step, ``iterations_used`` is the
+    number of resolutions in both phases together.
 
     Raises:
         ValueError: if ``iterations`` is less than 1.
@@ -208,8 +207,9 @@ class ContactResolver:
     def resolve_contacts(self, contacts: Iterable[Contact], duration: float) -> None:
         """Resolve the contacts after a time step of a duration in s: velocities, then penetrations.
 
-        This changes the particles' velocities and positions, and the contacts' penetrations.
-        Contacts in which neither particle can move are left out, and do not count for the limit.
+        This changes the velocities and positions of the particles, and the penetrations of the
+        contacts. A contact in which neither particle can move is ignored, and does not count for
+        the limit.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.
@@ -250,10 +250,10 @@ class ContactResolver:
     def resolve_penetrations(self, contacts: list[Contact], limit: int) -> int:
         """Repeatedly resolve the penetration of the deepest contact.
 
-        Every resolution moves particles, which changes the penetrations of all their contacts. From
-        each penetration, subtract the distance that the contact's ``particle`` moved along its
+        Every resolution moves particles, which changes the penetrations of all their contacts. So
+        for each of these contacts, subtract the distance that its ``particle`` moved along its
         normal, and add the distance that its ``other`` moved along the normal. The book's listing
-        omits this (E-8).
+        omits this update (E-8).
 
         Stop after ``limit`` resolutions, or when no contact is deeper than ``DEPTH_TOLERANCE``. Of
         several equally deep contacts, take the first. In every contact at least one particle can

@@ -1,7 +1,8 @@
 """A game: bounce a ball from row to row over the rope bridge (project 8.1).
 
 The ball jumps by itself from every row that it lands on, and the player steers it in the air. Each
-row counts once. Landing on all rows wins the game, and touching the ground costs a life.
+row gives points only once. The player wins by landing on all rows, and loses a life whenever the
+ball touches the ground.
 """
 
 from __future__ import annotations
@@ -28,8 +29,8 @@ TOUCH = 1e-6  # m: a ball this close to the ground touches it, whatever the roun
 class Rules:
     """The rules of the game: the ``score``, the ``lives`` and the ``visited`` rows.
 
-    The rules do not use particles. The game reports each landing and each fall to them. ``rows`` is
-    the number of rows.
+    This class knows nothing about particles. Instead, the game calls ``landed`` and ``fell`` to
+    report each landing and each fall. ``rows`` is the number of rows.
 
     Raises:
         ValueError: if ``rows`` is less than 1.
@@ -56,8 +57,8 @@ class Rules:
         """Count the first landing on a row.
 
         A row that was not visited before gives ``POINTS``. If this landing wins the game, each life
-        that is left gives ``BONUS`` in addition. A landing on a visited row changes nothing, and
-        neither does a landing after the game is over.
+        that is left gives ``BONUS`` in addition. A landing on a row that was visited before changes
+        nothing. After the game is over, no landing changes anything.
 
         Raises:
             ValueError: if the row does not exist. Rows are numbered from 0.
@@ -80,8 +81,8 @@ class Rules:
 class Landings:
     """A contact generator that returns a deck's contacts and records where the ball lands.
 
-    ``row`` is the row nearest to the ball if the ball touched the deck on its way down in the last
-    step, and None otherwise. The world calls ``contacts`` once per step.
+    The world calls ``contacts`` once per step. If the ball touches the deck on its way down in that
+    step, ``row`` becomes the row nearest to the ball. Otherwise ``row`` becomes None.
     """
 
     def __init__(self, deck: Deck) -> None:
@@ -125,11 +126,11 @@ class BallGame:
     def step(self, duration: float) -> None:
         """Make one time step of this duration in s. Do nothing if the game is over.
 
-        The ball is pushed in the player's direction with an acceleration of ``PUSH``. If it lands
-        on a row, report this to the rules and set the ball's vertical velocity to ``JUMP``. Its
-        velocity along X stays the same. Otherwise, if the ball's lowest point is at most ``TOUCH``
-        above the ground, the player loses a life, and the ball starts again unless that was the
-        last life.
+        Push the ball in the player's direction with an acceleration of ``PUSH``, and step the
+        world. If the ball has landed on a row, report this to the rules and make the ball jump: set
+        its vertical velocity to ``JUMP``, without changing its velocity along X. Otherwise, if the
+        ball's lowest point is at most ``TOUCH`` above the ground, report the fall to the rules.
+        Then start the ball again, unless this was the last life.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.

@@ -75,9 +75,9 @@ class Deck:
         """Return the index of the row nearest to the ball along X, and the height of the deck in m.
 
         The position of a row is the midpoint of its two ends. The deck runs in straight lines from
-        row to row, and its height is that of the point below the ball. Before the first row and
-        after the last one, the deck is level. If two rows are equally near, return the first one.
-        Return None if the ball is more than half a ``SPACING`` beyond the first or last row.
+        row to row, and is level before the first row and after the last one. Its height is measured
+        directly below the ball. If two rows are equally near, return the first one. Return None if
+        the ball is more than half a ``SPACING`` beyond the first or last row.
         """
         x = self.ball.position.x
         places = [(a.position + b.position) * 0.5 for a, b in self.rows]

@@ -20,10 +20,11 @@ ITERATIONS = 200  # per phase
 def fewest_rods(count: int) -> int:
     """Return the smallest number of rods that can make ``count`` particles in space rigid (8.2).
 
-    Each particle can move in three independent ways, and each rod prevents at most one motion. A
-    rigid body can still move in six ways: along three axes and about them. There are two
-    exceptions. Two particles joined by a rod can move in only five ways, because a rotation about
-    the rod changes nothing. A single particle can move in only three.
+    Each particle can move in three independent ways, and each rod prevents at most one of these
+    motions. A rigid body can still move in six ways, because it can move along three axes and
+    rotate about them. There are two exceptions. Two particles joined by a rod can move in only five
+    ways, because a rotation about the rod changes nothing. A single particle can move in only three
+    ways.
 
     Raises:
         ValueError: if ``count`` is less than 1.
@@ -36,9 +37,9 @@ def fewest_rods(count: int) -> int:
 def cube_rods() -> list[tuple[int, int]]:
     """Return rods that make the cube rigid, as pairs of indices of ``CORNERS`` (8.2).
 
-    Any set of rods is right if it allows only the motions of a rigid body. You need at least
-    ``fewest_rods(8)`` rods, but the number alone is not enough. The rods must also join the right
-    corners.
+    Any set of rods is right if the cube can only move and rotate as a whole. You need at least
+    ``fewest_rods(8)`` rods, but the number alone is not enough, because the rods must also join the
+    right corners.
     """
     edges = [(i, i | bit) for i in range(8) for bit in (1, 2, 4) if not i & bit]
     # One diagonal per face, here between corners 0, 3, 5 and 6, which form a tetrahedron.
@@ -50,8 +51,7 @@ class Cube:
     """A cube that falls on one of its corners: its ``particles``, ``rods`` and ``world``.
 
     The cube starts at rest, slightly rotated, with its lowest corner at ``height`` in m. ``rods``
-    are pairs of indices of its corners. If ``rods`` is None, the cube has the rods of
-    ``cube_rods()``.
+    is a list of pairs of corner indices. If it is None, the cube has the rods of ``cube_rods()``.
 
     Raises:
         ValueError: if the height is not positive and finite, or a rod joins a corner to itself.

@@ -1,6 +1,6 @@
 """Time steps of a fixed length, whatever the frame rate: a loop with an accumulator.
 
-One picture may take 5 ms and the next half a second, for example while the disk is busy. If the
+One frame may take 5 ms, and the next one half a second, for example while the disk is busy. If the
 time steps had these lengths, bodies would pass through each other or the simulation would explode.
 A fixed time step prevents this, and it gives the same results on every machine. Arguments of the
 wrong type raise TypeError.
@@ -23,8 +23,8 @@ class FixedStep:
     negative except for rounding.
 
     A machine that is too slow for the steps would fall further and further behind. ``max_steps``
-    therefore limits the steps in one call of ``advance``. None means no limit. ``dropped`` is the
-    total time in s that was skipped because of the limit.
+    therefore limits the number of steps in one call of ``advance``. If it is None, there is no
+    limit. ``dropped`` is the total time in s that was skipped because of the limit.
 
     Raises:
         ValueError: if the duration is not positive and finite, or ``max_steps`` is less than 1.
@@ -50,13 +50,14 @@ class FixedStep:
     def advance(self, elapsed: float) -> int:
         """Let ``elapsed`` seconds pass: make the steps that are due, and return how many were made.
 
-        Time that is too short for a step stays in ``left`` until the next call. A step is also due
-        if at most the fraction ``SHARE`` of it is missing. This allowance for rounding makes sixty
-        frames of 1/60 s give exactly sixty steps. If more than ``max_steps`` steps are due, skip
-        the steps beyond the limit: subtract their time from ``left`` and add it to ``dropped``.
+        Time that is too short for a step stays in ``left`` until the next call. Because of
+        rounding, ``left`` may be slightly shorter than a step that is really due. So make a step
+        also if at most the fraction ``SHARE`` of it is missing. Then sixty frames of 1/60 s give
+        exactly sixty steps. If more than ``max_steps`` steps are due, skip the steps beyond the
+        limit: subtract their time from ``left`` and add it to ``dropped``.
 
-        If a step raises an exception, the exception is passed on. The time of that step stays in
-        ``left``, so the next call makes the step again.
+        If a step raises an exception, pass the exception on, and leave the time of that step in
+        ``left``. The next call then makes the step again.
 
         Raises:
             ValueError: if ``elapsed`` is negative or not finite. In that case nothing changes.

@@ -1,8 +1,8 @@
 """A platform that tilts on a pivot, and a weight that tips it (book 8.2.2, mini-project 8.1).
 
-Seen from the side, the platform is a V made of rods. Its tip is a pivot on the ground, and the
-right end is farther from the pivot than the left one. The V exists twice, at z = -1 and z = 1, and
-rods join the two. Arguments of the wrong type raise TypeError.
+Seen from the side, the platform is a V made of rods. The tip of the V is a pivot on the ground, and
+the right end is farther from the pivot than the left end. There are two such Vs, at z = -1 and z =
+1, which are joined by rods. Arguments of the wrong type raise TypeError.
 """
 
 from __future__ import annotations
@@ -36,9 +36,9 @@ ITERATIONS = 100  # per phase
 def rods_of(particles: Sequence[Particle]) -> list[Rod]:
     """Return rods between the particles that let the platform tilt, but not move in any other way.
 
-    The particles are in the order of ``PLACES``. The first two, the pivot, are immovable. Each rod
-    is as long as the current distance between its ends. You choose the rods, and may use more than
-    necessary.
+    You choose which particles to join, and may use more rods than necessary. The particles are in
+    the order of ``PLACES``. The first two are the pivot, and are immovable. The length of each rod
+    is the current distance between its ends.
     """
     rods: list[Rod] = []
     for a, b in combinations(particles, 2):
@@ -51,9 +51,9 @@ def rods_of(particles: Sequence[Particle]) -> list[Rod]:
 def balancing_mass(masses: Sequence[float], places: Sequence[float], x: float) -> float:
     """Return the mass in kg that, placed at x, balances the others on a pivot at 0.
 
-    ``masses`` are in kg, and ``places`` are their positions in m along the platform, negative on
-    the left of the pivot. Each mass exerts a torque proportional to mass times position, and the
-    torques must add up to zero.
+    Each mass exerts a torque that is proportional to its mass times its position. The platform is
+    balanced if all torques add up to zero. ``masses`` are in kg. ``places`` are their positions in
+    m along the platform, which are negative on the left of the pivot.
 
     Raises:
         ValueError: if a number is not finite, a mass is negative, ``places`` and ``masses`` differ
@@ -97,8 +97,8 @@ class TiltingPlatform:
     def free_pivot(self) -> None:
         """Free the pivot: give its two particles a mass, so that they only stand on the ground.
 
-        Each of the two gets ``MASS`` (8.1). The platform must stay rigid. If no rod joins the two
-        particles of the pivot yet, add one to ``self.rods`` and to the generators of the world.
+        Each of the two gets ``MASS`` (8.1). The platform must stay rigid, so if no rod joins the
+        two particles of the pivot yet, add one to ``self.rods`` and to the generators of the world.
         There is no friction. The method is called only once.
         """
         a, b = self.particles[:2]
@@ -111,9 +111,9 @@ class TiltingPlatform:
     def put_weight(self, mass: float, x: float) -> None:
         """Replace the weight by one of this mass in kg at x, which is from ``LEFT`` to ``RIGHT``.
 
-        The two ends carry the weight, divided between them so that their torque about the pivot is
-        that of the weight at x. Each of the two particles of an end carries half of the end's part,
-        in addition to its own ``MASS``.
+        No particle is at x, so the two ends carry the weight. Divide it between them so that their
+        torque about the pivot is that of the weight at x. Each end consists of two particles, and
+        each of these carries half of the end's part in addition to its own ``MASS``.
 
         Raises:
             ValueError: if the mass is negative or not finite, or x is not between the ends. In that

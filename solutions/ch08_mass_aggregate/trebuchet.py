@@ -33,8 +33,8 @@ MOST_WEIGHT, LONGEST_BEAM = 400.0, 5.0  # kg, and m for both arms: the limits of
 class Design:
     """The numbers that a designer chooses for a trebuchet, in kg, m and degrees.
 
-    The sling releases the projectile when it flies forward at ``release_angle`` above the
-    horizontal, or lower.
+    The sling releases the projectile as soon as it flies forward at an angle of at most
+    ``release_angle`` above the horizontal.
 
     Raises:
         ValueError: if a number is not finite, a mass or length is not positive, the release angle
@@ -62,9 +62,9 @@ class Design:
 class Throw:
     """The result of a throw: the range in m, measured from the pivot, and the energy share.
 
-    The share is the energy that the projectile gained (kinetic and potential), divided by the
-    potential energy that the counterweight lost, both until the release. If the projectile was
-    never released, both numbers are 0.
+    The share is the energy that the projectile has gained by the time of its release (kinetic and
+    potential), divided by the potential energy that the counterweight has lost by then. If the
+    projectile was never released, both numbers are 0.
     """
 
     range: float
@@ -74,10 +74,10 @@ class Throw:
 def my_design() -> Design:
     """Return a trebuchet design of your own (P8.2b).
 
-    The counterweight may be at most ``MOST_WEIGHT``, and the two arms together at most
+    The counterweight may be at most ``MOST_WEIGHT``, and the two arms together may be at most
     ``LONGEST_BEAM``. The design is graded for its range and for the share of the energy that
-    reaches the projectile. Both are computed from the numbers of the design alone: 60 m and 40 %
-    are good, 80 m and 50 % are better.
+    reaches the projectile. Only the numbers of the design count, not your simulation of it. A range
+    of 60 m and a share of 40 % are good, and 80 m and 50 % are better.
     """
     return Design(400.0, 0.8, 4.2, 3.0, 27.0)
 
@@ -117,8 +117,8 @@ class Trebuchet:
     def lets_go(self) -> bool:
         """Return whether the projectile flies forward at the release angle or lower.
 
-        The projectile must also be above the pivot, because it swings forward below the pivot once
-        before the throw.
+        The projectile must also be above the pivot. Without this condition the sling would release
+        it too early, because before the throw it already swings forward once below the pivot.
         """
         velocity = self.projectile.velocity
         if velocity.x <= 0.0 or self.projectile.position.y <= PIVOT_HEIGHT:
@@ -139,10 +139,10 @@ class Trebuchet:
     def throw(self) -> Throw:
         """Make steps of ``STEP`` until the release, and return the range and the share (P8.2a).
 
-        From the moment of release, the range is that of a shot without drag, down to the ground at
-        a height of 0. Return Throw(0.0, 0.0) if the projectile reaches the ground while it is still
-        on the sling, or if it has not been released within ``TIME_LIMIT``. The trebuchet must be a
-        new one.
+        After the release, the projectile flies like a shot without drag until it reaches the ground
+        at a height of 0. Return Throw(0.0, 0.0) if the projectile reaches the ground while it is
+        still on the sling, or if it has not been released within ``TIME_LIMIT``. The trebuchet must
+        be a new one, because it can throw only once.
         """
         weight, projectile = self.weight, self.projectile
         high, low = weight.position.y, projectile.position.y

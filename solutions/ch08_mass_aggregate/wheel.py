@@ -23,9 +23,9 @@ ITERATIONS = 200  # per phase
 def rods_of(hub: Particle, rim: Sequence[Particle]) -> list[Rod]:
     """Return the rods of a wheel: its spokes, and the rods from each rim particle to the next.
 
-    A spoke joins the hub to each particle of the rim. The rim has three or more particles, given in
-    order, and the last one is joined to the first. Each rod is as long as the current distance
-    between its ends (8.3a).
+    The rim has three or more particles, in order. A spoke joins the hub to each of them, and the
+    last particle is joined to the first one. The length of each rod is the current distance between
+    its ends (8.3a).
     """
     ends = [(hub, particle) for particle in rim]
     ends += [(particle, rim[(i + 1) % len(rim)]) for i, particle in enumerate(rim)]
@@ -42,8 +42,9 @@ class RimDrive:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the force in N at a right angle to the spoke, in the X-Y plane.
 
-        A positive force turns the wheel counter-clockwise. The size of the force does not depend on
-        the distance from the hub. At the hub there is no direction, so no force is added.
+        A positive force turns the wheel counter-clockwise. The magnitude of the force does not
+        depend on the distance from the hub. A particle at the hub's position gets no force, because
+        there the force would have no direction.
         """
         spoke = particle.position - self.hub.position
         length = math.hypot(spoke.x, spoke.y)

@@ -18,8 +18,8 @@ def velocity_of_point(
 ) -> Vector3:
     """Return the velocity of a point of a moving and rotating object as a new vector (Eq. 9.6).
 
-    ``point`` is the point's position in the world, in m. ``position`` is the position that the
-    object rotates about, and ``velocity`` is the velocity of that position, in m/s.
+    The object moves with ``velocity`` in m/s, and also rotates about ``position`` in m. ``point``
+    is the position of the point in the world, in m.
 
     Raises:
         ValueError: if a component is not finite.
@@ -37,10 +37,10 @@ def integrate_rotation(
 ) -> None:
     """Move an orientation and an angular velocity by one step of semi-implicit Euler, in place.
 
-    First the angular velocity w changes to w' = w + alpha h. Then the orientation rotates by w' h
-    and is normalized, so that rounding errors do not accumulate in its length.
-    ``angular_acceleration`` (alpha) is in rad/s^2 and ``duration`` (h) in s. If the axis changes,
-    the method is of order 1.
+    First the angular velocity w changes to w' = w + alpha h. Then the orientation rotates by w' h,
+    and is normalized so that its length does not drift because of rounding errors.
+    ``angular_acceleration`` (alpha) is in rad/s^2 and ``duration`` (h) in s. If the axis of
+    rotation changes, the method is of order 1.
 
     Raises:
         ValueError: if the duration is not positive and finite, or a component is not finite. After
@@ -60,10 +60,10 @@ def first_order_drift(angular_speed: float, duration: float, steps: int) -> tupl
     """Return the errors of Eq. 9.5 for a steady rotation: the final length and the missing angle.
 
     A unit quaternion rotates about one axis at ``angular_speed`` in rad/s for ``duration`` in s, in
-    ``steps`` equal steps of ``Quaternion.add_scaled``, without normalizing. The first result is its
-    length afterward. The second is angular_speed times duration minus the angle by which it
-    actually rotated, in radians. This angle is negative for a negative speed. Normalizing corrects
-    the length (E-31) but not the angle.
+    ``steps`` equal steps of ``Quaternion.add_scaled``, and is never normalized. The first result is
+    its length at the end. The second result, in radians, is the angle that is missing:
+    angular_speed times duration, minus the angle by which the quaternion has actually rotated. It
+    is negative for a negative speed. Normalizing would correct the length (E-31) but not the angle.
 
     >>> length, angle = first_order_drift(2 * math.pi, 1.0, 60)  # a turn a second, 60 frames
     >>> round(length, 4), round(math.degrees(angle), 4)

@@ -1,9 +1,10 @@
 """Euler angles, and why they fail (book 9.2.1).
 
-The three angles are rotations in radians about world axes: first by x about X, then by y about Y,
-then by z about Z. They can describe every orientation (E-33). But if y is a quarter turn, it
-rotates X onto Z or -Z. The first and the last rotation are then about the same axis, and one degree
-of freedom is lost. This state is called gimbal lock, and it is the reason why engines store
+Three angles x, y and z in radians describe an orientation. The object rotates first by x about the
+X axis of the world, then by y about its Y axis, and then by z about its Z axis. Every orientation
+can be described in this way (E-33). But if y is a quarter turn, the second rotation turns the X
+axis onto Z or -Z. The first and the last rotation are then about the same axis, so one degree of
+freedom is lost. This state is called gimbal lock, and it is the reason why engines store
 orientations as quaternions.
 
 The functions raise ValueError for a number that is not finite, and TypeError for an argument of the
@@ -31,9 +32,10 @@ def euler_to_quaternion(x: float, y: float, z: float) -> Quaternion:
 def rate_map(x: float, y: float, z: float) -> Matrix3:
     """Return the matrix that maps the rates of the three angles to the angular velocity.
 
-    Both are vectors in rad/s, and the angular velocity is in world axes. Each column is the axis of
-    one angle. The axis of z is Z itself, that of y is Y rotated by z, and that of x is X rotated by
-    y and then by z. The matrix does not depend on x, but x must be finite too.
+    Both are vectors in rad/s, and the angular velocity is in world axes. Each column of the matrix
+    is the axis about which one of the angles rotates. For z this is Z itself. For y it is Y rotated
+    by z, and for x it is X rotated by y and then by z. The matrix does not depend on x, but x must
+    be finite too.
     """
     finite("x", x)
     cos_y, sin_y = math.cos(finite("y", y)), math.sin(y)
@@ -48,13 +50,14 @@ def rate_map(x: float, y: float, z: float) -> Matrix3:
 def euler_rates(x: float, y: float, z: float, angular_velocity: Vector3) -> Vector3:
     """Return the rates of the three angles in rad/s for an angular velocity in world axes.
 
-    Near gimbal lock the rates are very large, and in gimbal lock no rates give a rotation about the
-    lost axis.
+    Near gimbal lock the rates are very large. In gimbal lock, no rates at all can produce a
+    rotation about the lost axis.
 
     Raises:
         ValueError: in gimbal lock, that is, unless |cos y|, the determinant of the rate map, is
-            greater than ``SINGULAR`` of matrix3.py. The error of ``Matrix3.inverse`` is not enough,
-            because at z = 0 a row is as small as the determinant.
+            greater than ``SINGULAR`` of matrix3.py. Check this yourself, because
+            ``Matrix3.inverse`` does not notice it in every case. At z = 0 one row of the matrix is
+            as small as the determinant.
     """
     velocity = finite_vector("angular_velocity", angular_velocity)
     rates = rate_map(x, y, z)

@@ -1,7 +1,7 @@
 """Matrices that rotate, scale and move points, and a change of basis (book 9.4.2 to 9.4.6).
 
-The conventions for columns, products and errors are the same as in matrix3.py. You can also import
-Matrix3 from here.
+Vectors are columns, products apply the right factor first, and wrong arguments raise the same
+errors as in matrix3.py. You can also import Matrix3 from here.
 """
 
 from __future__ import annotations
@@ -110,8 +110,8 @@ class Matrix4:
     def transform_inverse(self, v: Vector3) -> Vector3:
         """Return the point that ``transform`` maps to ``v``, as a new vector (9.4.5).
 
-        Subtract the translation, then multiply by the transpose. The transpose is the inverse of a
-        rotation, so the result is right only if the 3x3 part is a rotation.
+        Subtract the translation, and then multiply by the transpose of the 3x3 part. The transpose
+        is the inverse only of a rotation, so for any other 3x3 part the result is wrong.
         """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
@@ -122,7 +122,7 @@ class Matrix4:
     def transform_direction(self, v: Vector3) -> Vector3:
         """Return a rotated direction as a new vector, without the translation (9.4.5).
 
-        The translation moves points, but a direction is the same everywhere.
+        The translation moves points, but it does not change directions.
         """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")

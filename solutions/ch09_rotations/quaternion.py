@@ -1,9 +1,9 @@
 """Orientations in space as quaternions (book 9.2.4 and 9.4.7 to 9.4.11).
 
-A quaternion of length 1 represents an orientation. A rotation by ``angle`` about the unit vector
-``axis`` is (cos(angle/2), axis sin(angle/2)), and q and -q represent the same orientation.
-Rotations are right-handed and about world axes, as in the book: ``b * a`` rotates by a first and
-then by b.
+A quaternion of length 1 represents an orientation, and also the rotation that leads to it. The
+rotation by ``angle`` about the unit vector ``axis`` is (cos(angle/2), axis sin(angle/2)). q and -q
+represent the same orientation. As in the book, rotations are right-handed and about world axes, so
+``b * a`` rotates by a first and then by b.
 
 The methods raise TypeError for an argument of the wrong type. A vector that is rotated may have any
 components, even NaN.
@@ -123,9 +123,9 @@ class Quaternion:
     def to_axis_angle(self) -> tuple[Vector3, float]:
         """Return the axis, a new unit vector, and the angle in radians, from 0 to pi.
 
-        q and -q give the same rotation. For a half-turn, the axis and its opposite are both right.
-        For an angle of 0 the axis is X. The result must also be correct for angles as small as
-        1e-200.
+        q and -q are the same rotation, so they give the same result. For a half-turn, the axis and
+        its opposite are both right. For an angle of 0, return X as the axis. The result must also
+        be correct for angles as small as 1e-200.
 
         Raises:
             ValueError: if the length is not 1 (``is_unit``).
@@ -175,9 +175,9 @@ class Quaternion:
     def add_scaled(self, vector: Vector3, scale: float) -> None:
         """Add scale/2 times (0, vector) q to q, in place (Eq. 9.5).
 
-        If the vector is an angular velocity and the scale is a duration, this is the book's step.
-        The step is accurate only to first order, and it increases the quaternion's length (E-31).
-        Do not normalize here, so that this error can be measured.
+        If the vector is an angular velocity and the scale is a duration, this is the book's step of
+        an orientation. It is accurate only to first order, and it increases the length of the
+        quaternion (E-31). Do not normalize here, because the exercises measure this error.
 
         Raises:
             ValueError: if the vector or the scale is not finite. In that case nothing changes.

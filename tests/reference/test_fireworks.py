@@ -118,7 +118,7 @@ def wheel(spark_type: int, radius: float) -> CatherineWheel:
         (lambda: Payload(1, 0), "count must be 1 or more, got 0"),
         (lambda: Payload(1, 2.5), "count must be a whole number, got 2.5"),
         (lambda: rule(low=-0.1), "min_age must be finite and not negative, got -0.1"),
-        (lambda: rule(low=2.0), "max_age must be min_age, 2.0, or more, got 1.0"),
+        (lambda: rule(low=2.0), r"max_age must be at least min_age \(2\.0\), got 1.0"),
         (lambda: rule(high=NAN), "max_age must be finite, got nan"),
         (lambda: rule(fast=(1.0, -1.0, 1.0)), "max_velocity must be min_velocity or more on every"),
         (lambda: rule(fast=(INF, 0.0, 0.0)), "max_velocity must be finite, got inf"),

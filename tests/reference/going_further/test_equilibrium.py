@@ -106,7 +106,7 @@ def test_the_ball_on_the_bridge_rests_on_its_row() -> None:
 
 
 def test_what_nothing_holds_has_no_equilibrium() -> None:
-    with pytest.raises(ArithmeticError, match="does something hold every particle"):
+    with pytest.raises(ArithmeticError, match="check that something holds every particle"):
         equilibrium(ParticleWorld([Particle(acceleration=DOWN)]))
 
 

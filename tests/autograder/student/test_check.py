@@ -198,5 +198,5 @@ def test_code_that_refuses_what_is_right_is_told_so_and_where() -> None:
         expect_error(refuse, ValueError, allowed=refuse, call="mass(0)", cause="?", read="book 3")
     message = str(explain_exception(caught.value, [Path(__file__).parent]))
     assert "called    like mass(0), but with valid arguments\n" in message
-    assert "\nwhere     autograder/test_check.py, line " in message
+    assert "\nwhere     student/test_check.py, line " in message
     assert "likely    These arguments are valid, so the call must not raise an error.\n" in message

@@ -17,8 +17,9 @@ from autograder.tables import with_table
 STUDENT_TOOLS = {
     ".": "Makefile pyproject.toml requirements.lock stubs.lock LICENSE .gitignore glossary.md",
     "autograder": (
-        "__init__.py __main__.py answers.py clean.py commands.py definitions.py local_server.py "
-        "lock.py make_venv.py manifest.py message.py records.py scores.py stubs.py wrapping.py"
+        "__init__.py __main__.py answers.py clean.py commands.py definitions.py files.py "
+        "local_server.py lock.py make_venv.py manifest.py message.py records.py scores.py "
+        "stubs.py wrapping.py"
     ),
     "autograder/checks": "*.py",
     "autograder/student": "*.py",

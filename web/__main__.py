@@ -63,9 +63,20 @@ def build(out: Path, *, with_solutions: bool) -> None:
     pack(PARTS / "site", with_solutions=with_solutions)
     _say("Making the pages ...")
     run_node("builder/site.mjs", str(PARTS), str(PARTS / "site"))
-    shutil.rmtree(out, ignore_errors=True)
+    put_in_place(PARTS / "site", out.resolve())
+
+
+def put_in_place(site: Path, out: Path) -> None:
+    """Move a new site to where an earlier one may be. If killed, it leaves no half of a site."""
+    new, old = (out.with_name(f".{out.name}.{what}") for what in ("new", "old"))
+    for folder in (new, old):
+        shutil.rmtree(folder, ignore_errors=True)
     out.parent.mkdir(parents=True, exist_ok=True)
-    shutil.move(PARTS / "site", out)
+    shutil.move(site, new)  # copies it, if the folders are on different disks
+    if out.exists():
+        out.replace(old)
+    new.replace(out)
+    shutil.rmtree(old, ignore_errors=True)
 
 
 def repository() -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import io
+import os
 import shutil
 import sys
 from pathlib import Path
@@ -26,8 +27,12 @@ MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of
 def prepare() -> bool:
     """Set up the output streams, and return whether the required packages are installed.
 
-    If a package is missing, print how to install it.
+    If a package is missing, print how to install it. If the names of files are not in UTF-8, as
+    with LC_ALL=C and PYTHONUTF8=0, start the program again in Python's UTF-8 mode.
     """
+    if sys.getfilesystemencoding() != "utf-8" and os.environ.get("PYTHONUTF8") != "1":
+        os.environ["PYTHONUTF8"] = "1"  # also for the processes that it starts
+        os.execv(sys.executable, [sys.executable, *sys.orig_argv[1:]])
     for stream in (sys.stdout, sys.stderr):  # show ? for what the console cannot encode
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")

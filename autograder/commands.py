@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import importlib.util
 import io
 import os
@@ -9,6 +10,7 @@ import shutil
 import sys
 from pathlib import Path
 
+from autograder.clean import clean
 from autograder.make_venv import shown_python
 from autograder.manifest import ROOT
 
@@ -20,6 +22,11 @@ OPTIONS = {
     "ENGINE": "--engine",
     "N": "--count",
     "WHOLE": "--whole",
+}
+ADVICE = {
+    (errno.ENOSPC, errno.EDQUOT): "Free some space on that disk, and run the same command again",
+    (errno.EROFS, errno.EACCES, errno.EPERM): "Check who may write there, or use another folder",
+    (errno.EFBIG,): "A limit on the size of files is too low here (see ulimit -f)",
 }
 MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of other packages
 
@@ -44,6 +51,18 @@ def prepare() -> bool:
         )
         return False
     return True
+
+
+def advice(error: BaseException) -> str:
+    """Return what to do about an error of the file system, or an empty text for other errors."""
+    number = error.errno if isinstance(error, OSError) else None
+    return next((words for numbers, words in ADVICE.items() if number in numbers), "")
+
+
+def sentence(error: Exception) -> str:
+    """Return an error as people read it, with advice if there is any."""
+    what = clean(str(error))
+    return f"{what}. {advice(error)}" if advice(error) else what
 
 
 def find_engine(folder: str) -> list[Path]:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import shutil
 from pathlib import Path
 
+LITTLE = 1_000_000  # bytes
+
 
 def replace_bytes(path: Path, content: bytes) -> None:
     """Write a temporary file and move it into place.
@@ -19,9 +21,16 @@ def replace_bytes(path: Path, content: bytes) -> None:
         if path.exists():
             shutil.copymode(path, temporary)
         temporary.replace(path)
-    except OSError:
-        temporary.unlink(missing_ok=True)
+    except OSError as error:
+        error.filename = error.filename or str(path)  # it has none if the disk is full
+        if temporary.exists():
+            temporary.unlink()
         raise
+
+
+def is_full(folder: Path) -> bool:
+    """Return whether the disk of a folder has so little space left that programs fail."""
+    return shutil.disk_usage(folder).free < LITTLE
 
 
 def temporary_of(path: Path) -> Path:

@@ -10,6 +10,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+from autograder.commands import sentence
 from autograder.manifest import ROOT
 from web.course import course
 from web.node import prepare, run_node
@@ -33,7 +34,7 @@ def main() -> int:
     try:
         build(options.out, with_solutions=options.with_solutions)
     except (OSError, ValueError, subprocess.CalledProcessError) as error:
-        print(f"make site: {error}", file=sys.stderr)
+        print(f"make site: {sentence(error)}", file=sys.stderr)
         return 1
     print(f"\nThe site is in {options.out}: {_sizes(options.out)}.")
     print(f"Look at it: {Path(sys.executable)} -m http.server -d {options.out} 8000")

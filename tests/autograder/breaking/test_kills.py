@@ -1,7 +1,7 @@
 """Commands that are killed at random moments lose nothing, and the same command completes them.
 
-KILLS=40 in the environment kills each command so often, in place of once, and the charts and the
-site too, which take longer.
+KILLS=40 in the environment kills each command so often. Otherwise the two fastest ones are killed
+once each. With KILL_SEED=2 the moments are others.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ from staging import make_zip
 KILLS = int(os.environ.get("KILLS", "1"))
 SEED = int(os.environ.get("KILL_SEED", "1"))
 IS_LONG = "KILLS" in os.environ
+SLOW = pytest.mark.skipif(not IS_LONG, reason="it takes seconds for each kill: set KILLS")
 RESUMED = 0.3  # of the kills are followed by a whole run
 GRADE = """
 import sys
@@ -84,9 +85,10 @@ def texts(folder: Path, pattern: str = "*") -> dict[str, str]:
     }
 
 
+@SLOW  # a class that is graded is killed in test_cohort.py and in test_term.py, too
 def test_a_killed_grading_keeps_every_report(tmp_path: Path) -> None:
     root, out = make_root(tmp_path / "root"), tmp_path / "out"
-    for number in range(6 if IS_LONG else 3):
+    for number in range(6):
         hand_in(tmp_path / "class", f"student {number}", RIGHT if number % 2 else HALF)
     script = tmp_path / "grade.py"
     script.write_text(GRADE, encoding="utf-8")
@@ -107,6 +109,7 @@ def test_a_killed_grading_keeps_every_report(tmp_path: Path) -> None:
     assert [*out.glob(".temporary")] == [*out.rglob("*.tmp")] == []
 
 
+@SLOW
 def test_a_killed_comparison_has_no_index_of_other_pairs(tmp_path: Path) -> None:
     out = tmp_path / "out"
     command = ["-m", "autograder", "similarity", "sample_class", "--chapters", "2", "--out"]
@@ -145,7 +148,7 @@ def test_a_class_whose_unpacking_is_killed_is_unpacked_again(tmp_path: Path) -> 
     killed_again_and_again(victim, lambda folder: texts(folder, "*.py"), lambda _: None)
 
 
-@pytest.mark.skipif(not IS_LONG, reason="it takes minutes: set KILLS")
+@SLOW
 def test_killed_charts_keep_their_rounds(tmp_path: Path) -> None:
     out = tmp_path / "out"
     command = ["-m", "studies", "charts", "--quick", "--scene", "linear drag", "--out", str(out)]
@@ -171,9 +174,10 @@ def test_a_killed_build_leaves_no_half_of_a_site(tmp_path: Path) -> None:
     victim = Victim([str(build), "--out", str(out)], tmp_path, Random(SEED))
     victim.run_whole()
     expected = texts(out)
-    for _ in range(min(KILLS, 10)):
+    while victim.kills < min(KILLS, 10):
         victim.kill_once()
         assert not out.exists() or texts(out) == expected
     victim.run_whole()
     assert texts(out) == expected
     assert [*tmp_path.glob(".site*")] == []
+    print(f"site: killed {victim.kills} times, {victim.steps} steps")

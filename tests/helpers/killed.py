@@ -42,7 +42,7 @@ class Victim:
         count = self.folder.parent / "steps.txt"
         status = self._run(0, 0.0, count)
         assert status == 0, self.said
-        self.steps = self.steps or int(count.read_text())
+        self.steps = self.steps or int(count.read_text(encoding="utf-8"))
 
     def kill_once(self) -> bool:
         """Start the command, and kill it at a random moment. Return whether it was still running.
@@ -135,7 +135,7 @@ def _main(how: dict[str, Any], count: str, command: list[str]) -> None:
             else:
                 os.kill(os.getpid(), signal.SIGKILL)
 
-    atexit.register(lambda: Path(count).write_text(str(steps)))
+    atexit.register(lambda: Path(count).write_text(str(steps), encoding="utf-8"))
     sys.path[0] = str(ROOT)
     sys.addaudithook(hook)
     if command[0] == "-m":

@@ -170,7 +170,9 @@ def test_killed_charts_keep_their_rounds(tmp_path: Path) -> None:
 def test_a_killed_build_leaves_no_half_of_a_site(tmp_path: Path) -> None:
     out = tmp_path / "site"
     build = tmp_path / "build.py"
-    build.write_text("import sys; from web.__main__ import main; sys.exit(main())\n")
+    build.write_text(
+        "import sys; from web.__main__ import main; sys.exit(main())\n", encoding="utf-8"
+    )
     victim = Victim([str(build), "--out", str(out)], tmp_path, Random(SEED))
     victim.run_whole()
     expected = texts(out)

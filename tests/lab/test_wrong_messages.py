@@ -118,8 +118,13 @@ def test_nothing_remains_of_a_lab_that_is_killed(tmp_path: Path) -> None:
 
     async def talk() -> list[Message]:
         url = f"{address.replace('http', 'ws', 1)}engine"
-        for name, value in (("Origin", "http://["), ("Sec-Fetch-Site", "cross-site")):
-            headers = {"Origin": "http://evil.example", name: value}
+        evil = "http://evil.example"
+        for headers in (
+            {"Origin": "http://["},
+            {"Origin": evil, "Sec-Fetch-Site": "cross-site"},
+            {"Origin": evil, "Sec-Fetch-Site": "same-origin"},
+            {"Origin": evil, "Host": "evil.example"},  # a name that now leads to this machine
+        ):
             with pytest.raises(HTTPClientError, match="403"):
                 await websocket_connect(HTTPRequest(url, headers=headers))
         socket = await websocket_connect(url)

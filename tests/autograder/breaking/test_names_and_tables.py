@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+import csv
 from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
 
+from autograder.analysis.progress import write_progress
 from autograder.course.late import late_of
 from autograder.course.model import Deadline
 from autograder.course.reading import read_course
 from autograder.course.times import times_of
 from autograder.manifest import ROOT
+from autograder.reports.feedback import write_index
+from autograder.reports.gradebook import write_gradebook
+from autograder.reports.results import write_result
 from autograder.submissions.find import Submission
 from autograder.submissions.roster import read_roster
+from graded import CHAPTERS, SHOUT, report_of
 from small import RIGHT, hand_in, make_root
 from small_class import grade, scores
 
@@ -109,3 +115,23 @@ def test_no_cell_of_a_roster_begins_a_formula_after_a_semicolon(tmp_path: Path, 
     path.write_text(f"id,name,email,login\n{cells}\n", encoding="utf-8")
     with pytest.raises(ValueError, match=r"line 2: the \w+ must not begin like a formula"):
         read_roster(path)
+
+
+def test_names_of_a_roster_are_only_text_on_the_pages_of_the_class(tmp_path: Path) -> None:
+    """Also the names of those who handed nothing in, or whom nobody knows."""
+    for run in ("lab1", "lab2"):
+        write_result(tmp_path / run, report_of(SHOUT))
+    names = [SHOUT, "=1+1", " @x;-y"]
+    pages = [
+        write_progress([tmp_path / "lab1", tmp_path / "lab2"], tmp_path / "progress"),
+        write_index(tmp_path, CHAPTERS, [report_of(SHOUT)], names, names),
+    ]
+    for page in pages:
+        text = page.read_text(encoding="utf-8")
+        assert "owned" in text
+        assert "<script" not in text
+        assert "<b onclick" not in text
+    book = write_gradebook(tmp_path, CHAPTERS, [report_of("=2+2")], names, ["=2+2"])
+    with book.open(encoding="utf-8", newline="") as file:
+        cells = [row[0] for row in csv.reader(file)]
+    assert cells[2:] == ["'=2+2", SHOUT, "'=1+1", " '@x;'-y"]

@@ -87,7 +87,7 @@ GITHUB = "student_repository_name,submission_timestamp\nann,"
         ("times.csv", f'"{200_000 * "x"}', True),
         ("grades.csv", f"{GITHUB}{200_000 * '1'}", True),
         ("grades.csv", f"{GITHUB}9999-12-31T23:59:59-14:00", False),
-        ("submission_metadata.yml", 3000 * "[", True),
+        ("submission_metadata.yml", 1200 * "[", True),
         ("submission_metadata.yml", "a: 2026-13-45", True),
         ("submission_metadata.yml", f"a: {DIGITS}", True),
         ("submission_metadata.yml", "a: !!python/object/apply:os.system ['true']", True),

@@ -8,7 +8,7 @@ import sys
 
 from autograder.checks.runner import GraderError
 from autograder.commands import command as line_of
-from autograder.commands import find_engine, prepare
+from autograder.commands import find_engine, prepare, sentence
 from autograder.manifest import (
     Chapter,
     Exercise,
@@ -38,7 +38,7 @@ def main() -> int:
     try:
         return int(arguments.run(arguments))
     except (ValueError, OSError, GraderError) as error:
-        print(f"{arguments.command}: {error}", file=sys.stderr)
+        print(f"{arguments.command}: {sentence(error)}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
         print(f"\n{arguments.command}: stopped", file=sys.stderr)

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import errno
 import importlib.util
 import io
+import os
 import shutil
 import sys
 from pathlib import Path
 
+from autograder.clean import clean
 from autograder.make_venv import shown_python
 from autograder.manifest import ROOT
 
@@ -20,14 +23,23 @@ OPTIONS = {
     "N": "--count",
     "WHOLE": "--whole",
 }
+ADVICE = {
+    (errno.ENOSPC, errno.EDQUOT): "Free some space on that disk, and run the same command again",
+    (errno.EROFS, errno.EACCES, errno.EPERM): "Check who may write there, or use another folder",
+    (errno.EFBIG,): "A limit on the size of files is too low here (see ulimit -f)",
+}
 MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of other packages
 
 
 def prepare() -> bool:
     """Set up the output streams, and return whether the required packages are installed.
 
-    If a package is missing, print how to install it.
+    If a package is missing, print how to install it. If the names of files are not in UTF-8, as
+    with LC_ALL=C and PYTHONUTF8=0, start the program again in Python's UTF-8 mode.
     """
+    if sys.getfilesystemencoding() != "utf-8" and os.environ.get("PYTHONUTF8") != "1":
+        os.environ["PYTHONUTF8"] = "1"  # also for the processes that it starts
+        os.execv(sys.executable, [sys.executable, *sys.orig_argv[1:]])
     for stream in (sys.stdout, sys.stderr):  # show ? for what the console cannot encode
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
@@ -39,6 +51,18 @@ def prepare() -> bool:
         )
         return False
     return True
+
+
+def advice(error: BaseException) -> str:
+    """Return what to do about an error of the file system, or an empty text for other errors."""
+    number = error.errno if isinstance(error, OSError) else None
+    return next((words for numbers, words in ADVICE.items() if number in numbers), "")
+
+
+def sentence(error: Exception) -> str:
+    """Return an error as people read it, with advice if there is any."""
+    what = clean(str(error))
+    return f"{what}. {advice(error)}" if advice(error) else what
 
 
 def find_engine(folder: str) -> list[Path]:

@@ -17,8 +17,9 @@ from autograder.tables import with_table
 STUDENT_TOOLS = {
     ".": "Makefile pyproject.toml requirements.lock stubs.lock LICENSE .gitignore glossary.md",
     "autograder": (
-        "__init__.py __main__.py answers.py clean.py commands.py definitions.py local_server.py "
-        "lock.py make_venv.py manifest.py message.py records.py scores.py stubs.py wrapping.py"
+        "__init__.py __main__.py answers.py clean.py commands.py definitions.py files.py "
+        "local_server.py lock.py make_venv.py manifest.py message.py records.py scores.py "
+        "stubs.py wrapping.py"
     ),
     "autograder/checks": "*.py",
     "autograder/student": "*.py",
@@ -77,6 +78,26 @@ def make_handout(
         raise ValueError(f"{', '.join(both)} cannot be handed out both as stubs and as given")
     if out.exists() and any(out.iterdir()):
         raise ValueError(f"out must be a new or empty folder, but {out} is not empty")
+    part = out.resolve().with_name(f".{out.resolve().name}.part")
+    shutil.rmtree(part, ignore_errors=True)  # of a run that was killed
+    try:
+        _fill(chapters, given, part, root, about)
+        out.mkdir(parents=True, exist_ok=True)
+        for path in part.iterdir():
+            shutil.move(path, out / path.name)
+    finally:
+        shutil.rmtree(part, ignore_errors=True)
+    print(f"as stubs: {', '.join(chapter.name for chapter in chapters)}")
+    print(f"given complete: {', '.join(chapter.name for chapter in given) or 'none'}")
+    there = [chapter.name for chapter in [*chapters, *given]]
+    below = [other for chapter in chapters for other in chapters_below(chapter, root)]
+    if missing := sorted({other.name for other in below if other.name not in there}):
+        print(f"each student must add: {', '.join(missing)}")
+    print(f"hand-out: {out}; try it with: make -C {shlex.quote(str(out))} check")
+
+
+def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, about: str) -> None:
+    """Write a hand-out into a folder."""
     for file in [*student_tools(root), *shared_by_checks(root)]:
         _copy([file], out / file.parent.relative_to(root))
     _copy_lab(root, out, [chapter.name for chapter in (*chapters, *given)])
@@ -111,13 +132,6 @@ def make_handout(
     heading, _, body = README.format(titles=titles, example=example).partition("\n\n")
     text = "\n\n".join([heading, about, body] if about else [heading, body])
     (out / "README.md").write_text(text, encoding="utf-8", newline="\n")
-    print(f"as stubs: {', '.join(chapter.name for chapter in chapters)}")
-    print(f"given complete: {', '.join(chapter.name for chapter in given) or 'none'}")
-    there = [chapter.name for chapter in [*chapters, *given]]
-    below = [other for chapter in chapters for other in chapters_below(chapter, root)]
-    if missing := sorted({other.name for other in below if other.name not in there}):
-        print(f"each student must add: {', '.join(missing)}")
-    print(f"hand-out: {out}; try it with: make -C {shlex.quote(str(out))} check")
 
 
 def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:

@@ -50,7 +50,10 @@ class Site:
 
 def is_own_page(request: HTTPServerRequest, origin: str) -> bool:
     """Return whether a request comes from our own page, because only it may change anything."""
-    return urlsplit(origin).netloc == request.host
+    try:
+        return urlsplit(origin).netloc == request.host
+    except ValueError:  # no address at all, such as http://[
+        return False
 
 
 class Handler(RequestHandler):

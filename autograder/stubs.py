@@ -20,6 +20,7 @@ from ruff import find_ruff_bin  # type: ignore[import-untyped]
 
 from autograder.answers import blank_answers
 from autograder.definitions import functions
+from autograder.files import replace_bytes
 from autograder.lock import LOCK_NAME, read_lock, stub_hash
 from autograder.manifest import ROOT, Chapter, load_chapters
 
@@ -84,14 +85,13 @@ def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
         if current is not None and stub_hash(current) != locked.get(path):
             left_alone.append(path)
             continue
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(text, encoding="utf-8", newline="\n")
+        replace_bytes(file, text.encode())
         written.append(path)
     hashes = {path: stub_hash(text) for path, text in stubs.items() if path not in left_alone}
     hashes |= complete_hashes(root)
     kept = {path: locked[path] for path in left_alone if path in locked}
     lock_text = json.dumps(dict(sorted((hashes | kept).items())), indent=1) + "\n"
-    (root / LOCK_NAME).write_text(lock_text, encoding="utf-8", newline="\n")
+    replace_bytes(root / LOCK_NAME, lock_text.encode())
     return written, left_alone
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from autograder.definitions import own_name
+from autograder.files import replace_bytes
 from autograder.manifest import Chapter, Exercise
 
 BEGIN = "<!-- exercises: `make stubs` writes this table from chapter.toml -->"
@@ -67,6 +68,6 @@ def write_tables(chapters: list[Chapter], root: Path) -> list[str]:
         old = path.read_text(encoding="utf-8")
         new = with_table(old, chapter)
         if new != old:
-            path.write_text(new, encoding="utf-8", newline="\n")
+            replace_bytes(path, new.encode())
             changed.append(f"chapters/{chapter.name}/reference.md")
     return changed

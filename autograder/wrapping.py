@@ -17,6 +17,17 @@ LONGEST_PRINTED = 4000  # characters; longer output was cut when it was captured
 MORE = re.compile(r"\.\.\. and (at least )?(\d+) more lines?")
 
 
+def plain_console() -> Console:
+    """Return a console that prints every text as it is.
+
+    Otherwise brackets and colons in a student's name could be taken for styles and emoji, and a
+    name such as "Ann [/]" would stop the program.
+    """
+    from rich.console import Console
+
+    return Console(highlight=False, markup=False, emoji=False)
+
+
 def wrapped(words: str, width: int, hanging: int = 0) -> list[str]:
     """Wrap a text to the width of a terminal and return its lines.
 

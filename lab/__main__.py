@@ -12,7 +12,7 @@ import webbrowser
 from pathlib import Path
 from urllib.parse import urlencode
 
-from autograder.commands import find_engine, prepare
+from autograder.commands import find_engine, prepare, sentence
 from autograder.manifest import ROOT
 from lab.catalog import entries, find, load
 from studies.engine import add_engine_options, use_engine
@@ -49,6 +49,9 @@ def main() -> int:
         return {"serve": _serve, "play": _play, "record": _play}[options.command](options)
     except ValueError as error:
         parser.error(str(error))
+    except OSError as error:
+        print(f"{options.command}: {sentence(error)}", file=sys.stderr)
+        return 2
 
 
 def _serve(options: argparse.Namespace) -> int:

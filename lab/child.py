@@ -15,7 +15,7 @@ import sys
 from pathlib import Path
 
 from lab.broken_off import TIME_LIMIT
-from lab.host import Host
+from lab.host import Host, Message
 from studies.engine import add_engine_options, use_engine
 from studies.reason import reason
 
@@ -31,13 +31,33 @@ def main() -> None:
     use_engine(parser, options.engine, options.given)
     host = Host(reason)
     with options.stack.open("w", encoding="utf-8") as stack:
-        for line in sys.stdin:
+        for line in sys.stdin.buffer:
             faulthandler.dump_traceback_later(TIME_LIMIT, exit=True, file=stack)
-            for answer in host.receive(json.loads(line)):
-                answers.write(json.dumps(answer, separators=(",", ":"), allow_nan=False) + "\n")
-            answers.write("\n")  # an empty line ends the answers to one message
+            # An empty line ends the answers to one message.
+            answers.write("".join(f"{answer}\n" for answer in answered(host, line)) + "\n")
             answers.flush()
             faulthandler.cancel_dump_traceback_later()
+    # The server is gone, perhaps without a chance to clean up.
+    with contextlib.suppress(OSError):
+        options.stack.unlink()
+        options.stack.parent.rmdir()
+
+
+def answered(host: Host, line: bytes) -> list[str]:
+    """Return the answers to a message as lines of JSON. A line that is no message is refused."""
+    try:
+        message = json.loads(line)
+    except (ValueError, RecursionError):
+        return [as_json({"kind": "refused", "why": "The lab could not read a message."})]
+    try:
+        return [as_json(answer) for answer in host.receive(message)]
+    except (ValueError, TypeError) as error:  # something that JSON does not have, such as NaN
+        return [as_json({"kind": "stopped", "why": host.explain(error)})]
+
+
+def as_json(answer: Message) -> str:
+    """Return an answer as one line. Raises ValueError or TypeError if it is not plain data."""
+    return json.dumps(answer, separators=(",", ":"), allow_nan=False)
 
 
 if __name__ == "__main__":

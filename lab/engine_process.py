@@ -15,6 +15,7 @@ from lab.broken_off import TIME_LIMIT, why_it_broke_off
 
 LONGEST_LINE = 4_000_000  # bytes in one answer
 GRACE = 0.4  # s, in addition to the child's own time limit
+TOO_MUCH = "The scene draws too many things to show. Does your code create objects without end?"
 START = 15.0  # s, extra time for a new process to import its modules
 LONGEST_RECORDING = 120.0  # s
 
@@ -26,7 +27,8 @@ class EngineProcess:
         self.engine = engine
         self.given = given
         self.process: asyncio.subprocess.Process | None = None
-        self.stack = Path(tempfile.mkdtemp(prefix="lab-")) / "stack.txt"
+        self.folder = tempfile.TemporaryDirectory(prefix="lab-", ignore_cleanup_errors=True)
+        self.stack = Path(self.folder.name) / "stack.txt"
 
     async def ask(self, message: str) -> AsyncIterator[str]:
         """Send a message and yield its answers, each a line of JSON.
@@ -52,6 +54,9 @@ class EngineProcess:
         except (TimeoutError, EOFError, ConnectionError):
             await self.end()
             yield json.dumps({"kind": "stopped", "why": self._why()})
+        except ValueError:  # a line is longer than LONGEST_LINE
+            await self.end()
+            yield json.dumps({"kind": "stopped", "why": TOO_MUCH})
 
     async def end(self) -> None:
         """End the process immediately if it is running."""
@@ -59,7 +64,19 @@ class EngineProcess:
         if process is not None:
             with contextlib.suppress(ProcessLookupError):
                 process.kill()
-            await process.wait()
+            assert process.stdout is not None
+            # Until its output is read, the process does not count as ended. Another coroutine may
+            # be reading it already. A process that it has started may hold its pipes for long.
+            with contextlib.suppress(TimeoutError):
+                async with asyncio.timeout(GRACE):
+                    with contextlib.suppress(RuntimeError):
+                        await process.stdout.read()
+                    await process.wait()
+
+    async def close(self) -> None:
+        """End the process and remove its files."""
+        await self.end()
+        self.folder.cleanup()
 
     async def _start(self) -> asyncio.subprocess.Process:
         arguments = ["--engine", self.engine, "--given", self.given, "--stack", str(self.stack)]
@@ -99,7 +116,9 @@ async def recording(engine: str, given: str, scene: str, values: dict[str, str])
             words, _ = await asyncio.wait_for(process.communicate(), LONGEST_RECORDING)
         except TimeoutError:
             process.kill()
+            await process.wait()
             raise ValueError(f"the recording took longer than {LONGEST_RECORDING:g} s") from None
         if process.returncode:
-            raise ValueError(words.decode(errors="replace").strip().splitlines()[-1])
+            lines = words.decode(errors="replace").strip().splitlines()
+            raise ValueError(lines[-1] if lines else "the recording ended by itself")
         return (Path(folder) / f"{scene}.gif").read_bytes()

@@ -74,7 +74,8 @@ class Slider(Parameter):
                 value = float(value)
             except ValueError:
                 raise ValueError(f"{self.name} must be a number, got {value!r}") from None
-        if not (isinstance(value, (int, float)) and math.isfinite(value)):
+        # Not isfinite, because a whole number can be too large for a float.
+        if not (isinstance(value, (int, float)) and -math.inf < value < math.inf):
             raise ValueError(f"{self.name} must be a number, got {value!r}")
         if not self.low <= value <= self.high:
             raise ValueError(f"{self.name} must be from {self.low:g} to {self.high:g}, got {value}")

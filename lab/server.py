@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import json
 from pathlib import Path
 from typing import Any
 
-from tornado.web import Application
+from tornado.web import Application, HTTPError
 from tornado.websocket import WebSocketClosedError, WebSocketHandler
 from watchfiles import awatch
 
@@ -93,6 +94,9 @@ class EngineSocket(WebSocketHandler):
 
     def prepare(self) -> None:
         self.lab.check_host(self.request)
+        origin = self.request.headers.get("Origin")  # only a browser sends it
+        if origin is not None and not self.check_origin(origin):
+            raise HTTPError(403)
 
     def check_origin(self, origin: str) -> bool:
         """Accept only sockets that our own page opens."""
@@ -122,12 +126,13 @@ class EngineSocket(WebSocketHandler):
         if self.engine is not None and self.get_query_argument("engine", "yours") == "yours":
             async with self.turn:
                 await self.engine.end()
-            await self.write_message(json.dumps({"kind": "saved", "files": files}))
+            with contextlib.suppress(WebSocketClosedError):  # the page was closed meanwhile
+                await self.write_message(json.dumps({"kind": "saved", "files": files}))
 
     def on_close(self) -> None:
         self.lab.sockets.discard(self)
         if self.engine is not None:
-            self.ending = asyncio.ensure_future(self.engine.end())
+            self.ending = asyncio.ensure_future(self.engine.close())
 
 
 async def serve(lab: Lab, port: int, ready: Any) -> None:

@@ -6,7 +6,7 @@ import importlib
 import importlib.util
 import sys
 
-from autograder.commands import prepare
+from autograder.commands import prepare, sentence
 
 # A hand-out contains only the first of these.
 COMMANDS = ("plot", "figures", "bench", "charts", "choose", "limits", "economy", "soak", "contacts")
@@ -21,7 +21,11 @@ def main() -> int:
         return 2
     if not prepare():
         return 2
-    return int(importlib.import_module(f"studies.{name}").main(sys.argv[2:]))
+    try:
+        return int(importlib.import_module(f"studies.{name}").main(sys.argv[2:]))
+    except OSError as error:
+        print(f"{name}: {sentence(error)}", file=sys.stderr)
+        return 2
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ from pathlib import Path
 from rich.console import Console
 
 from autograder.manifest import ROOT
+from autograder.wrapping import plain_console
 from studies.benchmarks.kept import FILE, keep
 from studies.reason import shown
 from studies.timing import Line, Measurement, measure
@@ -23,7 +24,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--out", type=Path, default=FILE, help="file for the figures")
     options = parser.parse_args(arguments)
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
-    console = Console(highlight=False)
+    console = plain_console()
     start = time.monotonic()
     with console.status("preparing the scenes and finding the number of steps for each"):
         measurements = every(console)

@@ -15,9 +15,9 @@ from functools import partial
 from pathlib import Path
 
 from matplotlib import pyplot
-from rich.console import Console
 
 from autograder.manifest import ROOT
+from autograder.wrapping import plain_console
 from studies.drawing import BLUE, GRAY
 from studies.reason import shown
 from studies.timing import Line, Measurement, measure, timer, versus
@@ -38,7 +38,7 @@ def main(arguments: list[str]) -> int:
     )
     options = parser.parse_args(arguments)
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
-    console = Console(highlight=False)
+    console = plain_console()
     lines = measure(
         [
             Measurement(what, versus(timer(with_it, FRAMES), timer(without, FRAMES)), ROUNDS)

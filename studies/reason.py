@@ -8,6 +8,7 @@ from pathlib import Path
 from autograder.checks.explain import slip_of
 from autograder.checks.faults import is_inside
 from autograder.checks.students_code import LIBRARY
+from autograder.commands import advice
 from autograder.manifest import ROOT
 
 
@@ -24,7 +25,7 @@ def reason(error: BaseException) -> str:
         last = (written or frames)[-1]
         file, line, words = last.filename, last.lineno, str(error)
     told = f"{type(error).__name__}: {words}"
-    likely = slip_of(told)
+    likely = slip_of(told) or advice(error)
     where = f"{told} ({shown(Path(file))}, line {line})"
     return f"{where}\nlikely    {likely}" if likely else where
 

@@ -10,6 +10,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+from autograder.commands import sentence
 from autograder.manifest import ROOT
 from web.course import course
 from web.node import prepare, run_node
@@ -33,7 +34,7 @@ def main() -> int:
     try:
         build(options.out, with_solutions=options.with_solutions)
     except (OSError, ValueError, subprocess.CalledProcessError) as error:
-        print(f"make site: {error}", file=sys.stderr)
+        print(f"make site: {sentence(error)}", file=sys.stderr)
         return 1
     print(f"\nThe site is in {options.out}: {_sizes(options.out)}.")
     print(f"Look at it: {Path(sys.executable)} -m http.server -d {options.out} 8000")
@@ -63,9 +64,20 @@ def build(out: Path, *, with_solutions: bool) -> None:
     pack(PARTS / "site", with_solutions=with_solutions)
     _say("Making the pages ...")
     run_node("builder/site.mjs", str(PARTS), str(PARTS / "site"))
-    shutil.rmtree(out, ignore_errors=True)
+    put_in_place(PARTS / "site", out.resolve())
+
+
+def put_in_place(site: Path, out: Path) -> None:
+    """Move a new site to where an earlier one may be. If killed, it leaves no half of a site."""
+    new, old = (out.with_name(f".{out.name}.{what}") for what in ("new", "old"))
+    for folder in (new, old):
+        shutil.rmtree(folder, ignore_errors=True)
     out.parent.mkdir(parents=True, exist_ok=True)
-    shutil.move(PARTS / "site", out)
+    shutil.move(site, new)  # copies it, if the folders are on different disks
+    if out.exists():
+        out.replace(old)
+    new.replace(out)
+    shutil.rmtree(old, ignore_errors=True)
 
 
 def repository() -> str:

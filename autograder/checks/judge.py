@@ -20,6 +20,7 @@ from typing import IO, TYPE_CHECKING
 from autograder.checks.apart import how_it_ended
 from autograder.checks.arrange import root_of_checks
 from autograder.checks.explain import explain_hang
+from autograder.files import is_full
 from autograder.manifest import ROOT
 from autograder.message import Kind, Message
 from autograder.records import to_json
@@ -95,6 +96,8 @@ class Judge:
                     process.stdin.close()
                 stderr.seek(max(0, stderr.seek(0, os.SEEK_END) - MOST_STDERR))
                 self.stderr = stderr.read().decode("utf-8", errors="replace").strip()
+                if not self.stderr and is_full(self.config.parent):
+                    self.stderr = f"the disk of {self.config.parent.parent} is full"
 
     def _start(self, stderr: IO[bytes]) -> subprocess.Popen[str] | ForkedJudge:
         if self.behind:

@@ -11,6 +11,8 @@ from autograder.course.lines import Path
 from autograder.course.mistakes import Mistakes, nearest, shown
 from autograder.course.model import Deadline, LatePolicy
 
+YEARS = range(1970, 3000)  # close to the years 1 and 9999, a time in another zone may not exist
+
 
 def read_zone(name: Any, path: Path, mistakes: Mistakes) -> ZoneInfo | None:
     """Return the time zone with this name, such as Europe/Berlin."""
@@ -27,7 +29,9 @@ def read_time(
     """Return a time with a time zone, which is that of the file if the time has no offset."""
     key = path[-1]
     example = "2026-10-23T23:59:00+02:00"
-    if type(value) is date:
+    if isinstance(value, date) and value.year not in YEARS:  # a datetime is a date, too
+        mistakes.add(path, f"{key} must be from {YEARS[0]} to {YEARS[-1]}, got {shown(value)}")
+    elif type(value) is date:
         mistakes.add(path, f"{key} has no time of day. Write it like {example}")
     elif not isinstance(value, datetime):
         unquoted = " without quotes" if isinstance(value, str) else ""
@@ -56,6 +60,8 @@ def parse_time(text: str, zone: tzinfo) -> datetime:
         ValueError: The text is not a time.
     """
     time = datetime.fromisoformat(re.sub(r"\s*(UTC|Z)$", "+00:00", text.strip()))
+    if time.year not in YEARS:
+        raise ValueError(f"a time must be from {YEARS[0]} to {YEARS[-1]}")
     return time if time.tzinfo else time.replace(tzinfo=zone, fold=1)
 
 

@@ -7,9 +7,11 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from autograder.clean import clean_line
 from autograder.course.lines import Lines, Path
 
 MOST_SIMILAR = 3
+LARGEST = 1_000_000  # points, percent and so on
 NAMES = {str: "a string", int: "a whole number", list: "a list", dict: "a table"}
 
 
@@ -68,10 +70,12 @@ class Mistakes:
         A key that is missing is no mistake.
         """
         value: Any = table.get(key)
-        if type(value) in (int, float) and 0 < value < float("inf"):
+        if type(value) in (int, float) and 0 < value <= LARGEST:
             return float(value) if value % 1 else int(value)
         if value is not None:
-            self.add((*path, key), f"{key} must be a positive number, got {shown(value)}")
+            is_large = type(value) in (int, float) and value > LARGEST
+            wanted = f"at most {LARGEST:,}" if is_large else "a positive number"
+            self.add((*path, key), f"{key} must be {wanted}, got {shown(value)}")
         return None
 
 
@@ -79,6 +83,7 @@ def shown(value: Any) -> str:
     """Return a value as it looks in TOML, but short."""
     text = {True: "true", False: "false"}.get(value) if type(value) is bool else None
     text = text or (f'"{value}"' if isinstance(value, str) else str(value))
+    text = clean_line(text)
     return text if len(text) <= 60 else f"{text[:57]}..."
 
 

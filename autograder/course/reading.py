@@ -41,7 +41,7 @@ def read_course(path: Path, root: Path = ROOT) -> Course:
         data = tomllib.loads(text)
     except UnicodeDecodeError as error:
         raise ValueError(f"{path} is not UTF-8: save it as UTF-8 in your editor") from error
-    except tomllib.TOMLDecodeError as error:
+    except (ValueError, RecursionError) as error:  # also for a number of 5,000 digits
         raise ValueError(f"{path} is not valid TOML: {error}") from error
     return Reader(data, path.parent, load_chapters(root), Mistakes(str(path), text)).course()
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 import csv
 import unicodedata
 from collections.abc import Iterator
+from contextlib import contextmanager
 from datetime import UTC, datetime, tzinfo
 from pathlib import Path
 from typing import Any
@@ -58,7 +59,8 @@ def _of_instructor(path: Path, zone: tzinfo) -> Iterator[tuple[str, HandedIn]]:
         raise ValueError(f"{path} is not UTF-8. Save it as CSV UTF-8") from error
     lines = text.splitlines() or [""]
     separator = ";" if ";" in lines[0] else ","
-    header, *rows = csv.reader(lines, delimiter=separator)
+    with _readable(path):
+        header, *rows = csv.reader(lines, delimiter=separator)
     if [cell.strip().lower() for cell in header] != ["student", "submitted"]:
         raise ValueError(f"{path}, line 1: the header must be student,submitted, got {lines[0]!r}")
     wrong, seen = [], set()
@@ -86,10 +88,8 @@ def _of_gradescope(folder: Path) -> Iterator[tuple[str, HandedIn]]:
     path = folder / OF_GRADESCOPE
     if not path.is_file():
         return
-    try:
+    with _readable(path):
         data = yaml.safe_load(path.read_text(encoding="utf-8"))
-    except (yaml.YAMLError, UnicodeDecodeError) as error:
-        raise ValueError(f"{path} is not valid YAML: {error}") from error
     for name, about in data.items() if isinstance(data, dict) else ():
         if time := _time(about.get(":created_at") if isinstance(about, dict) else None):
             yield str(name), HandedIn("Gradescope", time)
@@ -101,7 +101,9 @@ def _of_github(folder: Path) -> Iterator[tuple[str, HandedIn]]:
     if not path.is_file():
         return
     with path.open(encoding="utf-8-sig", errors="replace", newline="") as file:
-        for row in csv.DictReader(file):
+        with _readable(path):
+            rows = [*csv.DictReader(file)]
+        for row in rows:
             if row.get(REPOSITORY) and (time := _time(row.get(SUBMITTED))):
                 yield row[REPOSITORY], HandedIn("GitHub Classroom", time)
 
@@ -119,6 +121,16 @@ def _time(value: Any) -> datetime | None:
         return parse_time(value.isoformat() if isinstance(value, datetime) else str(value), UTC)
     except ValueError:
         return None
+
+
+@contextmanager
+def _readable(path: Path) -> Iterator[None]:
+    """Name the file in the error if its text cannot be read as CSV or YAML."""
+    try:
+        yield
+    except (csv.Error, yaml.YAMLError, ValueError, RecursionError) as error:
+        kind = "YAML" if path.suffix == ".yml" else "CSV"
+        raise ValueError(f"{path} is not valid {kind}: {error}") from error
 
 
 def _key(name: str) -> str:

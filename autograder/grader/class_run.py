@@ -10,7 +10,6 @@ from pathlib import Path
 
 from rich.box import SIMPLE_HEAD
 from rich.console import Console
-from rich.markup import escape
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
@@ -56,7 +55,7 @@ class ClassRun:
     ) -> list[StudentReport]:
         """Show the progress as reports arrive; return them in the order of the submissions."""
         columns = (
-            TextColumn("{task.description}"),
+            TextColumn("{task.description}", markup=False),
             BarColumn(),
             MofNCompleteColumn(),
             TimeRemainingColumn(),
@@ -155,11 +154,11 @@ def print_class(console: Console, reports: list[StudentReport]) -> None:
         lost = [pair for pair in checks if pair[1].status in order]
         lost.sort(key=lambda pair: (order.index(pair[1].status), pair[1].robust))
         table.add_row(
-            escape(report.student),
+            report.student,
             f"{shown(report.score)}/{shown(report.points)}",
             shown(report.score_on_given),
             f"{passed}/{len(checks)}",
             report.status,
-            escape(f"{lost[0][0].id}: {lost[0][1].message.in_short[:200]}") if lost else "",
+            f"{lost[0][0].id}: {lost[0][1].message.in_short[:200]}" if lost else "",
         )
     console.print(table)

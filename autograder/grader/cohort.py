@@ -11,8 +11,6 @@ from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
 
-from rich.console import Console
-
 from autograder.analysis.class_page import write_class_page
 from autograder.checks.arrange import Behind
 from autograder.checks.runner import GraderError, Limits, run_checks
@@ -32,6 +30,7 @@ from autograder.reports.results import write_class
 from autograder.reports.texts import replace_file
 from autograder.submissions.codes import key_path
 from autograder.submissions.find import Submission, find_submissions
+from autograder.wrapping import plain_console
 
 
 @dataclass(frozen=True)
@@ -102,7 +101,7 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
             chapters, seed, level, options.given, hidden, options.root, options.time_limit
         )
         check_hidden(assignment)
-        console = Console(highlight=False)
+        console = plain_console()
         class_run = ClassRun(assignment, out, marks, console, late, anonymous=options.anonymous)
         if again:
             submissions = again.prepare(class_run)

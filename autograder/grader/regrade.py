@@ -13,9 +13,9 @@ from rich.console import Console
 from autograder.grader.class_run import ClassRun
 from autograder.reports.gradebook import as_cell
 from autograder.reports.report import ExerciseReport, RunKey, StudentReport
-from autograder.reports.results import read_results
+from autograder.reports.results import keep_report, read_result, read_results
 from autograder.reports.texts import number
-from autograder.submissions.find import Submission
+from autograder.submissions.find import Submission, file_name
 
 LOG = "regrades.csv"
 COLUMNS = ["time", "student", "points before", "points after", "changed exercises", "why"]
@@ -46,9 +46,17 @@ class Regrade:
             names = ", ".join(submission.student for submission in submissions)
             raise ValueError(f"there is no submission of {student!r}. There are: {names}")
 
+        self.kept = out / f".before-{file_name(self.student)}.json"
+
     @property
     def before(self) -> StudentReport | None:
-        """The student's earlier report, or None if there is none."""
+        """The student's report in the log, or None if there was none.
+
+        If an earlier run was killed before it wrote the log, this is the report before that run.
+        """
+        kept = read_result(self.kept)
+        if kept and any(report.seed == kept.seed for report in self.reports):
+            return kept
         return next((one for one in self.reports if one.student == self.student), None)
 
     def seed(self, seed: str | None) -> str:
@@ -88,6 +96,8 @@ class Regrade:
             changed = ", ".join(MAY_DIFFER[name] for name in differing)
             self.changed = f"Changed since the class was graded: {changed}."
             run.console.print(self.changed, markup=False)
+        if before := self.before:
+            keep_report(self.kept, before)
         return self.submissions
 
     def finish(
@@ -96,6 +106,7 @@ class Regrade:
         """Log what has changed, and return the reports of the whole class."""
         (report,) = graded
         console.print(self._log(report, why), markup=False)
+        self.kept.unlink(missing_ok=True)
         others = [one for one in self.reports if one.student != self.student]
         return sorted([*others, report], key=lambda one: one.student)
 

@@ -98,10 +98,14 @@ def main() -> None:
 
     control = socket.socket(fileno=int(sys.argv[1]))
     while True:
-        text, descriptors, _, _ = socket.recv_fds(control, 1 << 16, 3)
-        while text and not text.endswith(b"\n"):
-            text += control.recv(1 << 16)
-        if not text:
+        try:
+            text, descriptors, _, _ = socket.recv_fds(control, 1 << 16, 3)
+            while not text.endswith(b"\n"):
+                more = control.recv(1 << 16)
+                if not more:
+                    return  # perhaps in the middle of an order, if the grader was killed
+                text += more
+        except ConnectionError:
             return
         order = json.loads(text)
         if "wait" in order:
@@ -117,7 +121,10 @@ def main() -> None:
                 os.setpgid(answer, answer)  # the runner may now kill its group
         for descriptor in descriptors:
             os.close(descriptor)
-        control.send(b"%d\n" % answer)
+        try:
+            control.send(b"%d\n" % answer)
+        except ConnectionError:  # the grader was killed
+            return
 
 
 def _become(order: Order, descriptors: list[int]) -> None:

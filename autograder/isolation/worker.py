@@ -27,6 +27,7 @@ import socket
 import sys
 import time
 import traceback
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -69,6 +70,19 @@ def main(text: str) -> None:
     gc.freeze()
     control = socket.socket(fileno=config["control"])
     workers: set[int] = set()
+    try:
+        _obey(control, work, config["seconds"], workers)
+    except ConnectionError:
+        pass  # the runner was killed
+    finally:
+        for worker in workers:
+            _kill(worker)
+
+
+def _obey(
+    control: socket.socket, work: Callable[..., None], seconds: float, workers: set[int]
+) -> None:
+    """Carry out orders until there are no more, and keep the set of workers up to date."""
     while True:
         orders, descriptors, _, _ = socket.recv_fds(control, 1024, 3)
         for order in orders.splitlines():  # a short order arrives whole
@@ -88,15 +102,13 @@ def main(text: str) -> None:
             elif what == b"stack":
                 os.kill(int(number), signal.SIGUSR1)
             elif what == b"status":
-                code = _exit_code(int(number), config["seconds"])
-                control.send(b"alive\n" if code is None else b"%d\n" % code)
                 workers.remove(int(number))
+                code = _exit_code(int(number), seconds)
+                control.send(b"alive\n" if code is None else b"%d\n" % code)
             elif int(number) in workers:
                 workers.remove(int(number))
                 _kill(int(number))
         if not orders:
-            for worker in workers:
-                _kill(worker)
             return
 
 

@@ -105,7 +105,7 @@ class Marks(Handler):
             student = self.site.students[exercise, code]
             points = self.site.tasks[exercise].exercise.points
             mark, seen = mark_of(asked["mark"], points), mark_of(asked["seen"], points)
-        except (ValueError, KeyError, TypeError) as error:
+        except (ValueError, KeyError, TypeError, RecursionError) as error:
             self.refuse(400, f"this is no mark: {error}")
             return
         try:

@@ -11,6 +11,7 @@ from pathlib import Path
 from autograder.checks.arrange import shared_by_checks
 from autograder.course.dates import deadline_to_json
 from autograder.course.model import Work
+from autograder.files import replace_bytes
 from autograder.manifest import ROOT, Chapter, chapters_below
 from autograder.scores import possible, shown
 
@@ -60,8 +61,7 @@ def make_gradescope(
     contents |= _hidden(work)
     contents |= {name: (Path(__file__).parent / name).read_bytes() for name in SCRIPTS}
     contents["assignment.json"] = (json.dumps(settings) + "\n").encode()
-    out.parent.mkdir(parents=True, exist_ok=True)
-    out.write_bytes(_zipped(contents))
+    replace_bytes(out, _zipped(contents))
     print(f"graded: {_names(chapters)}")
     print(f"given complete: {_names(given)}")
     print(f"with the reference of: {_names(reference)}")

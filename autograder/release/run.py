@@ -7,20 +7,23 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from rich.console import Console
 from rich.progress import track
 
 from autograder.checks.given import has_reference
+from autograder.files import is_new
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.release.compare import Compared, Texts, compare_exercise, compare_others
 from autograder.release.pages import write_page
 from autograder.release.reference import chosen, write_reference
 from autograder.reports.report import StudentReport
 from autograder.reports.results import read_results
+from autograder.reports.texts import replace_file
 from autograder.submissions.find import Submission, find_submissions
 from autograder.submissions.stage import stage
+from autograder.wrapping import plain_console
 
 RECORD = "released.txt"  # what was released; it also marks the folder as a release
+UNFINISHED = "This release was interrupted. Run the same command again.\n"
 
 
 def release(
@@ -50,8 +53,7 @@ def release(
     whole = {chapter.name: chapter for chapter in chapters}
     texts = {c.name: write_reference(out, c, whole[c.name], root) for c in released}
     lines = [f"chapter {c.number}: {', '.join(e.id for e in c.exercises)}" for c in released]
-    (out / RECORD).write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
-    console = Console(highlight=False)
+    console = plain_console()
     of = {report.student: report for report in reports}
     pages = 0
     silent = not console.is_terminal
@@ -62,6 +64,7 @@ def release(
             pages += 1
         else:
             notes.append(f"{one.student} has no page: {why}")
+    replace_file(out / RECORD, "\n".join(lines) + "\n")
     for note in notes:
         console.print(note, markup=False, soft_wrap=True)
     for line in lines:
@@ -88,11 +91,12 @@ def _prepare(out: Path, submissions: Path | None, root: Path) -> None:
         )
     if submissions and place.is_relative_to(submissions.resolve()):
         raise ValueError(f"--out must not be in the folder of the class, got {str(out)!r}")
-    if out.exists() and any(out.iterdir()) and not (out / RECORD).is_file():
+    record = out / RECORD
+    if not record.is_file() and not is_new(out, record):
         raise ValueError(f"--out must be a new folder or an earlier release, got {str(out)!r}")
+    replace_file(record, UNFINISHED)  # so that a run that is killed can be started again
     for name in ("reference", "students"):
         shutil.rmtree(out / name, ignore_errors=True)
-    out.mkdir(parents=True, exist_ok=True)
 
 
 def _compare(

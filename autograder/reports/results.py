@@ -19,9 +19,14 @@ from autograder.submissions.find import file_name
 def write_result(out: Path, report: StudentReport) -> Path:
     """Write results/<student>.json in one step, and return its path."""
     path = out / "results" / f"{file_name(report.student)}.json"
+    keep_report(path, report)
+    return path
+
+
+def keep_report(path: Path, report: StudentReport) -> None:
+    """Write a report in one step."""
     text = json.dumps(to_json(report), indent=1, ensure_ascii=False, allow_nan=False)
     replace_file(path, text + "\n")
-    return path
 
 
 def read_result(path: Path) -> StudentReport | None:

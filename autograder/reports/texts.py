@@ -1,4 +1,4 @@
-"""Text handling in all reports: clean untrusted text, and write files in one step."""
+"""Text handling in all reports: clean untrusted text, and write it in one step."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any, TypeVar, cast
 
 from autograder.clean import clean, clean_line
+from autograder.files import replace_bytes
 from autograder.scores import shown
 
 T = TypeVar("T")
@@ -48,9 +49,6 @@ def check_title(name: str) -> str:
 
 
 def replace_file(path: Path, text: str) -> None:
-    """Write a temporary file and move it into place, so that no file is ever half written."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(path.name + ".tmp")
+    """Write a text in one step, so that no file is ever half written."""
     # Invalid characters in a student's message or name are written as escapes.
-    temporary.write_bytes(text.encode("utf-8", errors="backslashreplace"))
-    temporary.replace(path)
+    replace_bytes(path, text.encode("utf-8", errors="backslashreplace"))

@@ -54,6 +54,8 @@ def write_pages(
         (f"pairs/pair-{number:03}.html", pair, comparison.shared(pair))
         for number, pair in enumerate(shown, start=1)
     ]
+    # The index goes first: if this run is killed, an earlier index must not lead to other pairs.
+    (out / "index.html").unlink(missing_ok=True)
     for old in (out / "pairs").glob("pair-*.html"):
         old.unlink()
     for name, pair, shared in rows:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rich.console import Console
 from rich.progress import track
 
 from autograder.manifest import ROOT, Chapter
@@ -12,6 +11,7 @@ from autograder.similarity.collect import collect, ground_of
 from autograder.similarity.compare import FEWEST, Work, compare
 from autograder.similarity.pages import write_pages
 from autograder.submissions.find import find_submissions
+from autograder.wrapping import plain_console
 
 
 def similarity(folder: Path, out: Path, chapters: list[Chapter], root: Path = ROOT) -> int:
@@ -23,7 +23,7 @@ def similarity(folder: Path, out: Path, chapters: list[Chapter], root: Path = RO
     if out.resolve().is_relative_to(folder.resolve()):
         raise ValueError(f"--out must not be in the folder of the class, got {str(out)!r}")
     submissions, notes = find_submissions(folder)
-    console = Console(highlight=False)
+    console = plain_console()
     ground = ground_of(chapters, root)
     works: list[Work] = []
     arriving = collect(submissions, ground, root)

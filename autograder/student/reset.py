@@ -15,6 +15,7 @@ import libcst as cst
 
 from autograder.commands import command
 from autograder.definitions import bound_names, functions
+from autograder.files import replace_bytes
 from autograder.manifest import ROOT, Chapter, Exercise
 from autograder.stubs import messages_of, pristine_stub, without_bodies
 from autograder.student.put_back import put_back
@@ -60,7 +61,7 @@ def reset(
             continue
         if change.before:
             copy = _short(_keep(change.file, change.before, copies / chapter.name))
-        change.file.write_bytes(change.after)
+        replace_bytes(change.file, change.after)
         names = "the whole file" if whole else ", ".join(change.names)
         what = "restored the missing stub" if change.gone else "restored the stub"
         done.append(f"{exercise.id} {exercise.title}: {what} in {file} ({names}).")

@@ -21,7 +21,7 @@ from autograder.student.failure import print_failure
 from autograder.student.finish import print_finish
 from autograder.student.originals import changed_files
 from autograder.student.written import all_pass
-from autograder.wrapping import print_wrapped
+from autograder.wrapping import plain_console, print_wrapped
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -68,9 +68,7 @@ class ProgressBar:
 
     @property
     def console(self) -> Console:
-        from rich.console import Console
-
-        return Console(highlight=False)
+        return plain_console()
 
     def show(self, done: int, of: int) -> None:
         from rich.progress import Progress

@@ -7,7 +7,6 @@ import subprocess
 import sys
 from pathlib import Path
 
-from rich.console import Console
 from watchfiles import watch as changes_in
 
 from autograder.checks.given import with_given
@@ -19,6 +18,7 @@ from autograder.student.progress import Progress
 from autograder.student.reset import question, reset
 from autograder.student.screen import print_chapter, print_report
 from autograder.student.session import TROUBLE, Session
+from autograder.wrapping import plain_console
 
 TICK = 100  # milliseconds between two checks for keys
 
@@ -34,7 +34,7 @@ def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Ch
     """
     with with_given(given, engine) as folders, keys.single_keys():
         progress = Progress(chapters, folders, given, Memory(seed))
-        console = Console(highlight=False)
+        console = plain_console()
         session = Session(progress, engine, console, has_keys=keys.available())
         board = Keyboard(session)
         if not session.has_keys:

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import re
 import unicodedata
 from dataclasses import dataclass
 from pathlib import Path
 
 from autograder.clean import clean_line
+from autograder.reports.gradebook import FORMULA
 from autograder.submissions.csv_rows import Table, read_csv
 
 COLUMNS = ("id", "name", "email", "login")
 UNIQUE = ("id", "email", "login")  # by which a platform finds a student
-# A platform finds students by these cells, so nothing can be put before a formula in them.
-FORMULA = re.compile(r"[=+\-@＝＋－＠]")  # noqa: RUF001
 
 
 @dataclass(frozen=True)
@@ -69,7 +67,8 @@ def read_roster(path: Path) -> list[Student]:
                 raise ValueError(f"{where}: the {name} is empty")
         for name in UNIQUE:
             value = values[name]
-            if FORMULA.match(value):
+            # A platform finds students by these cells, so nothing can be put before a formula.
+            if FORMULA.search(value):
                 raise ValueError(
                     f"{where}: the {name} must not begin like a formula of a spreadsheet, "
                     f"got {value!r}"

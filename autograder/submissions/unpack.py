@@ -18,10 +18,13 @@ from pathlib import Path
 from rich.console import Console
 from rich.progress import track
 
+from autograder.files import is_new
 from autograder.records import from_json, to_json
+from autograder.reports.texts import replace_file
 from autograder.submissions.find import SILENT, printable
 from autograder.submissions.folders import NotTakenError
 from autograder.submissions.zips import DAMAGED, UNREADABLE, is_unsafe, path_in_zip, read_entry
+from autograder.wrapping import plain_console
 
 MARKER = ".unpacked.json"
 COUNTS = (".zip", ".py", ".md")  # all other files are ignored in a submission
@@ -66,7 +69,7 @@ def class_folder(path: Path) -> Path:
         raise ValueError(f"the submissions must be a folder or a .zip file, got {str(path)!r}")
     folder = path.with_suffix("")
     before, digest = _read_marker(folder), _digest(path)
-    console = Console(highlight=False)
+    console = plain_console()
     unpacked = before if before.zip == digest else _unpack(path, folder, before, digest, console)
     for note in unpacked.notes:
         console.print(note, markup=False, soft_wrap=True)
@@ -85,12 +88,16 @@ def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Co
         files, notes = _plan(path, file)
         names = sorted({one.parts[0] for one in files})
         folder.mkdir(exist_ok=True)
-        for there in [*folder.iterdir()]:
-            if there.name in before.names:
-                _remove(there)
-            elif there.name in names:
-                raise ValueError(f"{there} is not from {path.name}: move it away")
-        _write_marker(folder, Unpacked("", names, []))  # an interrupted run starts again
+        there = [*folder.iterdir()]
+        for one in there:
+            if one.name in names and one.name not in before.names:
+                raise ValueError(f"{one} is not from {path.name}: move it away")
+        # A run that is killed starts again, also if the earlier zip has come back by then.
+        _write_marker(folder, Unpacked("", before.names, []))
+        for one in there:
+            if one.name in before.names:
+                _remove(one)
+        _write_marker(folder, Unpacked("", names, []))
         silent = not console.is_terminal
         shown = track(files, "unpacking", console=console, transient=True, disable=silent)
         notes += _write(folder, file, shown)
@@ -150,7 +157,7 @@ def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[
 
 
 def _read_marker(folder: Path) -> Unpacked:
-    if not folder.exists():
+    if is_new(folder, folder / MARKER):
         return Unpacked("", [], [])
     try:
         data = json.loads((folder / MARKER).read_text(encoding="utf-8"))
@@ -164,7 +171,7 @@ def _read_marker(folder: Path) -> Unpacked:
 
 def _write_marker(folder: Path, unpacked: Unpacked) -> None:
     text = json.dumps(to_json(unpacked), indent=1)
-    (folder / MARKER).write_text(text + "\n", encoding="utf-8")
+    replace_file(folder / MARKER, text + "\n")
 
 
 def _remove(path: Path) -> None:

@@ -24,6 +24,7 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
 from autograder.manifest import ROOT
+from autograder.wrapping import plain_console
 from studies.reason import shown
 
 if TYPE_CHECKING:
@@ -58,7 +59,7 @@ def main(arguments: list[str]) -> int:
     except ValueError as error:
         parser.error(str(error))
     rounds, slowest, theirs = QUICK if options.quick else FULL
-    console = Console(highlight=False)
+    console = plain_console()
     options.out.mkdir(parents=True, exist_ok=True)
     resumed = options.out / "measured.json"
     sign = measure.sign_of([scene.name for scene in scenes], slowest, theirs)

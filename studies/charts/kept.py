@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 import re
-import shutil
 import textwrap
 from collections.abc import Sequence
 from pathlib import Path
 
+from autograder.files import replace_bytes
 from autograder.manifest import ROOT
 from studies.accuracy.results import Row
 
@@ -19,13 +19,13 @@ SHOWN = re.compile(r"!\[[^\]]*\](?=\([^)]*overview\.png\))")
 
 def keep(rows: Sequence[Row], out: Path, root: Path = ROOT) -> None:
     """Copy the picture and the page of a run, and describe the picture where it is shown."""
-    shutil.copyfile(out / "overview.png", root / PICTURE)
-    shutil.copyfile(out / "index.html", root / PAGE)
+    replace_bytes(root / PICTURE, (out / "overview.png").read_bytes())
+    replace_bytes(root / PAGE, (out / "index.html").read_bytes())
     for name in READMES:
         path = root / name
         text = path.read_text(encoding="utf-8")
         new = SHOWN.sub(_wrapped(described(rows)), text)
-        path.write_text(new, encoding="utf-8", newline="\n")
+        replace_bytes(path, new.encode())
 
 
 def _wrapped(alt: str) -> str:

@@ -10,6 +10,7 @@ from urllib.parse import quote
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
+from autograder.files import replace_bytes
 from studies.accuracy.measure import Point
 from studies.accuracy.results import table
 from studies.accuracy.scene import Scene
@@ -49,8 +50,8 @@ def write(scenes: Sequence[Scene], points: Sequence[Point], how: str, out: Path)
         style=(HERE / "style.css").read_text(encoding="utf-8"),
         script=(HERE / "script.js").read_text(encoding="utf-8"),
     )
-    (out / "index.html").write_text(page, encoding="utf-8", newline="\n")
-    (out / "points.csv").write_text(data, encoding="utf-8", newline="")
+    replace_bytes(out / "points.csv", data.encode())
+    replace_bytes(out / "index.html", page.encode())
 
 
 def csv_of(scenes: Sequence[Scene], own: dict[str, list[Point]]) -> str:

@@ -13,9 +13,8 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rich.console import Console
-
 from autograder.manifest import ROOT
+from autograder.wrapping import plain_console
 
 if TYPE_CHECKING:
     from studies.accuracy.measure import Point
@@ -44,7 +43,7 @@ def main(arguments: list[str]) -> int:
         from studies.choose.scene import SceneError
 
         try:
-            return choose(Path(options.scene), options.tolerance, Console(highlight=False))
+            return choose(Path(options.scene), options.tolerance, plain_console())
         except SceneError as error:
             parser.error(str(error))
     from studies.accuracy import measure, results
@@ -55,7 +54,7 @@ def main(arguments: list[str]) -> int:
         scenes = scenes_with(options.scene)
     except ValueError as error:
         parser.error(str(error))
-    console = Console(highlight=False)
+    console = plain_console()
     with console.status("measuring") as status:
         measured = measure.explore(scenes, SLOWEST, SLOWEST, status.update)
         for done in range(ROUNDS):

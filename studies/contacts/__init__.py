@@ -12,11 +12,11 @@ from pathlib import Path
 
 from matplotlib import pyplot
 from rich.box import SIMPLE_HEAD
-from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 from rich.table import Table
 
 from autograder.manifest import ROOT
+from autograder.wrapping import plain_console
 from studies.reason import shown
 
 QUICK, FULL = (1, 0.02), (3, 0.3)  # rounds, and the time in s for the slowest run of a solver
@@ -40,7 +40,7 @@ def main(arguments: list[str]) -> int:
     from studies.contacts import chart, kept, scenes
 
     pyplot.switch_backend("agg")
-    console = Console(highlight=False)
+    console = plain_console()
     rounds, slowest = QUICK if options.quick else FULL
     every = scenes.scenes()
     columns = (TextColumn("{task.description}"), BarColumn(), TimeRemainingColumn())

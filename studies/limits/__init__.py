@@ -16,10 +16,10 @@ from typing import TYPE_CHECKING
 
 from matplotlib import pyplot
 from rich.box import SIMPLE_HEAD
-from rich.console import Console
 from rich.table import Table
 
 from autograder.manifest import ROOT
+from autograder.wrapping import plain_console
 from studies.reason import shown
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ def main(arguments: list[str]) -> int:
     from studies.limits import maps, search
 
     pyplot.switch_backend("agg")
-    console = Console(highlight=False)
+    console = plain_console()
     with console.status("finding the limits of springs"):
         springs = search.spring_limits()
     with console.status("finding the limits of drag"):

@@ -191,6 +191,7 @@ def test_an_upload_asks_before_it_overwrites_and_refuses_what_is_no_zip(
         status.filter(has_text=words).wait_for()
     for name, text, words in (
         ("other/file.py", b"", "has no file of the course"),
+        ("constructor", b"", "has no file of the course"),
         (VECTOR, b"\xff\xfe", "not a text in UTF-8"),
         (VECTOR, b"x" * 200_001, "too large"),
     ):

@@ -23,7 +23,7 @@ export async function zipped() {
 export async function unzipped(file) {
   if (file.size > LARGEST) throw new Error(`The file is larger than ${LARGEST / 1e6} MB. A zip of your work is far smaller.`);
   const stubs = await allStubs();
-  const [texts, others] = [{}, []];
+  const [texts, others, seen] = [{}, [], new Set()];
   let entries = 0;
   const filter = ({name, originalSize}) => {
     if (++entries > MOST) throw new Error(`The zip has more than ${MOST} files in it.`);
@@ -31,12 +31,12 @@ export async function unzipped(file) {
     const path = pathOf(name, stubs);
     if (path && originalSize > LARGEST_FILE) throw new Error(`${name} in the zip is too large to be a file of the course.`);
     if (!path) others.push(name);
+    else if (seen.has(path)) throw new Error(`${path} is in the zip twice. Remove one of them.`);
+    else seen.add(path);
     return Boolean(path);
   };
   for (const [name, bytes] of Object.entries(opened(new Uint8Array(await file.arrayBuffer()), filter))) {
-    const path = pathOf(name, stubs);
-    if (path in texts) throw new Error(`${path} is in the zip twice. Remove one of them.`);
-    texts[path] = decoded(bytes, name);
+    texts[pathOf(name, stubs)] = decoded(bytes, name);
   }
   if (!Object.keys(texts).length) {
     throw new Error("The zip has no file of the course in it, such as ch02_vectors/vector.py. Zip the folders of the chapters.");
@@ -47,7 +47,7 @@ export async function unzipped(file) {
 // Return the path of a file within the course, wherever it is in the zip; undefined for other files.
 function pathOf(name, stubs) {
   const path = name.replaceAll("\\", "/").split("/").slice(-2).join("/");
-  return path in stubs ? path : undefined;
+  return Object.hasOwn(stubs, path) ? path : undefined;
 }
 
 function opened(bytes, filter) {

@@ -60,5 +60,5 @@ self.addEventListener("fetch", (event) => {
   const url = new URL(event.request.url);
   if (event.request.method !== "GET" || !url.href.startsWith(BASE)) return;
   const name = url.pathname.slice(new URL(BASE).pathname.length) || "index.html";
-  if (name in FILES) event.respondWith(file(name));
+  if (Object.hasOwn(FILES, name)) event.respondWith(file(name));
 });

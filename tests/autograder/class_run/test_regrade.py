@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from autograder.grader.regrade import earlier_choice
+from autograder.grader.regrade import Regrade, earlier_choice
 from autograder.manifest import ROOT
 from small import CHECKS, RIGHT, make_root
 from small_class import everything_in, grade, make_class, results, scores
@@ -68,6 +68,23 @@ def test_one_student_is_graded_again_and_all_pages_follow(
     assert grade(submissions, out, root, seed=None, student="bob") == 0
     assert [row["changed exercises"] for row in logged(out)] == ["90.1: 1 to 2", ""]
     assert "kept from an earlier run" not in capsys.readouterr().out, "it was graded, not reused"
+
+
+def test_a_run_that_is_killed_before_it_wrote_the_log_is_logged_by_the_next_one(
+    submissions: Path, root: Path, out: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def killed(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    (submissions / "bob/ch90_small/small.py").write_text(RIGHT, encoding="utf-8")
+    with monkeypatch.context() as context:
+        context.setattr(Regrade, "finish", killed)
+        with pytest.raises(KeyboardInterrupt):
+            grade(submissions, out, root, seed=None, student="bob")
+    assert scores(out)["bob"] == 6.0
+    assert grade(submissions, out, root, seed=None, student="bob") == 0
+    assert [row["changed exercises"] for row in logged(out)] == ["90.1: 1 to 2"]
+    assert [*out.glob(".before*")] == []
 
 
 def test_a_changed_check_is_logged_and_other_conditions_are_refused(

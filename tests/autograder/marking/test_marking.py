@@ -92,7 +92,7 @@ def ask(address: str, path: str = "", body: Any = None, **headers: str) -> HTTPR
         if body is not None:
             own = {"Origin": address.rsplit("/", 2)[0], "Content-Type": "application/json"}
             headers.update({name: own[name] for name in own if name not in headers})
-        text = None if body is None else json.dumps(body)
+        text = body if body is None or isinstance(body, bytes) else json.dumps(body)
         request = HTTPRequest(
             address + path, "GET" if body is None else "POST", headers=headers, body=text
         )
@@ -138,6 +138,9 @@ def test_the_server_knows_its_own_page_alone_and_no_names(address: str, folder: 
         {**good, "mark": {"points": "1", "comment": ""}},
         {**good, "mark": {"points": 1, "comment": "x" * 5000}},
         {**good, "mark": {"points": 1}},
+        b"[" * 100_000,
+        b"9" * 5000,
+        b"\xff",
     ):
         answer = ask(address, "marks.json", bad)
         assert answer.code == 400, bad

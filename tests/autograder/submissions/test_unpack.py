@@ -104,9 +104,10 @@ def test_what_is_unpacked_is_kept_until_the_zip_changes(
 def test_nothing_of_ones_own_is_overwritten(tmp_path: Path) -> None:
     zipped = class_zip(tmp_path, {"ann.zip": WORK})
     (tmp_path / "lab1").mkdir()
+    (tmp_path / "lab1/mine.txt").touch()
     with pytest.raises(ValueError, match="already there, but not unpacked"):
         class_folder(zipped)
-    (tmp_path / "lab1").rmdir()
+    (tmp_path / "lab1/mine.txt").unlink()
     class_folder(zipped)
     (tmp_path / "lab1/cem.zip").symlink_to("/etc/passwd")
     class_zip(tmp_path, {"cem.zip": WORK})

@@ -1,0 +1,150 @@
+"""Machines on which files cannot be written, or on which their names are not in UTF-8."""
+
+from __future__ import annotations
+
+import errno
+import os
+import resource
+import socket
+import subprocess
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+from autograder import handout
+from autograder.commands import sentence
+from autograder.files import is_new, replace_bytes, temporary_of
+from autograder.manifest import ROOT, load_chapters
+from studies import __main__ as studies
+from studies.reason import reason
+from web.__main__ import put_in_place
+
+FULL = "Free some space on that disk, and run the same command again"
+
+
+def full(*_: object, **__: object) -> None:
+    """Do what a full disk does."""
+    raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+
+def test_a_file_is_replaced_as_a_whole_or_not_at_all(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path, link = tmp_path / "a.txt", tmp_path / "link"
+    link.symlink_to(path)
+    replace_bytes(path, b"old")
+    path.chmod(0o600)
+    replace_bytes(link, b"new")
+    assert link.is_symlink()
+    assert path.read_bytes() == b"new"
+    assert path.stat().st_mode & 0o777 == 0o600
+    monkeypatch.setattr(Path, "replace", full)
+    with pytest.raises(OSError, match="No space") as caught:
+        replace_bytes(path, b"newer")
+    assert path.read_bytes() == b"new"
+    assert sorted(tmp_path.iterdir()) == [path, link]
+    assert sentence(caught.value) == f"[Errno 28] No space left on device: '{path}'. {FULL}"
+
+
+def test_a_folder_is_new_until_its_first_file_is_written(tmp_path: Path) -> None:
+    first = tmp_path / "new/first"
+    assert is_new(tmp_path / "new", first)
+    first.parent.mkdir()
+    temporary_of(first).touch()
+    assert is_new(tmp_path / "new", first)
+    first.touch()
+    assert not is_new(tmp_path / "new", first)
+
+
+def test_a_command_that_may_not_write_says_what_to_do(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "autograder", "release", "2", "--out", str(tmp_path / "out")],
+        cwd=ROOT,
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (10, 10)),
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+    )
+    assert done.returncode == 2
+    assert done.stderr.startswith("release: [Errno 27] File too large: ")
+    assert done.stderr.endswith("A limit on the size of files is too low here (see ulimit -f)\n")
+
+
+def test_the_studies_say_what_to_do(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(sys, "argv", ["studies", "plot"])
+    monkeypatch.setattr(studies.importlib, "import_module", lambda _: SimpleNamespace(main=full))
+    assert studies.main() == 2
+    assert FULL in capsys.readouterr().err
+    with pytest.raises(OSError, match="No space") as caught:
+        full()
+    assert reason(caught.value).endswith(f"\nlikely    {FULL}")
+
+
+@pytest.mark.parametrize("exists", [False, True])
+def test_a_hand_out_is_whole_or_not_there(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, exists: bool
+) -> None:
+    out, part = tmp_path / "out", tmp_path / ".out.part"
+    part.mkdir()  # of a run that was killed
+    if exists:
+        out.mkdir()
+    with monkeypatch.context() as context:
+        context.setattr(handout, "make_stubs", full)
+        with pytest.raises(OSError, match="No space"):
+            handout.make_handout(load_chapters()[:1], [], out)
+    assert [*tmp_path.rglob("*")] == ([out] if exists else [])
+
+
+def test_a_site_replaces_an_earlier_one_also_after_a_kill(tmp_path: Path) -> None:
+    out = tmp_path / "site"
+    for number, earlier in enumerate((None, "site", ".site.new", ".site.old")):
+        if earlier:
+            (tmp_path / earlier).mkdir(exist_ok=True)
+            (tmp_path / earlier / "old").touch()
+        (tmp_path / "built").mkdir()
+        (tmp_path / "built" / str(number)).touch()
+        put_in_place(tmp_path / "built", out)
+        assert [*tmp_path.rglob("*")] == [out, out / str(number)]
+
+
+def test_names_are_in_utf_8_whatever_the_locale_and_without_a_home(tmp_path: Path) -> None:
+    temporary = tmp_path / "Größe [/] 日本"
+    temporary.mkdir(parents=True)
+    settings = {"LC_ALL": "C", "PYTHONUTF8": "0", "HOME": "/nowhere", "TMPDIR": str(temporary)}
+    code = (
+        "import sys, os, tempfile; from autograder.commands import prepare; prepare();"
+        "print(sys.argv[1], os.listdir(sys.argv[1]), sys.flags.utf8_mode);"
+        "sys.argv[1:] = ['check', '--exercise', 'B2.1', '--engine', 'solutions'];"
+        "from autograder.__main__ import main; sys.exit(main())"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code, str(tmp_path / "Größe [")],
+        cwd=ROOT,
+        env=os.environ | settings,
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    assert done.stdout.startswith(f"{tmp_path / 'Größe ['} ['] 日本'] 1\n")
+    assert "All checks of B2.1 pass." in done.stdout
+
+
+@pytest.mark.parametrize("sent", [b"", b'{"wait": ', b'{"wait": 1}\n'])
+def test_the_process_that_starts_judges_ends_with_its_grader(sent: bytes) -> None:
+    ours, theirs = socket.socketpair()
+    with ours, theirs:
+        process = subprocess.Popen(
+            [sys.executable, "-m", "autograder.isolation.judges", str(theirs.fileno())],
+            cwd=ROOT,
+            pass_fds=[theirs.fileno()],
+            stderr=subprocess.PIPE,
+        )
+        ours.sendall(sent)
+    _, said = process.communicate(timeout=20.0)
+    if not sent.endswith(b"\n"):
+        assert (process.returncode, said) == (0, b"")

@@ -5,10 +5,10 @@ import "./in_node.mjs";
 import {createInterface} from "node:readline";
 import {pathToFileURL} from "node:url";
 
-import {Engines} from "../../web/page/engines.js";
+import {Engines} from "../../web/page/python/engines.js";
 
 const base = pathToFileURL(`${process.argv[2]}/`);
-const engines = new Engines({base, worker: new URL("../../web/page/worker.js", import.meta.url)});
+const engines = new Engines({base, worker: new URL("../../web/page/python/worker.js", import.meta.url)});
 const links = new Map();
 const ANSWERS = ["frame", "stopped", "refused", "judged"]; // the last one to a message
 

@@ -108,7 +108,7 @@ def test_every_exercise_has_its_panel_and_every_experiment_its_figure(site: Serv
 
 
 TEXT = (".html", ".js", ".css", ".svg")  # what every server sends compressed
-SOURCES = ("web/page/*.js", "lab/page/*.js")
+SOURCES = ("web/page/**/*.js", "lab/page/*.js")
 
 
 def test_the_site_is_small(site: Served) -> None:

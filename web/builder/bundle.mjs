@@ -23,12 +23,12 @@ export async function bundle(out) {
     logLevel: "warning",
   };
   const page = (name) => path.join(WEB, "page", name);
-  const worker = await build({...shared, entryPoints: [page("worker.js")], entryNames: "[name]-[hash]"});
+  const worker = await build({...shared, entryPoints: [page("python/worker.js")], entryNames: "[name]-[hash]"});
   const workerFile = entries(worker.metafile)["worker.js"];
   const made = await build({
     ...shared,
     splitting: true,
-    entryPoints: [page("main.js"), page("site.css")],
+    entryPoints: [page("main.js"), page("styles/site.css")],
     entryNames: "[name]-[hash]",
     chunkNames: "[name]-[hash]",
     define: {WORKER: JSON.stringify(path.basename(workerFile))},

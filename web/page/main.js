@@ -35,15 +35,15 @@ startTips();
 
 const {chapter} = document.body.dataset;
 if (chapter) {
-  const [{startTurns}, {startWhole}, {startLive}] = await Promise.all([import("./turn.js"), import("./whole.js"), import("./live.js")]);
+  const [{startTurns}, {startWhole}, {startLive}] = await Promise.all([import("./exercise/turn.js"), import("./exercise/whole.js"), import("./scenes/live.js")]);
   startTurns(chapter);
   document.querySelectorAll("[data-whole]").forEach(startWhole);
   startLive();
 }
-if (document.getElementById("lab")) (await import("./labpage.js")).startLabPage();
+if (document.getElementById("lab")) (await import("./scenes/labpage.js")).startLabPage();
 const work = document.querySelector("[data-work]");
 if (work) {
-  const {startProgress, startWork} = await import("./work.js");
+  const {startProgress, startWork} = await import("./files/work.js");
   startProgress();
   startWork(work);
 }

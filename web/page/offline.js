@@ -1,7 +1,7 @@
 // Offline use: a service worker stores all pages, and then the files that Python needs.
 
 import {button} from "./dom.js";
-import {workspace} from "./workspace.js";
+import {workspace} from "./files/workspace.js";
 
 export async function startOffline() {
   if (!navigator.serviceWorker) return; // not on this browser, or not without https

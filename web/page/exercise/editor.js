@@ -19,7 +19,7 @@ import {
 import {classHighlighter} from "@lezer/highlight";
 
 import {functionsOf, namesIn} from "./bodies.js";
-import {workspace} from "./workspace.js";
+import {workspace} from "../files/workspace.js";
 
 const MARGIN = 24; // pixels above what is scrolled to
 const fromElsewhere = Annotation.define();

@@ -1,7 +1,7 @@
 // The student's folder: files by path, such as ch02_vectors/vector.py. A file that is not stored equals
 // its stub. Every change is saved at once, and every other tab of the site follows.
 
-import {stubOf} from "./course.js";
+import {stubOf} from "../course.js";
 import {eraseAll, keepCopy, putFile, readAll, run} from "./store.js";
 
 const SAVED_AFTER = 150; // ms after the last key

@@ -1,7 +1,7 @@
 // The results of the last checks by exercise, and which chapters come from the reference.
 
-import {fact, setFact} from "./store.js";
-import {workspace} from "./workspace.js";
+import {fact, setFact} from "../files/store.js";
+import {workspace} from "../files/workspace.js";
 
 let known = null; // {exercise: {state, score, points, files}}
 let given = [];

@@ -2,12 +2,12 @@
 
 import {functionsOf, namesIn} from "./bodies.js";
 import {check, showTrouble} from "./checking.js";
-import {chapterOf} from "./course.js";
-import {button, el, marked, whenNear} from "./dom.js";
-import {warmUp} from "./python.js";
+import {chapterOf} from "../course.js";
+import {button, el, marked, whenNear} from "../dom.js";
+import {warmUp} from "../python/python.js";
 import {reset} from "./reset.js";
 import {isStale, results} from "./results.js";
-import {workspace} from "./workspace.js";
+import {workspace} from "../files/workspace.js";
 import {writtenPart} from "./written.js";
 
 export const panels = new Map(); // exercise -> Turn

@@ -1,6 +1,6 @@
 // Turn a report of checks into elements, in the words of `make check`.
 
-import {count, el} from "./dom.js";
+import {count, el} from "../dom.js";
 import {shown} from "./results.js";
 
 const CODE = ["called", "got", "wanted", "where", "printed", "check"];

@@ -1,7 +1,7 @@
 // A question to answer in words: a text field for its section of answers.md.
 
-import {el} from "./dom.js";
-import {workspace} from "./workspace.js";
+import {el} from "../dom.js";
+import {workspace} from "../files/workspace.js";
 
 const PLACE = "_Write your answer here._";
 const ENOUGH = 2; // words

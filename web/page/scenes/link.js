@@ -1,10 +1,10 @@
 // Links between a lab and the engines of this page, and the options of a lab on the site.
 
-import {outline} from "./course.js";
-import {el, site} from "./dom.js";
-import {engines} from "./python.js";
-import {chaptersGiven} from "./results.js";
-import {workspace} from "./workspace.js";
+import {outline} from "../course.js";
+import {el, site} from "../dom.js";
+import {engines} from "../python/python.js";
+import {chaptersGiven} from "../exercise/results.js";
+import {workspace} from "../files/workspace.js";
 
 const ABSENT = {pymunk: "pymunk cannot be compared here, because it is not available in a browser."};
 
@@ -48,6 +48,6 @@ export function loadLab() {
   loading ??= new Promise((resolve, reject) => {
     const script = el("script", {src: site("vendor/uPlot.iife.min.js"), onload: resolve, onerror: () => reject(new Error("The charts could not be loaded."))});
     document.head.append(script);
-  }).then(() => Promise.all([import("../../lab/page/lab.js"), import("../../lab/page/keys.js"), import("../../lab/page/time.js")]));
+  }).then(() => Promise.all([import("../../../lab/page/lab.js"), import("../../../lab/page/keys.js"), import("../../../lab/page/time.js")]));
   return loading;
 }

@@ -1,6 +1,6 @@
 // Earlier versions: texts that have been replaced.
 
-import {button, count, download, el} from "./dom.js";
+import {button, count, download, el} from "../dom.js";
 import {readAll} from "./store.js";
 import {workspace} from "./workspace.js";
 

@@ -1,9 +1,9 @@
 // The section "Your work" of the start page: download your work, bring it back, or start over.
 
 import {unzipped, zipped} from "./archive.js";
-import {ask} from "./ask.js";
-import {outline} from "./course.js";
-import {button, count, download, el} from "./dom.js";
+import {ask} from "../ask.js";
+import {outline} from "../course.js";
+import {button, count, download, el} from "../dom.js";
 import {canOpenFolders, chooseFolder, link} from "./folder.js";
 import {showCopies} from "./copies.js";
 import {fact, setFact} from "./store.js";
@@ -101,8 +101,8 @@ async function take({texts, others}, from, say) {
 
 // Show the progress of each chapter in the list of chapters.
 export async function startProgress() {
-  const {meter} = await import("./report.js");
-  const {pointsOf} = await import("./results.js");
+  const {meter} = await import("../exercise/report.js");
+  const {pointsOf} = await import("../exercise/results.js");
   await workspace.opened();
   const {chapters} = await outline();
   const show = async () => {

@@ -1,10 +1,10 @@
 // The page of the lab: a list of scenes, the chosen one in the address, and one lab.
 
-import {outline} from "./course.js";
-import {el} from "./dom.js";
+import {outline} from "../course.js";
+import {el} from "../dom.js";
 import {labOptions, loadLab} from "./link.js";
-import {chaptersGiven, numbersOf, results} from "./results.js";
-import {workspace} from "./workspace.js";
+import {chaptersGiven, numbersOf, results} from "../exercise/results.js";
+import {workspace} from "../files/workspace.js";
 
 const $ = (id) => document.getElementById(id);
 

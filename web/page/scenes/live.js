@@ -1,9 +1,9 @@
 // Live figures: a picture until somebody starts it, and then a small lab. One runs at a time.
 
-import {button, el} from "./dom.js";
+import {button, el} from "../dom.js";
 import {labOptions, loadLab} from "./link.js";
-import {warmUp} from "./python.js";
-import {workspace} from "./workspace.js";
+import {warmUp} from "../python/python.js";
+import {workspace} from "../files/workspace.js";
 
 let running = null;
 

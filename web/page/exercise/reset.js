@@ -1,9 +1,9 @@
 // Replace an exercise with its stub. This asks first, keeps a copy, and can be undone.
 
-import {ask} from "./ask.js";
+import {ask} from "../ask.js";
 import {namesIn, putStubsBack} from "./bodies.js";
-import {button, el} from "./dom.js";
-import {workspace} from "./workspace.js";
+import {button, el} from "../dom.js";
+import {workspace} from "../files/workspace.js";
 
 export async function reset(panel) {
   const {id, exercise, paths, data} = panel;

@@ -2,7 +2,7 @@
 
 import {strToU8, unzipSync, zipSync} from "fflate";
 
-import {allStubs} from "./course.js";
+import {allStubs} from "../course.js";
 import {workspace} from "./workspace.js";
 
 const LARGEST = 5_000_000; // bytes of a zip, the same limit as in make grade

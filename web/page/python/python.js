@@ -1,6 +1,6 @@
 // The single pool of engines of this page. Python starts when the reader is about to need it.
 
-import {site} from "./dom.js";
+import {site} from "../dom.js";
 import {Engines} from "./engines.js";
 
 let pool = null;

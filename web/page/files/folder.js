@@ -2,7 +2,7 @@
 // on the page are saved there as well.
 
 import {decoded} from "./archive.js";
-import {allStubs} from "./course.js";
+import {allStubs} from "../course.js";
 import {workspace} from "./workspace.js";
 
 export const canOpenFolders = () => "showDirectoryPicker" in window;

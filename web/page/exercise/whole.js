@@ -1,12 +1,12 @@
 // The panel of a whole chapter: check everything, and take earlier chapters from the reference.
 
 import {runChecks, showReport, showTrouble} from "./checking.js";
-import {chapterOf, outline} from "./course.js";
-import {button, count, el, whenNear} from "./dom.js";
-import {warmUp} from "./python.js";
+import {chapterOf, outline} from "../course.js";
+import {button, count, el, whenNear} from "../dom.js";
+import {warmUp} from "../python/python.js";
 import {meter, tableOf} from "./report.js";
 import {chaptersGiven, pointsOf, results, setGiven, shown} from "./results.js";
-import {workspace} from "./workspace.js";
+import {workspace} from "../files/workspace.js";
 
 export function startWhole(section) {
   whenNear(section, () => new Whole(section).mount());

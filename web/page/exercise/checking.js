@@ -1,12 +1,12 @@
 // Check an exercise or a chapter, and show what was found.
 
-import {outline} from "./course.js";
-import {button, el} from "./dom.js";
-import {engines} from "./python.js";
+import {outline} from "../course.js";
+import {button, el} from "../dom.js";
+import {engines} from "../python/python.js";
 import {failureOf, lineOf, linked} from "./report.js";
 import {chaptersGiven, keep} from "./results.js";
 import {ownerOf, panels} from "./turn.js";
-import {workspace} from "./workspace.js";
+import {workspace} from "../files/workspace.js";
 
 const SLOW = 700; // ms until the page explains why there is no result yet
 

@@ -52,9 +52,12 @@ def wrapped_rows(rows: list[Row], width: int) -> list[str]:
     ]
 
 
-def print_wrapped(console: Console, words: str, style: str) -> None:
-    """Print a text, wrapped if the output is a terminal."""
-    lines = wrapped(words, console.width) if console.is_terminal else [words]
+def print_wrapped(console: Console, words: str, style: str = "", hanging: int = 0) -> None:
+    """Print a text, wrapped if the output is a terminal.
+
+    Continuation lines are indented by ``hanging`` columns.
+    """
+    lines = wrapped(words, console.width, hanging) if console.is_terminal else [words]
     console.print("\n".join(lines), style=style, markup=False, soft_wrap=True)
 
 

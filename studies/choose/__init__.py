@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from autograder.manifest import ROOT
-from autograder.wrapping import plain_console
+from autograder.wrapping import plain_console, print_wrapped
 
 if TYPE_CHECKING:
     from studies.accuracy.measure import Point
@@ -82,7 +82,7 @@ def main(arguments: list[str]) -> int:
             if point and point is cheaper:
                 fails = point.error > options.tolerance
                 told += ": not accurate enough" if fails else ": accurate only by chance"
-            console.print(f"  {title + ':':14}{told}", soft_wrap=True)
+            print_wrapped(console, f"  {title + ':':14}{told}", hanging=16)
     return 1 if missed else 0
 
 

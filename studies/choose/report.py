@@ -9,6 +9,7 @@ from rich.box import SIMPLE_HEAD
 from rich.console import Console
 from rich.table import Table
 
+from autograder.wrapping import print_wrapped
 from studies.accuracy.measure import Point
 from studies.accuracy.results import cheapest, first_within
 from studies.accuracy.scene import RATE
@@ -48,10 +49,10 @@ def choose(path: Path, tolerance: float, console: Console) -> int:
             fails = point.error > tolerance
             told += ": not accurate enough" if fails else ": accurate only by chance"
         if chosen or title == "cheapest":
-            console.print(f"  {title + ':':14}{told}", soft_wrap=True)
+            print_wrapped(console, f"  {title + ':':14}{told}", hanging=16)
     console.print(_table(found, scene, tolerance))
     for warning in warnings(found, chosen):
-        console.print(f"Warning: {warning}", soft_wrap=True)
+        print_wrapped(console, f"Warning: {warning}", hanging=2)
     return 0 if chosen else 1
 
 

@@ -37,10 +37,11 @@ def main() -> None:
             answers.write("".join(f"{answer}\n" for answer in answered(host, line)) + "\n")
             answers.flush()
             faulthandler.cancel_dump_traceback_later()
-    # The server is gone, perhaps without a chance to clean up.
-    with contextlib.suppress(OSError):
-        options.stack.unlink()
-        options.stack.parent.rmdir()
+    # The server is gone, perhaps without a chance to clean up. /dev/null is no file of the server's.
+    if options.stack.is_file():
+        with contextlib.suppress(OSError):
+            options.stack.unlink()
+            options.stack.parent.rmdir()
 
 
 def answered(host: Host, line: bytes) -> list[str]:

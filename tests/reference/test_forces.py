@@ -183,7 +183,7 @@ def test_what_means_nothing_is_refused_by_name(
 
 
 def test_the_center_is_refused_with_the_distance() -> None:
-    with pytest.raises(ArithmeticError, match=r"not finite: the particle is 0\.0 m away"):
+    with pytest.raises(ArithmeticError, match=r"the force is not finite at 0\.0 m from the center"):
         InverseSquareGravity(UP, 1.0).update_force(Particle(UP), 0.1)
 
 

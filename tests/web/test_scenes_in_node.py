@@ -29,14 +29,15 @@ def load(engines: NodeEngines, link: int, scene: str, **changes: Any) -> list[di
 
 
 @pytest.fixture(scope="module")
-def on_cpython() -> dict[str, dict[str, Any]]:
+def on_cpython(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, Any]]:
     """Return the frame of each scene after a while, on the reference, as make lab has it."""
     messages = []
     for name in SCENES:
         messages.append({"kind": "load", "scene": name, "values": {}, "peer": ""})
         messages.append({"kind": "run", "frames": FRAMES})
+    stack = tmp_path_factory.mktemp("engine") / "stack.txt"
     done = subprocess.run(
-        [sys.executable, "-m", "lab.child", "--engine", "solutions", "--stack", "/dev/null"],
+        [sys.executable, "-m", "lab.child", "--engine", "solutions", "--stack", str(stack)],
         input="".join(json.dumps(message) + "\n" for message in messages),
         capture_output=True,
         encoding="utf-8",

@@ -37,7 +37,7 @@ def main() -> None:
             answers.write("".join(f"{answer}\n" for answer in answered(host, line)) + "\n")
             answers.flush()
             faulthandler.cancel_dump_traceback_later()
-    # The server is gone, perhaps without a chance to clean up. /dev/null is no file of the server's.
+    # The server is gone, perhaps without a chance to clean up. Never remove /dev/null.
     if options.stack.is_file():
         with contextlib.suppress(OSError):
             options.stack.unlink()

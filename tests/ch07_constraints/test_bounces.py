@@ -47,13 +47,17 @@ def test_restitution_is_a_root(rng: Random) -> None:
         got = restitution_of_drop(initial, bounce)
         mistakes = [
             (wanted * wanted,
-             "The result is the ratio of the heights. Take its square root, which is the ratio "
-             "of the speeds."),
-            (1.0 / wanted, "The ratio is inverted. Divide bounce_height by initial_height."),
+             "The result is the ratio of the heights. The height of a rise grows with the square "
+             "of the speed, so take the square root of this ratio."),
+            (1.0 / wanted, "The ratio is inverted. The ball never bounces higher than it was "
+                           "dropped, so divide bounce_height by initial_height."),
         ]  # fmt: skip
         blame(got, mistakes)
         expect_close(got, wanted)
-    cause = "A ball that does not bounce at all has restitution 0."
+    cause = (
+        "This ball stays on the ground, because its bounce height is 0. Its restitution is 0, so "
+        "do not refuse it."
+    )
     about("restitution_of_drop(2.0, 0.0)", cause=cause)
     got = restitution_of_drop(2.0, 0.0)
     expect_close(got, 0.0)
@@ -70,7 +74,8 @@ def test_a_drop_needs_heights_that_mean_something() -> None:
         ValueError,
         call="restitution_of_drop(2, 2.5)",
         allowed=lambda: restitution_of_drop(2, 2),
-        cause="A ball cannot bounce higher than it was dropped. Raise ValueError.",
+        cause="A ball cannot bounce higher than it was dropped, so one of these heights must be "
+        "wrong. Raise ValueError.",
     )
 
 
@@ -96,8 +101,8 @@ def test_each_material_has_its_row(rng: Random) -> None:
     # Roots of the heights, a few roundings of 1.
     roots = tuple(math.sqrt(math.fsum(c * c for c in part) / len(part)) for part in (a, b, [0.5]))
     name = (
-        "The mean was taken before the square root. First take the root for each drop, and then "
-        "the mean."
+        "The mean was taken before the square root, which gives a slightly different number. "
+        "Compute the restitution of each drop first, and then take the mean."
     )
     blame(means, [(roots, name)])
     expect_close(means, wanted, then=": means", tolerance=1e-14)
@@ -107,15 +112,21 @@ def test_each_material_has_its_row(rng: Random) -> None:
     seen = [row[3] for row in got[:2]]
     mistakes = [
         ((2.0 * errors[0], math.sqrt(2.0) * errors[1]),
-         "The result is the standard deviation s. Divide it by sqrt(n)."),
+         "This is the standard deviation s of single drops. The mean of n drops is more certain "
+         "than one drop, so divide s by sqrt(n)."),
         ((math.sqrt(0.75) * errors[0], errors[1] / math.sqrt(2.0)), "This standard deviation "
-         "divides by n. Divide by n - 1, as statistics.stdev does."),
+        "divides by n, which makes it a little too small for a sample. Divide by n - 1, as "
+        "statistics.stdev does."),
         ((0.5 * errors[0], errors[1] / math.sqrt(2.0)),
-         "The result is s / n. Divide s by sqrt(n)."),
+         "The result is s / n. The standard error falls only with the root of n, so divide s by "
+         "sqrt(n)."),
     ]  # fmt: skip
     blame(seen, mistakes)
     expect_close(seen, errors, then=": standard errors", tolerance=1e-14)
-    about.cause = "A single drop gives no standard error. Return None in its place."
+    about.cause = (
+        "One drop says nothing about how much the drops vary, so there is no standard error. "
+        "Return None in its place."
+    )
     expect_exactly(got[2][3], None, then=": the last error")
     about("table_of_drops([])", cause="Without drops there are no rows. Return an empty list.")
     got = table_of_drops([])
@@ -129,7 +140,10 @@ def test_a_table_refuses_what_a_drop_refuses() -> None:
     good = ("oak", 2.0, 1.0)
     for bad, error in ((("oak", 0.0, 0.0), ValueError), (("ash", 1.0, "2"), TypeError)):
         about.call = f"table_of_drops([{good}, {bad}])"
-        about.cause = "Call restitution_of_drop for every drop, and do not catch its error."
+        about.cause = (
+            "One of these drops is impossible. Call restitution_of_drop for every drop, and let "
+            "its error pass, so that the reader hears of the mistake."
+        )
         expect_error(
             lambda bad=bad: table_of_drops([good, bad]),
             error,
@@ -165,13 +179,16 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
     v = math.sqrt(20.0)
     mistakes = [
         (0.575 * v,
-         "The lower ball was treated as being at rest. After its bounce it rises at 0.5 v."),
-        (-0.7375 * v, "The masses are swapped. The change is multiplied by lower_mass / total."),
+         "The lower ball was treated as being at rest. It has already bounced and rises at 0.5 v "
+         "when the upper ball hits it."),
+        (-0.7375 * v, "The masses are swapped. The heavier the lower ball, the more the upper one "
+                      "changes, so multiply by lower_mass / total."),
         (2.3625 * v,
          "The result is the change of the upper ball's velocity. Before the impact this ball "
          "fell at v, so subtract v."),
-        (2.625 * v - v, "The upper ball got the whole change of the relative velocity. Its part "
-                        "is lower_mass / total, here 0.9."),
+        (2.625 * v - v, "The upper ball got the whole change of the relative velocity, but the "
+                        "lower ball takes a part of it. The part of the upper ball is lower_mass "
+                        "/ total, here 0.9."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, 1.3625 * v)
@@ -192,7 +209,16 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
         got = top_ball_speed(h, lower, m, ground, pair, g)
         ten = wanted * math.sqrt(10.0 / g)
         if wanted:
-            blame(got, [(ten, "The result is right only for 10 m/s^2. Use the gravity argument.")])
+            blame(
+                got,
+                [
+                    (
+                        ten,
+                        "The result is right only where gravity is 10 m/s^2. Use the "
+                        "argument gravity in its place.",
+                    )
+                ],
+            )
         expect_close(got, wanted, tolerance=1e-13)
 
 
@@ -252,13 +278,16 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
         got = expect_vector(force_for_frame(force, share * frame, frame))
         wanted = tuple(share * part for part in f)
         impulse = tuple(share * frame * part for part in f)
-        why = "The result is the impulse in N s. Divide it by the frame to get a force."
+        why = (
+            "The result is the impulse in N s. A force acts for the whole frame, so divide the "
+            "impulse by the duration of the frame."
+        )
         mistakes = [(impulse, why)]
         if share:
             longer = tuple(part / share for part in f)
             name = (
-                "The ratio is inverted. Spread over a whole frame, a short push needs a smaller "
-                "force."
+                "The ratio is inverted. The same impulse is now spread over a longer time, so the "
+                "force must become smaller."
             )
             mistakes.append((longer, name))
         why = cause_of(got, mistakes, about.cause)
@@ -266,7 +295,10 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
         kept = "*= changes the vector in place. Return force * number, a new vector."
         expect_unchanged("f", xyz(force), f, cause=kept)
     about.call = f"f = Vector3{f}; force_for_frame(f, 1.0, 1.0).x += 1.0"
-    about.cause = "Return a new vector, even if the force keeps its size."
+    about.cause = (
+        "The result is the vector that was passed in. Return a new vector, even if the force keeps "
+        "its size, so that a change of one does not change the other."
+    )
     force = Vector3(*f)
     force_for_frame(force, 1.0, 1.0).x += 1.0
     expect_unchanged("f", xyz(force), f)

@@ -22,12 +22,13 @@ def test_when_a_gap_closes(rng: Random) -> None:
     for gap, v, a, wanted, cause in (
         (12.0, -4.0, 0.0, 3.0, "Without acceleration the gap closes at t = gap / -v."),
         (5.0, 0.0, -10.0, 1.0, rest),
-        (15.0, 10.0, -10.0, 3.0, "The body first rises and then falls back: take the later "
-                                 "solution."),
+        (15.0, 10.0, -10.0, 3.0, "The body first rises and then falls back, so it passes this "
+                                 "height twice. It is closing at the later time."),
         (40.0, -10.0, -10.0, 2.0,
-         "One solution is negative, so it lies in the past. Take the positive solution."),
-        (6.0, -5.0, 2.0, 2.0, "The body slows down but still arrives: take the first of the two "
-                              "solutions."),
+         "The equation has two solutions. One of them is negative and lies in the past, so take "
+         "the positive one."),
+        (6.0, -5.0, 2.0, 2.0, "The body slows down but still arrives, and would come back later. "
+                              "Take the first of the two solutions."),
         (0.5 * pull * t * t, 0.0, -pull, t, rest),
         (1e-6, -1e-6, 0.0, 1.0, "Even a slow approach closes the gap."),
         (5e-7, 0.0, -1e-6, 1.0, "Even a weak acceleration closes the gap."),
@@ -37,19 +38,25 @@ def test_when_a_gap_closes(rng: Random) -> None:
          "The body starts slightly inside the ground and leaves it. The impact is the moment "
          "when it returns."),
         (-5.0, 3.0, -10.0, 0.3,
-         "The body is too deep to get out. Its impact is the moment when its velocity "
-         "reverses."),
+         "The body moves out but is too deep to get out. Its impact is the moment when it turns "
+         "around and moves in again."),
     ):  # fmt: skip
         about(f"time_to_close({gap}, {v}, {a})", cause=cause)
         got = time_to_close(gap, v, a)
-        mistakes = [(-wanted, "A negative time is in the past. Check the signs of velocity "
-                              "and acceleration.")]  # fmt: skip
+        mistakes = [(-wanted, "A negative time lies in the past. Check the signs of velocity and "
+                              "acceleration, since both point along the gap here.")]  # fmt: skip
         if a:
             other = -2.0 * v / a - wanted  # the sum of both solutions is -2 v / a
             mistakes.append((other, f"The result is the other solution of the equation. {cause}"))
         if not v:
             half = wanted / math.sqrt(2.0)
-            mistakes.append((half, "The factor 1/2 is missing: solve gap + v t + a t^2 / 2 = 0."))
+            mistakes.append(
+                (
+                    half,
+                    "The factor 1/2 of the acceleration is missing. Solve gap + v "
+                    "t + a t^2 / 2 = 0.",
+                )
+            )
         blame(got, mistakes)
         expect_close(got, wanted)
 
@@ -77,8 +84,9 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
                                 "arrives."),
         (x, 2.0, 3.0, math.inf, "The body moves away and is accelerated away, so it never "
                                 "arrives."),
-        (x, -1.0, 1.0 / x, math.inf, "The body reverses before it arrives: the number under the "
-                                     "root is negative."),
+        (x, -1.0, 1.0 / x, math.inf, "The body turns around before it arrives. The number under "
+                                     "the root is then negative, so return math.inf instead of "
+                                     "taking the root."),
         (0.0, 0.0, 0.0, math.inf, "The body lies on the ground without velocity or acceleration, "
                                   "so there is no impact."),
         (0.0, x, 0.0, math.inf, "The body leaves the ground and nothing brings it back, so there "

@@ -50,9 +50,14 @@ def test_two_part_as_one_sees_the_other(rng: Random) -> None:
         line = tuple(x - y for x, y in zip(p, q, strict=True))
         over = sum((x - y) * z for x, y, z in zip(v, w, line, strict=True)) / math.hypot(*line)
         mistakes = [
-            (-wanted, "The sign is wrong. Compute (va - vb) . n, the velocity of a relative to b."),
-            (dot(v, n), "The velocity of b is missing. Compute (va - vb) . n."),
-            (dot(v, n) + dot(w, n), "The velocities were added. Subtract the velocity of b."),
+            (-wanted, "The sign is wrong, so a contact that closes looks as if it separated. "
+                      "Compute (va - vb) . n, in which va - vb is the velocity of a relative to "
+                      "b."),
+            (dot(v, n), "Only the velocity of a was used, but b moves as well. Subtract its "
+                        "velocity first, and compute (va - vb) . n."),
+            (dot(v, n) + dot(w, n), "The two velocities were added. How fast the particles "
+                                    "separate depends on their difference, so subtract the "
+                                    "velocity of b."),
             (over, "The result is the velocity along the line between the two positions. Use the "
                 "contact's normal as the direction."),
         ]  # fmt: skip
@@ -67,9 +72,21 @@ def test_the_world_does_not_move(rng: Random) -> None:
     v = components(rng)
     for n in (UP, direction(rng)):
         about.call = f"a with velocity {v}; Contact(a, None, Vector3{n}).separating_velocity()"
-        about.cause = "If self.other is None, there is no second velocity. Return va . n."
+        about.cause = (
+            "This contact is with something that does not move, so self.other is None and there is "
+            "no second velocity. Return va . n."
+        )
         got = Contact(Particle(velocity=Vector3(*v)), None, Vector3(*n)).separating_velocity()
-        blame(got, [(-dot(v, n), "The sign is wrong. Return va . n.")])
+        blame(
+            got,
+            [
+                (
+                    -dot(v, n),
+                    "The sign is wrong, so a contact that closes looks as if it "
+                    "separated. Return va . n.",
+                )
+            ],
+        )
         expect_close(got, dot(v, n), tolerance=1e-13)
 
 
@@ -80,7 +97,8 @@ def test_to_ask_for_it_changes_nothing(rng: Random) -> None:
     about.call = f"a with velocity {v}, b with {w}; c = Contact(a, b, Vector3{n}); "
     about.call += "c.separating_velocity()"
     about.cause = (
-        "The operator -= changes a vector in place. Compute a - b, which creates a new vector."
+        "Asking for the separating velocity has changed a particle's velocity, because -= works "
+        "in place. Compute a - b, which creates a new vector."
     )
     a, b = Particle(velocity=Vector3(*v)), Particle(velocity=Vector3(*w))
     c = Contact(a, b, Vector3(*n))
@@ -124,17 +142,25 @@ def test_what_closes_bounces(rng: Random) -> None:
         got = Contact(a, b, Vector3(*n), restitution).velocity_after()
         wanted = -restitution * closing
         mistakes = [
-            (-wanted, "The sign is wrong. A bounce makes the contact separate: return -c v_s."),
-            (-closing, "The restitution is missing. Return -c v_s."),
+            (
+                -wanted,
+                "The sign is wrong, so the particles still move into each other. After a "
+                "bounce they separate. Return -c v_s.",
+            ),
+            (
+                -closing,
+                "The restitution is missing, so the bounce loses no speed at all. Multiply "
+                "by it, and return -c v_s.",
+            ),
             (
                 closing,
-                "The result is the velocity before the bounce. Return -c v_s, the velocity after "
-                "it.",
+                "This is the separating velocity before the bounce. Return the velocity after it, "
+                "which is -c v_s.",
             ),
             (
                 wanted - closing,
-                "The result is the change of velocity. Return -c v_s, the velocity after the "
-                "change.",
+                "This is the change of the velocity during the bounce. Return the velocity after "
+                "the bounce, which is -c v_s.",
             ),
         ]
         if closing < -1e-3:  # below, all of these are near 0
@@ -163,7 +189,9 @@ def test_what_parts_goes_on(rng: Random) -> None:
         expect_close(got, dot(v, n), tolerance=1e-12)
     about.call = "a at rest, pulled down; Contact(a, None, Vector3(0, 1, 0), "
     about.call += "0.5).velocity_after(0.5)"
-    about.cause = "The two neither approach nor separate. Their separating velocity stays 0."
+    about.cause = (
+        "The two particles neither approach nor separate, so there is nothing to bounce. Return 0."
+    )
     a = Particle(acceleration=Vector3(0.0, -G, 0.0))
     got = Contact(a, None, Vector3(*UP), 0.5).velocity_after(0.5)
     expect_close(got, 0.0)
@@ -180,19 +208,23 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
         (G * h, 0.0, "This body is at rest. It closes only with the velocity that this time step "
                      "has added, so it must not bounce."),
         (0.4 * G * h, 0.0,
-         "The time step added more than the whole closing speed. Return 0 and never less."),
-        (5.0, c * (5.0 - G * h), "Of the 5 m/s the time step added 0.1962 m/s. Only the rest "
-         "bounces: return c (-v_s + a . n h)."),
+         "The time step added more than the whole closing speed, so nothing is left to bounce. "
+         "Return 0 and never less, because the particles must not move into each other."),
+        (5.0, c * (5.0 - G * h), "The time step itself added 0.1962 m/s of the 5 m/s, and only "
+                                 "the rest must bounce. Subtract that part first, and return c "
+                                 "(-v_s + a . n h)."),
     ):  # fmt: skip
         about.cause = cause
         size = math.hypot(*pull)
         mistakes = [
             (c * closing, "The whole velocity bounces here. Leave out the part that this time "
                           "step has added, or a resting body jitters."),
-            (c * closing - G * h, "Subtract the built-up velocity before you multiply by the "
-             "restitution: c (-v_s + a . n h)."),
+            (c * closing - G * h, "The velocity that the step has added was subtracted after the "
+                                  "multiplication by the restitution. Subtract it before, as in "
+                                  "c (-v_s + a . n h)."),
             (c * (closing + G * h),
-             "Here a . n is negative, so it reduces the bounce. Add a . n h to -v_s."),
+             "The bounce became faster, but the velocity that the step has added must make it "
+             "slower. Here a . n is negative, so add a . n h to -v_s."),
             (c * (closing - size * h),
              "The result uses the whole |a|. Only a . n, its component along the normal, "
              "closes the contact."),
@@ -208,7 +240,10 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-12)
     about.call = f"a with velocity (0, -5, 0), acceleration (0, -{G}, 0); Contact(a, None, "
     about.call += "Vector3(0, 1, 0), 1.0).velocity_after(0.0)"
-    about.cause = "With a duration of 0 no time step has added any velocity, so all of it bounces."
+    about.cause = (
+        "A duration of 0 means that no time step has added any velocity. The whole closing "
+        "velocity must bounce."
+    )
     a = Particle(velocity=Vector3(0.0, -5.0, 0.0), acceleration=Vector3(0.0, -G, 0.0))
     got = Contact(a, None, Vector3(*UP), 1.0).velocity_after(0.0)
     expect_close(got, 5.0)
@@ -244,7 +279,10 @@ def test_forces_build_up_as_well(rng: Random) -> None:
     about.call = f"a of {mass} kg with acceleration (0, -4, 0), a.add_force(Vector3(0, "
     about.call += f"{-5.0 * mass}, 0)); a.integrate({h}); a.velocity.y = -1; Contact(a, None, "
     about.call += f"Vector3(0, 1, 0), {c}).velocity_after({h})"
-    about.cause = "Both the constant acceleration and the forces count: together -9 m/s^2."
+    about.cause = (
+        "Both the constant acceleration and the forces move the particle. Use last_acceleration, "
+        "which is their sum, -9 m/s^2."
+    )
     a = Particle(acceleration=Vector3(0.0, -4.0, 0.0), mass=mass)
     a.add_force(Vector3(0.0, -5.0 * mass, 0.0))
     a.integrate(h)
@@ -262,7 +300,10 @@ def test_forces_build_up_as_well(rng: Random) -> None:
     expect_close(got, c * (1.0 - 7.0 * h), tolerance=1e-12)
     about.call = f"a of {mass} kg with acceleration (0, {-G}, 0), held by a force of its weight; "
     about.call += f"a.velocity.y = -1; Contact(a, None, Vector3(0, 1, 0), {c}).velocity_after({h})"
-    about.cause = "The force cancels gravity, so nothing was built up. All of the 1 m/s bounces."
+    about.cause = (
+        "The force cancels gravity, so the time step has added no velocity. All of the 1 m/s must "
+        "bounce."
+    )
     a = Particle(acceleration=Vector3(0.0, -G, 0.0), mass=mass)
     a.add_force(Vector3(0.0, mass * G, 0.0))
     a.integrate(h)
@@ -276,7 +317,10 @@ def test_two_that_fall_alike_build_up_nothing(rng: Random) -> None:
     about.read = REST
     pull, other = number(rng), positive_number(rng)
     c, h = round(rng.uniform(0.3, 0.9), 3), 0.02
-    immovable = "An immovable particle does not accelerate. Ignore its last_acceleration."
+    immovable = (
+        "The other particle is immovable, so it does not accelerate, whatever its "
+        "last_acceleration says. Ignore it."
+    )
     for pa, pb, mass_a, mass_b, wanted, cause in (
         (pull, pull, 1.0, 2.0, c * 3.0,
          "Both particles have the same acceleration, so a does not accelerate relative to b. "
@@ -304,7 +348,10 @@ def test_to_say_how_it_bounces_changes_nothing(rng: Random) -> None:
     v = components(rng)[0], -positive_number(rng), components(rng)[2]
     about.call = f"a with velocity {v}, acceleration (0, -2, 0); c = Contact(a, b, Vector3(0, 1, "
     about.call += "0), 0.5); c.velocity_after(0.5)"
-    about.cause = "This method only computes a velocity. Leave the change to resolve_velocity."
+    about.cause = (
+        "The call has changed a velocity. This method only computes the new one, and "
+        "resolve_velocity makes the change."
+    )
     a = Particle(velocity=Vector3(*v), acceleration=Vector3(0.0, -2.0, 0.0))
     b = Particle(acceleration=Vector3(0.0, -1.0, 0.0))
     c = Contact(a, b, Vector3(*UP), 0.5)

@@ -33,7 +33,10 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
     about.read = GROUND
     height, c = number(rng), round(rng.uniform(0.1, 0.9), 3)
     lowest = "The lowest point of the sphere, y - radius, is below the height of the ground. "
-    lowest += "Return a contact of that depth, whatever the velocity is."
+    lowest += (
+        "Whether a sphere touches the ground depends on its position alone. Return a contact of "
+        "that depth, whatever the velocity is."
+    )
     for radius in (0.0, 0.25):
         about.call = f"GroundPlane([p], {height}, {radius}, {c}).contacts()"
         # Eighths of a meter are exact beside a radius of a quarter.
@@ -42,7 +45,12 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
             (1e-6, [], "Just above the ground there is no contact yet."),
             (-0.5, [0.5], lowest),
             (-0.125, [0.125], lowest),
-            (0.0, [0.0], "A sphere that just touches is in contact. Its penetration is 0."),
+            (
+                0.0,
+                [0.0],
+                "This sphere just touches the ground. Return a contact with a "
+                "penetration of 0, so that a body at rest keeps its contact.",
+            ),
             (-80.0, [80.0], "Everything below the height is ground, however deep it is."),
         ):
             about.cause = cause
@@ -56,19 +64,35 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
                 # Rounding of heights up to 10 m.
                 shown = f"{name}: penetration"
                 mistakes = [
-                    (wanted - radius, "The radius is missing. The lowest point is at y - radius."),
-                    (wanted - 2.0 * radius, "The radius has the wrong sign. The lowest point is at "
-                     "y - radius."),
-                    (-wanted, "The sign is wrong. A penetration below the ground is positive."),
+                    (wanted - radius, "The radius is missing, so the center would have to reach "
+                                      "the ground. The lowest point of the sphere is at y - "
+                                      "radius."),
+                    (wanted - 2.0 * radius, "The radius has the wrong sign, so this is the "
+                                            "highest point of the sphere. The lowest point is at "
+                                            "y - radius."),
+                    (-wanted, "The sign is wrong. A penetration is positive if the sphere is "
+                              "inside the ground."),
                     (wanted - height,
-                     "The height of the ground is missing. The depth is height + radius - y."),
+                     "The ground was taken to be at a height of 0. The depth is height + radius - "
+                     "y."),
                 ]  # fmt: skip
                 why = cause_of(depth, mistakes, about.cause)
                 expect_close(depth, wanted, call=shown, cause=why, tolerance=2e-14)
                 seen = (a, b, *normal, restitution)
                 why = "Return Contact(particle, None, Vector3(0, 1, 0), restitution, depth)."
                 down = (0, -1, 0, -1, 0, c)
-                why = cause_of(seen, [(down, "The normal points down. It must point up.")], why)
+                why = cause_of(
+                    seen,
+                    [
+                        (
+                            down,
+                            "The normal points down, so the contact would pull "
+                            "the sphere into the ground. It must point "
+                            "up, out of the ground.",
+                        )
+                    ],
+                    why,
+                )
                 shown = f"{name}: index of particle and other (-1 is None), normal, restitution"
                 expect_close(seen, (0, -1, *UP, c), call=shown, cause=why)
 
@@ -88,7 +112,10 @@ def test_the_ground_is_for_all_that_moves(rng: Random) -> None:
     about.cause = "Skip immovable particles, and read the list again on every call."
     expect_exactly(second, [0, 2, 3, 4, 5, 6])
     about.call += "; g.height, g.radius changed to -2 and 0.5; g.contacts(): the indices"
-    about.cause = "Read height and radius again on every call."
+    about.cause = (
+        "A change of height or radius had no effect. Read both again on every call, instead of "
+        "storing what follows from them."
+    )
     expect_exactly(third, [])
 
 
@@ -157,7 +184,10 @@ def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
     seen, pairs = ([(a, b) for a, b, *_ in contacts] for contacts in (got, wanted))
     found = {frozenset(pair) for pair in seen}
     if len(found) < len(seen):
-        about.cause = "A pair was found twice, from both ends or both cells. Return each pair once."
+        about.cause = (
+            "The same pair was found twice, once from each of its particles or from each cell. "
+            "Return each pair once, or its impulse would act twice."
+        )
     elif missing := [pair for pair in pairs if frozenset(pair) not in found]:
         about.cause = f"The pair {missing[0]} is missing. {about.cause}"
     elif len(seen) > len(pairs):
@@ -179,12 +209,14 @@ def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
         apart = size - right[4]
         mistakes = [
             (size * size - apart * apart,
-             "The squares were subtracted. Subtract the distance itself from two radii."),
+             "The squares of the lengths were subtracted, which gives an area. Subtract the "
+             "distance itself from two radii."),
             (-right[4], "The sign is wrong. The penetration of overlapping spheres is positive."),
-            (0.5 * size - apart, "Each sphere has a radius. Subtract the distance from two radii."),
+            (0.5 * size - apart, "Only one radius was used, but both spheres have one. Subtract "
+                                 "the distance from two radii."),
             (apart,
-             "The penetration is the distance of the centers. Subtract this distance from two "
-             "radii."),
+             "The penetration is the distance of the centers, which becomes smaller the deeper "
+             "the overlap is. Subtract this distance from two radii."),
         ]  # fmt: skip
         otherwise = "The penetration is two radii minus the distance of the centers."
         about.cause = cause_of(depth, mistakes, otherwise)
@@ -240,7 +272,10 @@ def test_pairs_are_those_of_now(rng: Random) -> None:
     first, second, third = pairs_of_a_list(radius)
     expect_exactly(first, [])
     about.call += "; the last one moved next to the first, and one more put between the two others"
-    about.cause = "Read the list and the positions again on every call."
+    about.cause = (
+        "Particles that have moved or joined the list since the first call were missed. Read the "
+        "list and the positions again on every call."
+    )
     expect_exactly(second, [0, 3, 1, 4, 2, 4])
     about.call += "; p.radius doubled"
     about.cause = "Read the radius again on every call."

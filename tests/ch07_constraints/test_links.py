@@ -71,8 +71,10 @@ def expect_contacts(
         why = "A contact has the restitution of its link. For a rod that is 0."
         expect_close(restitution, right[3], then=": restitution", cause=why)
         depths = [
-            (-right[4], "The sign is wrong. A penetration is positive when the limit is passed."),
-            (far, "The penetration is the distance of the ends. Subtract the limit from it."),
+            (-right[4], "The sign is wrong, so the resolver would leave this link alone. A "
+                        "penetration is positive when the limit is passed."),
+            (far, "The penetration is the whole distance of the ends. Only the part beyond the "
+                  "limit must be removed, so subtract the limit."),
         ]  # fmt: skip
         why = cause_of(depth, depths, about.cause)
         # Lengths of up to 20 m, rounded a few times.
@@ -133,7 +135,10 @@ def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     make, name = (AnchoredCable, "AnchoredCable") if anchored else (Cable, "Cable")
     about.call = f"{told_ends}; c = {name}(a, {'anchor' if anchored else 'b'}, {1.25 * length}); "
     about.call += "c.contacts()"
-    about.cause = "A cable that is shorter than its maximum length has no contact."
+    about.cause = (
+        "This cable is slack, because it is shorter than its maximum length. A slack cable has no "
+        "contact."
+    )
     before = places(pair)
     cable = make(*pair, 1.25 * length)
     for max_length in (1.25 * length, 1025.0 / 1024.0 * length):
@@ -147,7 +152,10 @@ def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     wanted = [(0, -1 if anchored else 1, n, 0.5, 0.6875 * length)]
     expect_contacts(about.call, cable, pair, wanted)
     about.call += "; the other end moved to the opposite side of a; c.contacts()"
-    about.cause = "Read the positions of both ends again on every call."
+    about.cause = (
+        "The ends have moved since the first call. Read the positions of both ends again on every "
+        "call."
+    )
     x, y, z = xyz(pair[0].position)
     back = (-n[0], -n[1], -n[2])
     there = Vector3(x - length * n[0], y - length * n[1], z - length * n[2])

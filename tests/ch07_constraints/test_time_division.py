@@ -43,17 +43,21 @@ def test_without_an_impact_the_flight_is_exact(rng: Random) -> None:
     without = (wanted[0], 9.0 + v[1] * h, wanted[2])
     mistakes = [
         ((0.0, 9.0, 0.0),
-         "The particle did not move. After the last impact, fly to the end of the step."),
+         "The particle has not moved. If no impact is left in the step, let every particle fly to "
+         "the end of the step."),
         (without, "The term a t^2 / 2 is missing, as in explicit Euler. Use p + v t + a t^2 / 2."),
         ((wanted[0], 9.0 + v[1] * h - 10.0 * h * h, wanted[2]),
-         "The step adds a t^2 to the position. Add only half of it: p + v t + a t^2 / 2."),
+         "The step adds a t^2 to the position. The velocity grows from v to v + a t, so on "
+         "average only half of it counts. Add a t^2 / 2."),
     ]  # fmt: skip
     seen = cause_of(place, mistakes, about.cause)
     expect_close(place, wanted, then="position", cause=seen)
     wanted = (v[0], v[1] - 10.0 * h, v[2])
     expect_close(velocity, wanted, then="velocity")
     about.call = "an immovable particle with velocity (1, 2, 3); one step: position, velocity"
-    about.cause = "An immovable particle stays where it is."
+    about.cause = (
+        "An immovable particle was moved. It stays where it is, so leave it out of the flight."
+    )
     body = (ZERO, (1.0, 2.0, 3.0), math.inf)
     seen, _, _, _ = flown([body], DOWN, 0.0, (0.5, None), h, 1)
     expect_close(sum(seen[0][0], ()), (*ZERO, 1.0, 2.0, 3.0))
@@ -80,8 +84,8 @@ def test_a_ball_bounces_when_it_is_due(rng: Random) -> None:
             about.cause += "for all of it, and resolve each velocity with a duration of 0."
         if h > 1.0 and len(found) == 1:
             about.cause = (
-                "The step stopped after one impact. Call next_impact again for the rest of the "
-                "step."
+                "The step stopped after one impact, although another one follows in the same "
+                "step. Call next_impact again for the rest of the step."
             )
         expect_exactly(len(found), len(times), then="number of impacts")
         expect_exactly(len(found), len(times), then="impacts")
@@ -264,10 +268,14 @@ def test_a_frame_uses_the_forces_up(rng: Random) -> None:
     name = f"{about.call}position"
     wanted = (3.0 * h, height, 0.0)
     expect_close(bouncing[0], wanted, call=name, tolerance=1e-13)
-    about.cause = "Multiply the velocity by damping ** duration once, at the end of the step."
+    about.cause = (
+        "Damping must act once for the whole step. Multiply the velocity by damping ** duration at "
+        "the end of the step."
+    )
     name = f"{about.call}velocity"
     mistakes = [
-        ((3.0, 2.0 * end, 0.0), "Damping is missing. Multiply by damping ** duration at the end."),
+        ((3.0, 2.0 * end, 0.0), "Damping is missing, so nothing slows the particle down. Multiply "
+                                "the velocity by damping ** duration at the end of the step."),
         ((0.75, 0.5 * end, 0.0),
          "The velocity is damped for a whole second. Multiply by damping ** duration."),
     ]  # fmt: skip

@@ -62,13 +62,12 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
                     "The force pushes. The printed form k (l0 - l) has the wrong sign (E-4). "
                     "Check the direction of the offset, too."
                 ): [-part for part in wanted],
-                "There is no force although the rope is longer than its rest length.": ZERO,
-                "The force is -k l d^. Subtract the rest length from the length.": [
-                    -k * (rest + extension) * part for part in d
-                ],
-                "The force is multiplied by the offset. Use the unit vector along the offset.": [
-                    part * (rest + extension) for part in wanted
-                ],
+                "There is no force, although the rope is longer than its rest length and must "
+                "pull. Check the condition for a slack rope.": ZERO,
+                "The force is -k l d^, as if the rest length were 0. Subtract the rest length "
+                "from the length.": [-k * (rest + extension) * part for part in d],
+                "The force is multiplied by the whole offset, so a long rope is too strong. Use "
+                "the unit vector along the offset.": [part * (rest + extension) for part in wanted],
             }
             blame(got, slips)
             # The offset is read from positions up to 20 m, so it is some 1e-15 m off.
@@ -111,7 +110,10 @@ def test_a_slack_rope_does_nothing(rng: Random) -> None:
         about.cause = "At exactly its rest length, a rope is still slack and has no damping."
         bungee.update_force(p, 0.5)
         expect_close(xyz(p.force_accumulator), ZERO)
-        about.cause = "A rope that is longer than its rest length must pull again."
+        about.cause = (
+            "The rope was slack and is now longer than its rest length. It must pull again, so do "
+            "not store that it was slack."
+        )
         offset = tuple(2.0 * rest * part for part in d)
         about.call, bungee, p = rope(kind, base, offset, STILL, (k, rest, 0.0))
         bungee.update_force(p, 0.5)
@@ -166,9 +168,8 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
                     "The damping makes the rope push. A rope can only pull, so add no force in "
                     "this case."
                 ): [-k * extension * (1.0 - share) * part for part in d],
-                "The damping uses only p's velocity. Subtract q's velocity from it.": [
-                    -(k * extension + c * own) * part for part in d
-                ],
+                "The damping uses only p's velocity, but the length also changes when q moves. "
+                "Subtract q's velocity.": [-(k * extension + c * own) * part for part in d],
             }
             blame(got, slips)
             expect_close(got, wanted, tolerance=1e-11)
@@ -192,7 +193,9 @@ def test_a_rope_acts_on_its_particle_beside_other_forces(rng: Random) -> None:
         about.call, bungee, p = rope(kind, STILL, (0.0, -3.0, 0.0), STILL, (2.0, 1.0, 0.0))
         about.call = f"p at (0, -3, 0); p.add_force(Vector3{f}); b = {kind}(..., 2.0, 1.0), its "
         about.call += "other end at (0, 0, 0); b.update_force(p, 0.5)"
-        about.cause = "Add the pull to the existing forces."
+        about.cause = (
+            "The forces that were already on p are lost. Add the pull to them, with add_force."
+        )
         p.add_force(Vector3(*f))
         bungee.update_force(p, 0.5)
         wanted = (f[0], f[1] + 4.0, f[2])

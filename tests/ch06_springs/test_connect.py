@@ -62,12 +62,10 @@ def test_a_connection_serves_both_ends(rng: Random) -> None:
             "The damping is missing. Add -c l' along the spring.": tension(
                 here, v, there, w, (k, rest, 0.0)
             ),
-            "The velocities are added. Subtract b's velocity from a's.": tension(
-                here, both, there, ZERO, numbers
-            ),
-            "The offset is b's position minus a's. Use a's position minus b's.": tension(
-                there, v, here, w, numbers
-            ),
+            "The velocities are added. The length changes with their difference, so subtract b's "
+            "velocity from a's.": tension(here, both, there, ZERO, numbers),
+            "The offset is b's position minus a's, so both forces have the wrong direction. Use "
+            "a's position minus b's.": tension(there, v, here, w, numbers),
             (
                 "The result is the force on b. The force on a does not depend on the particle "
                 "that update_force gets."
@@ -114,7 +112,7 @@ def test_a_compressed_connection_pushes_its_ends_apart(rng: Random) -> None:
     expect_close(got, wanted, then="; a.force_accumulator", tolerance=1e-12)
     wanted = tuple(g - 0.6 * k * rest * part for g, part in zip(f, d, strict=True))
     got = xyz(b.force_accumulator)
-    about.cause = "Add the force to the forces that b already has."
+    about.cause = "The forces that b already had are lost. Add the force to them, with add_force."
     expect_close(got, wanted, then="; b.force_accumulator", tolerance=1e-12)
 
 
@@ -197,7 +195,8 @@ def test_connect_lets_the_registry_ask_once(rng: Random) -> None:
                         "The force is twice as large as it should be. Is the spring registered "
                         "under both ends? Register it once."
                     ): [2.0 * part for part in force],
-                    "The stiffness and the rest length are swapped.": [
+                    "The stiffness and the rest length are swapped. Compare the order of the "
+                    "arguments with the constructor of Connection.": [
                         sign * part for part in swapped
                     ],
                 }

@@ -37,12 +37,14 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
         lift = most * math.exp(-share)
         lifts = {
             "The lift is F H / y, which is infinite at the ground. Use F e^(-y / H).": most / share,
-            "The lift is F (1 - y / H), a straight line. Use F e^(-y / H).": most * (1.0 - share),
-            "The lift is F e^-y. Divide the height by H.": most * math.exp(-y),
+            "The lift is F (1 - y / H), which falls along a straight line and becomes negative "
+            "above H. Use F e^(-y / H), which never reaches 0.": most * (1.0 - share),
+            "The lift is F e^-y, as if the scale height were 1 m. Divide the height by H.": most
+            * math.exp(-y),
             "The lift is F 2^(-y / H). Use e instead of 2.": most * 0.5**share,
             "This is F / (1 + y / H). Use F e^(-y / H).": most / (1.0 + share),
             "The lift is F e^(y / H). The exponent needs a minus sign.": most * math.exp(share),
-            "The lift points down. It must point up.": -lift,
+            "The lift points down, so the balloon would fall faster. It must point up.": -lift,
             "The lift is multiplied by the mass of 7 kg. It does not depend on the mass.": 7.0
             * lift,
         }

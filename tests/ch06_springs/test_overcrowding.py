@@ -53,9 +53,10 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
         pushes = {
             "The force pulls toward the other particle, but it must push away.": -push,
             "There is no push. The search may stop at p itself, which is in the list.": 0.0,
-            "The push is k at any distance. It must be k times (distance - l).": k,
-            "The push is multiplied by the offset. Use the unit vector along the offset.": push
-            * near,
+            "The push is k at any distance. It must grow as the particles come closer, so "
+            "multiply k by (distance - l).": k,
+            "The push is multiplied by the whole offset, so it depends on the distance twice. Use "
+            "the unit vector along the offset.": push * near,
             "The push uses the square of the distance. Use the distance.": k * (distance - near**2),
         }
         if share < 1.0:

@@ -34,9 +34,10 @@ def test_the_ground_pushes_out_what_has_sunk_in(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         pushes = {
             "The force pushes down, but it must push up.": -k * depth,
-            "The depth is measured from height 0. Use self.height.": k * (depth - height),
+            "The depth is measured from a height of 0, but this ground lies elsewhere. Use "
+            "self.height.": k * (depth - height),
             "The push is multiplied by the mass. It does not depend on the mass.": 2.0 * k * depth,
-            "There is no push although p is below the ground.": 0.0,
+            "There is no push, although p is below the ground. Check the sign of the depth.": 0.0,
         }
         slips = {slip: (f[0], f[1] + size, f[2]) for slip, size in pushes.items()}
         blame(got, slips)
@@ -105,7 +106,8 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
         wanted = (0.0, push * max(1.0 - share, 0.0), 0.0)
         got = xyz(p.force_accumulator)
         slips = {
-            "The damping is missing. Subtract c v_y.": (0.0, push, 0.0),
+            "The damping is missing, so a body would bounce on this ground forever. Subtract c "
+            "v_y.": (0.0, push, 0.0),
             "The force is k depth + c v_y. The damping must act against the motion.": (
                 0.0,
                 max(push * (1.0 + share), 0.0),

@@ -42,26 +42,27 @@ def spring_slips(
     return {
         "The extension is abs(l - l0), so a compressed spring pulls. Remove abs (E-3), because a "
         "compressed spring pushes this end away, along the offset.": along(-abs(pull) - c * rate),
-        "The damping pushes along the motion. Check its sign.": along(c * rate - pull),
-        "The force points along the offset. The minus sign is missing.": along(pull + c * rate),
-        "The force is -k l d^. Subtract the rest length from the length.": along(
-            -k * length - c * rate
-        ),
-        "The force is multiplied by the offset. Normalize the offset first.": along(
-            -(pull + c * rate) * length
-        ),
-        "The force uses the squared length. Take the magnitude.": along(
+        "The damping pushes in the direction of the motion, so it would make the spring swing "
+        "more and more. Check its sign.": along(c * rate - pull),
+        "The force points along the offset, so a stretched spring would push its end farther "
+        "away. The minus sign is missing.": along(pull + c * rate),
+        "The force is -k l d^, as if the rest length were 0. Only the extension counts, so "
+        "subtract the rest length from the length.": along(-k * length - c * rate),
+        "The force is multiplied by the whole offset, so a long spring is too strong. The offset "
+        "only gives the direction. Normalize it first.": along(-(pull + c * rate) * length),
+        "The force uses the squared length of the offset. Take its magnitude.": along(
             -k * (length**2 - rest) - c * rate
         ),
         "The damping is missing. Add -c (v . d^) d^.": along(-pull),
         "There is no force, as if the spring were a slack rope.": along(0.0 * pull),
-        "The damping is -c v. Use only the part of v along the spring.": [
+        "The damping is -c v, so it also slows down motion across the spring, which does not "
+        "stretch it. Use only the part of v along the spring.": [
             a - c * v for a, v in zip(along(-pull), velocity, strict=True)
         ],
-        "The damping uses the speed |v|. Use v . d^.": along(-pull - c * math.hypot(*velocity)),
-        "The damping uses v . offset. Normalize the offset first.": along(
-            -pull - c * rate * length
-        ),
+        "The damping uses the speed |v|, which is positive even if the spring gets shorter. Use v "
+        ". d^, the rate at which the length changes.": along(-pull - c * math.hypot(*velocity)),
+        "The damping uses v . offset, which grows with the length of the spring. Normalize the "
+        "offset first.": along(-pull - c * rate * length),
     }
 
 
@@ -138,10 +139,16 @@ def test_ends_at_one_place_have_no_direction(rng: Random) -> None:
     about.cause = (
         "The offset is p.position minus the anchor. Here it is zero, so there is no force."
     )
-    slips = {"The other end is at (0, 0, 0). Subtract self.anchor.": hooke(v, v, 100.0, 2.0, 3.0)}
+    slips = {
+        "The spring behaves as if its other end were at (0, 0, 0). Subtract self.anchor from "
+        "the position.": hooke(v, v, 100.0, 2.0, 3.0)
+    }
     expect_close(got, ZERO, cause=named(got, about.cause, slips))
     about.call = "spring_force(Vector3(2, 0, 0), Vector3(), 100.0, 1.0)"
-    about.cause = "This offset has a direction, so there is a force."
+    about.cause = (
+        "The ends are close, but they are not at the same position. The offset still has a "
+        "direction, so there is a force."
+    )
     got = xyz(spring_force(Vector3(2.0, 0.0, 0.0), Vector3(), 100.0, 1.0))
     expect_close(got, (-100.0, 0.0, 0.0))
 
@@ -180,7 +187,10 @@ def test_the_vectors_of_a_spring_are_only_read(rng: Random) -> None:
     expect_unchanged("spring.anchor", xyz(spring.anchor), offset)
     expect_unchanged("p.position", xyz(p.position), velocity)
     about.call = "o = Vector3(); f = spring_force(o, Vector3(), 3.0, 1.0); f.x = 99.0"
-    about.cause = "Always return a new vector, even if there is no direction."
+    about.cause = (
+        "The result is one of the vectors that were passed in. Return a new vector, even if there "
+        "is no direction."
+    )
     o = Vector3()
     f = spring_force(o, Vector3(), 3.0, 1.0)
     f.x = 99.0
@@ -201,7 +211,10 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
     about.cause = (
         "Subtract the other particle's position and velocity from p's. Add the force to p. "
     )
-    about.cause += "The masses do not matter."
+    about.cause += (
+        "The result depends on a mass. The force of a spring depends only on its length and on how "
+        "fast the length changes."
+    )
     s = Spring(q, k, rest, c)
     s.update_force(p, 0.5)
     offset = tuple(a - b for a, b in zip(here, there, strict=True))
@@ -211,8 +224,10 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     back = tuple(-part for part in offset)
     forces = {
-        "The offset is q - p. Use p - q.": hooke(back, relative, k, rest, c),
-        "The velocity is q's minus p's. Use p's minus q's.": hooke(
+        "The offset is q - p, so the force on p has the wrong direction. Use p - q.": hooke(
+            back, relative, k, rest, c
+        ),
+        "The velocity is q's minus p's, so the damping has the wrong sign. Reverse it.": hooke(
             offset, tuple(-part for part in relative), k, rest, c
         ),
         "The velocity is p's alone. Subtract q's position and velocity from p's.": hooke(
@@ -220,16 +235,20 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
         ),
         "The damping is missing. Add -c (v . d^) d^.": hooke(offset, relative, k, rest, 0.0),
         "The force points in the wrong direction.": tuple(-part for part in pull),
-        "The force is divided by the mass of p.": tuple(part / 2.0 for part in pull),
+        "The force is divided by the mass of p. The integrator divides by the mass later, so "
+        "return the force itself.": tuple(part / 2.0 for part in pull),
         "The force is divided by the mass of q.": tuple(part / 3.0 for part in pull),
         "There is no force on p, the particle that was passed.": ZERO,
     }
     slips = {name: [a + b for a, b in zip(f, force, strict=True)] for name, force in forces.items()}
-    slips["The other force on p is lost. Use add_force."] = [*pull]
+    slips["The force that was already on p is lost. Use add_force, which adds to it."] = [*pull]
     blame(got, slips)
     # A few roundings of numbers up to 600.
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
-    about.cause = "A Spring acts only on p. Another Spring acts on q."
+    about.cause = (
+        "A force has been added to q as well. A Spring acts only on p, and another Spring acts on "
+        "q."
+    )
     expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
     about.call = "s = Spring(q, 1, 1, 1) has acted; s.stiffness, s.rest_length, s.damping = 5, 2, "
     about.call += "3; p at (0, 3, 0), velocity (0, 1, 0), q at rest at (0, 0, 0); "
@@ -264,12 +283,12 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
     wanted = hooke(offset, v, k, rest, c)
     got = xyz(p.force_accumulator)
     slips = {
-        "The offset is anchor - position. Use position - anchor.": hooke(
-            tuple(-part for part in offset), v, k, rest, c
-        ),
+        "The offset is anchor - position, so the force has the wrong direction. Use position - "
+        "anchor.": hooke(tuple(-part for part in offset), v, k, rest, c),
         "The damping is missing. Add -c (v . d^) d^.": hooke(offset, v, k, rest, 0.0),
-        "The force uses a rest length of 0.": hooke(offset, v, k, 0.0, c),
-        "The other end is at (0, 0, 0). Subtract self.anchor.": hooke(here, v, k, rest, c),
+        "The force uses a rest length of 0. Use self.rest_length.": hooke(offset, v, k, 0.0, c),
+        "The spring behaves as if its other end were at (0, 0, 0). Subtract self.anchor from the "
+        "position.": hooke(here, v, k, rest, c),
         "The force points in the wrong direction.": tuple(-part for part in wanted),
     }
     blame(got, slips)

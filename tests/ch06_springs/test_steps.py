@@ -64,16 +64,28 @@ def slips_of(
     """Return what likely mistakes make of what walk returns."""
     p, v, a, mass, d, hand = body
     bodies: dict[str, Body] = {
-        "The step leaves out p.acceleration.": (p, v, ZERO, mass, d, hand),
-        "The step leaves out the force that was added by hand.": (p, v, a, mass, d, ZERO),
+        "The step leaves out p.acceleration, the constant part such as gravity. Add it to f / m.": (
+            p,
+            v,
+            ZERO,
+            mass,
+            d,
+            hand,
+        ),
+        "The step leaves out the force that was added by hand before it. It acts during the whole "
+        "step, so include it.": (p, v, a, mass, d, ZERO),
         "The forces are not divided by the mass. Add f / m.": (p, v, a, 1.0, d, hand),
         "The damping is missing. Multiply the velocity by d^h once.": (p, v, a, mass, 1.0, hand),
-        "The velocity is multiplied by d. Multiply by d^h.": (p, v, a, mass, d ** (1.0 / h), hand),
+        "The velocity is multiplied by d, which is the damping of a whole second. Multiply by "
+        "d^h.": (p, v, a, mass, d ** (1.0 / h), hand),
     }
     slips = {slip: walk(method, wrong, k, c, h, frames) for slip, wrong in bodies.items()}
-    slips[("The step leaves out the forces of apply_forces.")] = walk(
-        method, body, 0.0, 0.0, h, frames
-    )
+    slips[
+        (
+            "The step leaves out the forces of apply_forces. Call it with the duration of the step "
+            "before you read the accumulators."
+        )
+    ] = walk(method, body, 0.0, 0.0, h, frames)
     slips |= {
         f"This is {other}.": walk(other, body, k, c, h, frames)
         for other in EXERCISES
@@ -110,7 +122,8 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
             "three steps",
             draw_body(rng),
             3,
-            "Every step must begin like the first one, with empty accumulators.",
+            "The forces of an earlier step are still in the accumulators. Clear them, so that "
+            "every step begins like the first one.",
         ),
         (
             "one step",
@@ -282,7 +295,10 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
     x, v = 1.0, 0.0
     for _ in range(2):
         x, v, _ = one_step(method, x, v, 0.0, 1.5, 0.25, 1.0, 0.25)
-    about.cause = "The other particles must still move."
+    about.cause = (
+        "The step has stopped at the immovable particle. Skip only that one, so that the other "
+        "particles still move."
+    )
     got = ends["positions"][1][0]
     expect_close(got, x, then=": the position of the other one, x", tolerance=1e-12)
 
@@ -314,7 +330,9 @@ def test_a_step_needs_a_duration(method: str) -> None:
             cause=late,
             tolerance=0.0,
         )
-        about.cause = "Check the duration before you evaluate the forces."
+        about.cause = (
+            "The forces were evaluated before the duration was refused. Check the duration first."
+        )
         expect_exactly(after["asked"], [0], then=" was refused; how often apply_forces was called")
     about.call = f"{method}([], apply_forces, 0.5), and with one particle"
     about.cause = "An empty list is not an error, and a single particle must move."

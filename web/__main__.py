@@ -69,7 +69,7 @@ def build(out: Path, *, with_solutions: bool) -> None:
 
 
 def repository() -> str:
-    """Return the address of the repository, or an empty text unless a GitHub workflow builds."""
+    """Return the address of the repository in a GitHub workflow, or an empty text anywhere else."""
     server, name = os.environ.get("GITHUB_SERVER_URL"), os.environ.get("GITHUB_REPOSITORY")
     return f"{server}/{name}" if server and name else ""
 
@@ -83,7 +83,7 @@ def _say(words: str) -> None:
 
 
 def _sizes(out: Path) -> str:
-    """Describe how large the site is, with and without the parts that are not ours."""
+    """Describe how large the site is, with and without the parts that come from other projects."""
     sizes = {file: file.stat().st_size for file in out.rglob("*") if file.is_file()}
     other = sum(size for file, size in sizes.items() if file.relative_to(out).parts[0] in NOT_OURS)
     total = sum(sizes.values())

@@ -36,7 +36,7 @@ def main() -> int:
         print(f"make site: {error}", file=sys.stderr)
         return 1
     print(f"\nThe site is in {options.out}: {_sizes(options.out)}.")
-    print(f"Look at it: {Path(sys.executable)} -m http.server -d {options.out} 8000")
+    print(f"To view it, run: {Path(sys.executable)} -m http.server -d {options.out} 8000")
     print("and open http://localhost:8000/ in a browser.")
     return 0
 

@@ -27,7 +27,7 @@ def main() -> int:
     parser.add_argument(
         "--with-solutions",
         action="store_true",
-        help="put the reference's compiled modules in, for those who skip a chapter",
+        help="include the reference's compiled modules for students who skip a chapter",
     )
     options = parser.parse_args()
     try:

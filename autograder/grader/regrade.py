@@ -30,7 +30,7 @@ MAY_DIFFER = {
 
 
 class Regrade:
-    """The regrading of one student, with the reports of the class from the earlier run.
+    """One student of an earlier run who is graded again, with the reports of the class before it.
 
     Raises:
         ValueError: The folder has no earlier run, or the student did not hand in anything.

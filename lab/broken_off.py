@@ -10,7 +10,10 @@ TIME_LIMIT = 2.5  # s per message; a message normally takes a few milliseconds
 
 
 def why_it_broke_off(stack: str, engine: list[Path]) -> str:
-    """Return the explanation, from the stack that the engine wrote when its time was up, if any."""
+    """Explain why the engine stopped, from the stack that it wrote if its time was up.
+
+    If the stack is empty, the process ended by itself.
+    """
     if stack:
         return str(explain_hang(stack, TIME_LIMIT, engine))
     return "The engine's process ended by itself. Does your code call os._exit?"

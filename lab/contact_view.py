@@ -1,4 +1,4 @@
-"""Show the work of a contact resolver: its contacts, impulses and iterations."""
+"""Show what a contact resolver does: its contacts, impulses and iterations."""
 
 from __future__ import annotations
 

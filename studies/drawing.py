@@ -52,7 +52,7 @@ class Picture:
 
 
 def tell(figure: Figure, notes: Sequence[str]) -> None:
-    """Write below a picture why its scenes ended early. At most three notes are written in full."""
+    """Write below a picture why its scenes ended early, with at most three notes in full."""
     lines = [line for note in notes[:3] for line in textwrap.wrap(note, 150)[:2]]
     if len(notes) > 3:
         lines.append(f"and {len(notes) - 3} more like these")

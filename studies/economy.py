@@ -1,8 +1,8 @@
-"""Measure the cost of parts of a model that its scene does not need, and draw the costs as bars.
+"""Measure the cost of parts of a model that its scene does not need, and draw it as bars.
 
-In the scene, two hundred particles fall, and nothing else happens. Each bar is the time per frame
-with an unnecessary part, divided by the time of the same frame without it. The two times are
-measured in turn.
+In the scene, two hundred particles fall, and nothing else happens. Each bar shows the time per
+frame with one unnecessary part, divided by the time of the same frame without it. The two times are
+measured one after the other.
 """
 
 from __future__ import annotations

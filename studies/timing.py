@@ -1,9 +1,8 @@
-"""Measure times as ratios: two times are measured in turn, in one run on one machine.
+"""Measure times as ratios, which are similar on all machines although seconds are not.
 
-A ratio is similar on all machines, but seconds are not. The two times of a ratio are measured
-directly one after the other. The rounds of all lines are mixed, so that a slow minute of the
-machine affects all lines a little instead of one line a lot. A line reports the median and the
-quartiles of its rounds.
+The two times of a ratio are measured directly one after the other, in one run on one machine. The
+rounds of all lines are mixed. If the machine is slow for a minute, this affects all lines a little
+instead of one line a lot. A line reports the median and the quartiles of its rounds.
 """
 
 from __future__ import annotations
@@ -95,9 +94,9 @@ def both(first: Timer, second: Timer) -> tuple[float, float]:
 
 
 def warm(timed: Timer) -> float:
-    """Return a time. If it is below LEAST, return the mean of several further runs.
+    """Return a time. If it is below LEAST, return the mean of several further runs instead.
 
-    The first run finds the caches filled with other data, and would dominate a short time.
+    In the first run, the caches still contain other data. This would dominate a short time.
     """
     taken = timed()
     if taken >= LEAST:
@@ -150,10 +149,11 @@ def measure(measurements: Sequence[Measurement]) -> list[Line]:
 
 
 def mixed(rounds: Sequence[int]) -> list[int]:
-    """Return an order in which 0 appears rounds[0] times, 1 appears rounds[1] times, and so on.
+    """Return a random order in which index i appears rounds[i] times.
 
-    For each number, the run is divided into as many equal parts as the number has rounds. The
-    number appears once in each part, at a random time.
+    For each index, the run is divided into as many equal parts as the index has rounds. The index
+    appears once in each part, at a random time. In this way its rounds are spread over the whole
+    run.
     """
     at = [((k + random.random()) / many, i) for i, many in enumerate(rounds) for k in range(many)]
     return [i for _, i in sorted(at)]
@@ -171,10 +171,11 @@ def against_peers(
     statements: Statements,
     peers: Iterable[tuple[str, str, Target | None]],
 ) -> list[Measurement]:
-    """Return measurements of the peers' times relative to ours, each over the common operations.
+    """Return measurements that compare other libraries' times with ours.
 
-    Each figure is a geometric mean. ``name`` is the name of our module. A peer is given by its
-    module, a title and a target. A peer that is not installed is reported and left out.
+    Each figure is the geometric mean of the ratios over the operations that both libraries have.
+    ``name`` is the name of our module. A peer is given by its module, a title and a target. A peer
+    that is not installed is reported and left out.
     """
     ours = statements["ours"]
     found = []

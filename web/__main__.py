@@ -28,7 +28,7 @@ def main() -> int:
     parser.add_argument(
         "--with-solutions",
         action="store_true",
-        help="put the reference's compiled modules in, for those who skip a chapter",
+        help="include the reference's compiled modules for students who skip a chapter",
     )
     options = parser.parse_args()
     try:
@@ -37,7 +37,7 @@ def main() -> int:
         print(f"make site: {sentence(error)}", file=sys.stderr)
         return 1
     print(f"\nThe site is in {options.out}: {_sizes(options.out)}.")
-    print(f"Look at it: {Path(sys.executable)} -m http.server -d {options.out} 8000")
+    print(f"To view it, run: {Path(sys.executable)} -m http.server -d {options.out} 8000")
     print("and open http://localhost:8000/ in a browser.")
     return 0
 
@@ -81,7 +81,7 @@ def put_in_place(site: Path, out: Path) -> None:
 
 
 def repository() -> str:
-    """Return the address of the repository, or an empty text unless a GitHub workflow builds."""
+    """Return the address of the repository in a GitHub workflow, or an empty text anywhere else."""
     server, name = os.environ.get("GITHUB_SERVER_URL"), os.environ.get("GITHUB_REPOSITORY")
     return f"{server}/{name}" if server and name else ""
 
@@ -95,7 +95,7 @@ def _say(words: str) -> None:
 
 
 def _sizes(out: Path) -> str:
-    """Describe how large the site is, with and without the parts that are not ours."""
+    """Describe how large the site is, with and without the parts that come from other projects."""
     sizes = {file: file.stat().st_size for file in out.rglob("*") if file.is_file()}
     other = sum(size for file, size in sizes.items() if file.relative_to(out).parts[0] in NOT_OURS)
     total = sum(sizes.values())

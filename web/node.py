@@ -1,4 +1,4 @@
-"""Run Node, with the packages that package-lock.json pins. Only the site's build needs it."""
+"""Run Node with the packages that package-lock.json pins, which only the site's build needs."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ PACKAGES = WEB / "node_modules"
 
 
 def missing() -> str:
-    """Describe what is missing to run Node, or return an empty text if nothing is."""
+    """Describe what is missing to run Node, or return an empty text if it can run."""
     node = shutil.which("node")
     if node is None or shutil.which("npm") is None:
         what = "node" if node is None else "npm"

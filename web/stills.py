@@ -1,8 +1,8 @@
-"""Draw the pictures that stand for scenes until a reader starts them: python -m web.stills FOLDER.
+"""Draw the pictures that readers see before they start a scene: python -m web.stills FOLDER.
 
-Each scene gets a picture of the moment after the scripted player has played briefly on the
-reference. Each `make lab SCENE=... SET=...` of a lesson gets a picture of its start, because a
-later picture would give away the outcome.
+The picture of a scene shows the moment after the scripted player has played briefly on the
+reference engine. Each `make lab SCENE=... SET=...` in a lesson gets a picture of the start of the
+scene instead, because a later picture would give away the outcome.
 """
 
 from __future__ import annotations

@@ -1,1 +1,1 @@
-"""What the results of a class say about its exercises and mistakes, and about its progress."""
+"""Analyze the results of a class: its exercises, its mistakes and its progress."""

@@ -1,7 +1,8 @@
-"""How well an exercise separates the students who do well in the others from those who do not.
+"""Measure how well an exercise separates stronger students from weaker students.
 
-This is the item-rest correlation: Pearson's correlation of the scores for the exercise with the
-scores for all others. If an exercise earns all of its points or none, it is the point-biserial one.
+The measure is the item-rest correlation. This is Pearson's correlation between the scores for the
+exercise and the scores for all other exercises. If every student earns either all points of the
+exercise or none, it equals the point-biserial correlation.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ LOW = (
 class Discrimination:
     """The item-rest correlation over a number of students, or the reason why there is none.
 
-    With a probability of 95 %, ``interval`` contains the value for a very large class.
+    ``interval`` is the 95 % confidence interval of the correlation.
     """
 
     students: int
@@ -33,7 +34,7 @@ class Discrimination:
 
     @property
     def is_low(self) -> bool:
-        """Whether the exercise hardly separates the students, or prefers the weaker ones."""
+        """Whether the exercise barely separates the students, or favors the weaker students."""
         return self.value is not None and self.value < LOW
 
 

@@ -1,6 +1,7 @@
-"""Count how a class did in each exercise and in each of its checks.
+"""Count how well a class did in each exercise and in each of its checks.
 
-The scores are those on given chapters, so a mistake in an earlier chapter does not count again.
+The scores are based on given earlier chapters, so a mistake in an earlier chapter is not counted
+again.
 """
 
 from __future__ import annotations

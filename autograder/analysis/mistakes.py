@@ -17,11 +17,11 @@ NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 
 @dataclass
 class Mistake:
-    """A likely cause, and the students and exercises that it was found in.
+    """A likely cause, with the students and the exercises in which it was found.
 
-    ``read`` lists where the messages say to read about it. The mistake is ``robust`` if only robust
-    checks have found it. It is ``in_values`` if code that runs has computed something else than was
-    wanted, unlike code that is missing or stops with an error.
+    ``read`` lists the places where students can read about it. If only robust checks have found the
+    mistake, it is ``robust``. It is ``in_values`` if the code runs but computes a wrong value, in
+    contrast to code that is missing or raises an error.
     """
 
     words: str
@@ -34,10 +34,10 @@ class Mistake:
 
 @dataclass(frozen=True)
 class Mistakes:
-    """The mistakes of a class, those of the most students first.
+    """The mistakes of a class. The mistake that most students share comes first.
 
-    ``unexplained`` counts the failed checks whose message names no likely cause. A hidden check
-    never names one.
+    ``unexplained`` counts the failed checks whose message names no likely cause. The message of a
+    hidden check never names one.
     """
 
     found: list[Mistake]
@@ -53,8 +53,9 @@ class Mistakes:
 def mistakes_of(reports: Sequence[StudentReport]) -> Mistakes:
     """Return the mistakes in these reports.
 
-    Only failed checks count. If a check is blocked or inherited, the mistake is elsewhere. Messages
-    that differ in their numbers alone are one mistake, since the numbers depend on the seed.
+    Only failed checks count, because the mistake behind a blocked or inherited check is somewhere
+    else. Messages that differ only in their numbers count as the same mistake, since the numbers
+    depend on the seed.
     """
     found: dict[str, Mistake] = {}
     wordings: dict[str, Counter[str]] = {}

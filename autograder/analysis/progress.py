@@ -46,7 +46,7 @@ class Run:
 
 @dataclass(frozen=True)
 class Returning:
-    """A mistake of more than one assignment: the students in each, and those who repeated it."""
+    """A mistake in more than one assignment: the students in each, and those who repeated it."""
 
     words: str
     counts: list[int]

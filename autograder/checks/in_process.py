@@ -72,7 +72,7 @@ class InProcess:
             imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
 
     def surround(self) -> None:
-        """Let the code find the surroundings of a grader, and do no more than there."""
+        """Give the code the surroundings of the grader, with the same restrictions."""
         leave_home()
         code = StudentsCode(self.engine, self.graded)
         limit_imports(code)

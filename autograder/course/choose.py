@@ -1,4 +1,4 @@
-"""The work that a command is about: an assignment of the course file, or chapters by number."""
+"""Find the work that a command refers to: an assignment of the course file, or some chapters."""
 
 from __future__ import annotations
 
@@ -21,9 +21,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 
 def work_of(arguments: argparse.Namespace, *, handed_out: bool = False) -> Work:
-    """Return the work that the options name.
+    """Return the work that the options select.
 
-    If work is ``handed_out``, given chapters come with it, so they are not among its chapters.
+    If the work is ``handed_out``, the given chapters are part of the hand-out, so they are not
+    among its chapters.
 
     Raises:
         ValueError: The course file has mistakes, or the options do not fit together.

@@ -1,4 +1,4 @@
-"""Due dates and time zones: read them, and write them into a zip for another machine."""
+"""Read due dates and time zones, and convert them to plain data for use on another machine."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def read_zone(name: Any, path: Path, mistakes: Mistakes) -> ZoneInfo | None:
 def read_time(
     value: Any, path: Path, zone: tzinfo | None, mistakes: Mistakes, *, is_zone_wrong: bool = False
 ) -> datetime | None:
-    """Return a time with a time zone, which is that of the file if the time has no offset."""
+    """Return a time with a time zone. If the time has no offset, the zone of the file applies."""
     key = path[-1]
     example = "2026-10-23T23:59:00+02:00"
     if isinstance(value, date) and value.year not in YEARS:  # a datetime is a date, too
@@ -54,7 +54,7 @@ def read_time(
 
 
 def parse_time(text: str, zone: tzinfo) -> datetime:
-    """Return the time in a text of ISO 8601, in this zone if the text names none.
+    """Parse an ISO 8601 time. If the text names no time zone, the given zone applies.
 
     Raises:
         ValueError: The text is not a time.
@@ -82,7 +82,7 @@ def deadline_from_json(data: dict[str, Any]) -> Deadline:
 
 
 def _to_text(time: datetime) -> str:
-    """Return a time with its offset and the name of its zone, if it has one (RFC 9557).
+    """Return a time with its offset and, if it has one, the name of its time zone (RFC 9557).
 
     An example is 2026-10-23T23:59:00+02:00[Europe/Berlin].
     """

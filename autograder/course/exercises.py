@@ -1,4 +1,4 @@
-"""The exercises of an assignment: which ones, for how many points, and what they build on."""
+"""Select the exercises of an assignment, their points, and the exercises on which they build."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from autograder.scores import possible, shown
 
 @dataclass(frozen=True)
 class Chosen:
-    """The chapters of an assignment, with its exercises only, and the given chapters."""
+    """The chapters of an assignment, with only its exercises, and the given chapters."""
 
     chapters: list[Chapter]
     given: list[Chapter]
@@ -24,9 +24,9 @@ class Chosen:
 
 
 class Chooser:
-    """Choose the exercises of one assignment, and note the mistakes in its table.
+    """Selects the exercises of one assignment, and notes the mistakes in its table of the file.
 
-    ``before`` has the exercises of earlier assignments, on which this one may build.
+    ``before`` contains the exercises of earlier assignments, on which this one may build.
     """
 
     def __init__(
@@ -45,7 +45,7 @@ class Chooser:
         self.home = {e.id: chapter for chapter in chapters for e in chapter.exercises}
 
     def choose(self) -> Chosen:
-        """Return the exercises. The result is of no use if a mistake was noted."""
+        """Return the exercises. If a mistake was noted, the result must not be used."""
         given = self._chapters("given")
         listed = self._ids("exercises")
         extra = self._ids("extra_credit")
@@ -75,7 +75,7 @@ class Chooser:
         self.mistakes.add((*self.path, key), words, word)
 
     def _ids(self, key: str) -> list[str]:
-        """Return the exercises that a key lists, without those that do not exist."""
+        """Return the exercises that a key lists, and leave out any that do not exist."""
         found: list[str] = []
         for name in self.mistakes.items(self.table, self.path, key, str):
             if name not in self.home:
@@ -88,7 +88,7 @@ class Chooser:
         return found
 
     def _chapters(self, key: str) -> list[Chapter]:
-        """Return the chapters that a key lists, without those that do not exist."""
+        """Return the chapters that a key lists, and leave out any that do not exist."""
         known = {chapter.number: chapter for chapter in self.chapters}
         numbers = self.mistakes.items(self.table, self.path, key, int)
         for number in numbers:
@@ -125,7 +125,7 @@ class Chooser:
         return [other for other in earlier if numbers is None or other.number in numbers]
 
     def _where(self, name: str) -> tuple[str]:
-        """Return the key that brings an exercise into the assignment."""
+        """Return the key of the file that adds an exercise to the assignment."""
         lists = {key: self.table.get(key) for key in ("exercises", "extra_credit")}
         return (
             next((k for k, v in lists.items() if isinstance(v, list) and name in v), "chapters"),
@@ -153,7 +153,7 @@ class Chooser:
         return self._rescaled(chosen)
 
     def _rescaled(self, chosen: dict[str, Exercise]) -> dict[str, Exercise]:
-        """Return the exercises with points that add up to the total of the file, if it has one."""
+        """Return the exercises with points that add up to the total in the file, if it has one."""
         out_of = self.mistakes.number(self.table, self.path, "out_of")
         total = self.mistakes.number(self.table, self.path, "total")
         now = possible(chosen.values())

@@ -1,4 +1,4 @@
-"""What a hand-out says about its assignment: the manifests of its chapters, and the README."""
+"""Write what a hand-out says about its assignment: the chapters' manifests and the README."""
 
 from __future__ import annotations
 
@@ -18,7 +18,10 @@ POINTS = re.compile(r"(?m)^points = .*$")
 
 
 def for_students(whole: Chapter, assigned: Chapter) -> Chapter:
-    """Return a whole chapter with the points of an assignment. Other exercises are optional."""
+    """Return a whole chapter with the points of an assignment.
+
+    The exercises that are not assigned become optional.
+    """
     own = {exercise.id: exercise for exercise in assigned.exercises}
     exercises = [own.get(e.id) or replace(e, optional=True) for e in whole.exercises]
     return replace(whole, exercises=exercises)

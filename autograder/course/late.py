@@ -1,4 +1,4 @@
-"""How late a submission is, and what that costs."""
+"""Compute how late a submission is, and how many points that costs."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from autograder.scores import shown
 
 @dataclass(frozen=True)
 class HandedIn:
-    """What a source says about the time of a submission.
+    """What a source reports about the time of a submission.
 
-    Canvas says only whether it is ``late``.
+    Canvas reports only whether a submission is ``late``, but not the time.
     """
 
     source: str
@@ -24,10 +24,10 @@ class HandedIn:
 
 
 def days_late(due: datetime, submitted: datetime) -> int:
-    """Return how many days after the due date have begun.
+    """Return the number of days after the due date that have at least begun.
 
-    A day ends at the same time of day on the clocks of the due date's time zone. So a day on which
-    the clocks change has 23 or 25 hours.
+    Each day ends at the time of day at which the work was due, on the clocks of the due date's time
+    zone. Therefore a day on which the clocks change has 23 or 25 hours.
     """
     at = submitted.astimezone(UTC)
     if at <= due.astimezone(UTC):
@@ -44,7 +44,7 @@ def _end(time: datetime) -> datetime:
 
 
 def deduction(policy: LatePolicy, days: int, possible: float) -> float:
-    """Return the points that this many days cost, if ``possible`` points can be earned."""
+    """Return the points that a number of late days costs, if ``possible`` points can be earned."""
     price = policy.per_day * days
     if policy.cap is not None:
         price = min(price, policy.cap)
@@ -56,7 +56,8 @@ def late_of(
 ) -> Late:
     """Return how late a submission is.
 
-    ``names`` are those under which its students may have an extension. The latest one counts.
+    ``names`` are the names under which its students may have an extension. If several of them have
+    one, the latest due date counts.
     """
     granted = [deadline.extensions[name] for name in names if name in deadline.extensions]
     due = max([deadline.due, *granted], key=lambda time: time.astimezone(UTC))
@@ -81,5 +82,5 @@ def late_of(
 
 
 def clock(time: datetime) -> str:
-    """Return a time for people to read, such as 2026-10-23 23:59 CEST."""
+    """Format a time for people to read, such as 2026-10-23 23:59 CEST."""
     return f"{time:%Y-%m-%d %H:%M} {time.tzname()}"

@@ -12,7 +12,7 @@ Path = tuple[str | int, ...]  # of a value, such as ("assignment", 0, "due")
 
 
 class Lines:
-    """The lines on which the keys and tables of a file begin, counted from 1."""
+    """The line numbers, counted from 1, on which the keys and tables of a file begin."""
 
     def __init__(self, text: str) -> None:
         self._text = text.splitlines()
@@ -37,7 +37,7 @@ class Lines:
                     self._first.setdefault(path, number)
 
     def of(self, path: Path, word: str = "") -> int:
-        """Return the line of a value, or of the table that should contain it; 1 for the file.
+        """Return the line of a value, or else of the table that should contain it, or else 1.
 
         If the value takes several lines, return the first one that contains ``word`` in quotes.
         """

@@ -1,4 +1,4 @@
-"""Collect the mistakes in a course file, and say for each one on which line it is."""
+"""Collect the mistakes in a course file, each with its line."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ NAMES = {str: "a string", int: "a whole number", list: "a list", dict: "a table"
 
 
 class Mistakes:
-    """The mistakes that were found so far in one file."""
+    """The mistakes that have been found in a file so far."""
 
     def __init__(self, file: str, text: str) -> None:
         self.file = file
@@ -24,7 +24,7 @@ class Mistakes:
         self._found: list[tuple[int, str]] = []
 
     def add(self, path: Path, words: str, word: str = "") -> None:
-        """Note a mistake in the value with this path, or in ``word``, which is one of its items."""
+        """Note a mistake in the value with this path, or in its item ``word`` if that is given."""
         self._found.append((self._lines.of(path, word), words))
 
     def raise_any(self) -> None:
@@ -45,9 +45,9 @@ class Mistakes:
                 self.add((*path, key), f"there is no key {key!r}. {wanted}")
 
     def value(self, table: Mapping[str, Any], path: Path, key: str, kind: type) -> Any:
-        """Return the value of a key if it is of this kind, and None otherwise.
+        """Return the value of a key if it has the expected type, or None otherwise.
 
-        A key that is missing is no mistake.
+        A missing key does not count as a mistake.
         """
         value = table.get(key)
         if value is None or type(value) is kind:
@@ -56,7 +56,7 @@ class Mistakes:
         return None
 
     def items(self, table: Mapping[str, Any], path: Path, key: str, kind: type) -> list[Any]:
-        """Return the items of a list that are of this kind. Others are mistakes."""
+        """Return the items of a list that have the expected type. The others are mistakes."""
         value = self.value(table, path, key, list) or []
         for item in value:
             if type(item) is not kind:
@@ -65,9 +65,9 @@ class Mistakes:
         return [item for item in value if type(item) is kind]
 
     def number(self, table: Mapping[str, Any], path: Path, key: str) -> float | None:
-        """Return the value of a key if it is a positive number, and None otherwise.
+        """Return the value of a key if it is a positive number, or None otherwise.
 
-        A key that is missing is no mistake.
+        A missing key does not count as a mistake.
         """
         value: Any = table.get(key)
         if type(value) in (int, float) and 0 < value <= LARGEST:
@@ -80,7 +80,7 @@ class Mistakes:
 
 
 def shown(value: Any) -> str:
-    """Return a value as it looks in TOML, but short."""
+    """Return a value as it is written in TOML, but shortened."""
     text = {True: "true", False: "false"}.get(value) if type(value) is bool else None
     text = text or (f'"{value}"' if isinstance(value, str) else str(value))
     text = clean_line(text)

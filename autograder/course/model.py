@@ -1,4 +1,4 @@
-"""A course as its file describes it, once every mistake in the file is corrected."""
+"""The data of a course file, which exist only if the file has no mistakes."""
 
 from __future__ import annotations
 
@@ -13,9 +13,10 @@ from autograder.manifest import Chapter
 
 @dataclass(frozen=True)
 class LatePolicy:
-    """The price of each day, or part of a day, after the due date, and the highest price.
+    """The points that a late submission loses per day, and the most that it can lose.
 
-    A percentage is one of the points possible.
+    A day counts in full as soon as it has begun. A percentage refers to the points that the
+    assignment can give.
     """
 
     per_day: float
@@ -32,9 +33,9 @@ class LatePolicy:
 
 @dataclass(frozen=True)
 class Deadline:
-    """When an assignment is due, for everybody and for students with an extension.
+    """The due date of an assignment, with the later due dates of students who have an extension.
 
-    Every time has a time zone. Without a policy, lateness is reported and costs nothing.
+    Every time has a time zone. Without a policy, lateness is reported but costs no points.
     """
 
     due: datetime
@@ -44,11 +45,11 @@ class Deadline:
 
 @dataclass(frozen=True)
 class Work:
-    """What students do for one assignment, and how it is graded.
+    """The work of students on one assignment, and how it is graded.
 
-    ``chapters`` have only the exercises of the assignment, with its points. ``given`` chapters are
-    complete. ``earlier`` lists the exercises of earlier assignments on which this one builds.
-    ``roster`` is the class list.
+    ``chapters`` contain only the exercises of the assignment, with the assignment's points.
+    ``given`` chapters are complete. ``earlier`` lists the exercises of earlier assignments on which
+    this one builds. ``roster`` is the class list.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""What a course says about the submissions of a class: lateness, and marks in its points."""
+"""Apply a course file to the submissions of a class: compute lateness, and rescale marks."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from autograder.submissions.find import Submission
 def lateness(
     deadline: Deadline, chapters: list[Chapter], folder: Path, submissions: list[Submission]
 ) -> tuple[dict[str, Late], list[str]]:
-    """Return how late each student is, and notes for the instructor.
+    """Return how late each student's submission is, and notes for the instructor.
 
     Raises:
         ValueError: A file with times is not valid.
@@ -69,7 +69,7 @@ def late_on_gradescope(
 ) -> Late:
     """Return how late a submission is, according to the metadata that Gradescope provides.
 
-    An extension applies if it has the name or the e-mail address of one of the submitters.
+    An extension applies if it lists the name or the e-mail address of any of the submitters.
     """
     try:
         at: datetime | None = parse_time(metadata["created_at"], deadline.due.tzinfo or UTC)
@@ -88,7 +88,10 @@ def points_of(chapters: Iterable[Chapter]) -> float:
 
 
 def scaled_marks(marks: Marks, chapters: Iterable[Chapter], manifests: list[Chapter]) -> Marks:
-    """Return marks in the points of an assignment. Persons give them in those of the rubrics."""
+    """Return marks rescaled to the points of an assignment.
+
+    Instructors give marks in the points of the rubrics, which may be different.
+    """
     rubric = {e.id: e.points for chapter in manifests for e in chapter.exercises}
     assigned = {e.id: e.points for chapter in chapters for e in chapter.exercises}
     return {

@@ -1,4 +1,4 @@
-"""The points of an assignment's exercises: those of the manifest, changed and rescaled."""
+"""Compute the points of an assignment's exercises by rescaling the points of the manifest."""
 
 from __future__ import annotations
 
@@ -7,9 +7,10 @@ from fractions import Fraction
 
 
 def rescaled(points: Mapping[str, float], out_of: float, unit: str = "0.01") -> dict[str, float]:
-    """Return points in the same proportions, in multiples of ``unit``, that add up to ``out_of``.
+    """Rescale points in proportion to multiples of ``unit`` that add up to ``out_of``.
 
-    Every exercise is rounded down, and the units that are left go to those that lost most.
+    All points are rounded down at first. The units that remain then go to the exercises that lost
+    the most by rounding.
     """
     step = Fraction(unit)
     total = sum(map(Fraction, points.values()))
@@ -23,10 +24,10 @@ def rescaled(points: Mapping[str, float], out_of: float, unit: str = "0.01") -> 
 
 
 def scaled_alike(value: float, out_of: float, total: float) -> float:
-    """Return the points of extra credit after ``total`` points were rescaled to ``out_of``."""
+    """Rescale extra credit in the same way as ``total`` points that were rescaled to ``out_of``."""
     return _plain(Fraction(round(value * out_of / total, 2)).limit_denominator(100))
 
 
 def _plain(value: Fraction) -> float:
-    """Return a whole number as an int, so that it is shown as one."""
+    """Convert a whole number to an int, so that it is shown without a decimal point."""
     return int(value) if value.denominator == 1 else float(value)

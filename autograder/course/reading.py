@@ -1,4 +1,4 @@
-"""Read course.toml. Every mistake in it is reported, with its line and what was probably meant."""
+"""Read course.toml, and report all of its mistakes with their lines and suggested corrections."""
 
 from __future__ import annotations
 
@@ -160,7 +160,7 @@ class Reader:
         return LatePolicy(per_day, "percent" if unit == "percent" else "points", cap)
 
     def _path(self, table: Mapping[str, Any], path: tuple[str | int, ...], key: str) -> Path | None:
-        """Return the file or folder that a key names. It is a mistake if it does not exist."""
+        """Return the file or folder that a key names, and note a mistake if it does not exist."""
         name = self.mistakes.value(table, path, key, str)
         if name is None:
             return None
@@ -176,7 +176,10 @@ class Reader:
     def _hidden(
         self, table: Mapping[str, Any], path: tuple[str | int, ...], chapters: list[Chapter]
     ) -> Path | None:
-        """Return the folder of the hidden checks, which has a folder of an assigned chapter."""
+        """Return the folder of the hidden checks.
+
+        It is a mistake if the folder contains no folder of an assigned chapter.
+        """
         hidden = self._path(table, path, "hidden_checks")
         if hidden and chapters and not any((hidden / c.name).is_dir() for c in chapters):
             wanted = " or ".join(chapter.name for chapter in chapters)

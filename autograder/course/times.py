@@ -1,6 +1,6 @@
-"""When each submission was handed in, according to the files that come with the submissions.
+"""Find out when each submission was handed in, from files that come with the submissions.
 
-The time stamps of files and folders are not used: copying or unpacking them changes the times.
+The time stamps of the submitted files are not used, because copying or unpacking changes them.
 """
 
 from __future__ import annotations
@@ -28,7 +28,8 @@ REPOSITORY, SUBMITTED = "student_repository_name", "submission_timestamp"
 def times_of(folder: Path, submissions: list[Submission], zone: tzinfo) -> dict[str, HandedIn]:
     """Return what is known about the time of each submission, keyed by student.
 
-    If several sources know a time, times.csv counts most. Times without a zone are in ``zone``.
+    If several sources contain a time for the same student, times.csv takes precedence. Times
+    without a time zone are read as times in ``zone``.
 
     Raises:
         ValueError: A file is not valid. The message names its lines.
@@ -109,14 +110,20 @@ def _of_github(folder: Path) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_canvas(submissions: list[Submission]) -> Iterator[tuple[str, HandedIn]]:
-    """Yield what the names of downloads from Canvas say: late or not, but no time."""
+    """Yield whether each submission is late, which the file names of Canvas show.
+
+    The file names do not contain a time.
+    """
     for submission in submissions:
         if submission.export and submission.export.platform == "canvas":
             yield submission.path.name, HandedIn("Canvas", late=submission.late)
 
 
 def _time(value: Any) -> datetime | None:
-    """Return a time from a platform, which means UTC if it names no zone; None if there is none."""
+    """Return a platform's time, or None if the value is not a time.
+
+    If the text names no time zone, it is in UTC.
+    """
     try:
         return parse_time(value.isoformat() if isinstance(value, datetime) else str(value), UTC)
     except ValueError:
@@ -134,5 +141,5 @@ def _readable(path: Path) -> Iterator[None]:
 
 
 def _key(name: str) -> str:
-    """Return a name in which an accented letter is one character, however it was typed."""
+    """Return a name in normalized form, so that accented letters compare equal however typed."""
     return unicodedata.normalize("NFC", name.strip())

@@ -22,11 +22,11 @@ from autograder.submissions.stage import stage
 
 @dataclass(frozen=True)
 class Assignment:
-    """The assignment that a class is graded on, which is the same for each submission.
+    """The assignment on which a class is graded, which is the same for every submission.
 
-    ``chapters`` have the exercises that are graded, which may be fewer than those of the manifest.
-    ``given`` chapters are taken from the reference, whatever is handed in. ``hidden`` is a folder
-    of additional checks. ``level`` names the layers of the sandbox.
+    ``chapters`` contain the exercises that are graded, which may be fewer than those of the
+    manifest. ``given`` chapters are always taken from the reference, even if a student hands them
+    in. ``hidden`` is a folder of additional checks. ``level`` names the layers of the sandbox.
     """
 
     chapters: list[Chapter]
@@ -78,10 +78,10 @@ class Assignment:
 
 
 class OnceForAll:
-    """Verdicts that are the same for every submission to one assignment, each computed once.
+    """Verdicts that are the same for all submissions to an assignment, so they are computed once.
 
     The threads of a class share one instance. The first thread that needs a verdict computes it,
-    and the others wait.
+    and the others wait for it.
     """
 
     def __init__(self) -> None:
@@ -101,7 +101,7 @@ class OnceForAll:
             return self._of_nothing[chapter.name]
 
     def of_reference(self, assignment: Assignment, chapter: Chapter) -> list[Result]:
-        """Return the reference's results. Only those of open exercises can have verdicts."""
+        """Return the results of the reference. Only open exercises can have verdicts in them."""
         root = assignment.root
         with self._lock:
             if chapter.name not in self._of_reference:

@@ -1,4 +1,4 @@
-"""The folder that a class is graded into: locked by one run, with its state and temporary files."""
+"""Manage the folder with a class's reports: lock it, and keep its state and temporary files."""
 
 from __future__ import annotations
 

@@ -97,7 +97,7 @@ class ClassRun:
         submissions: list[Submission],
         grade_over: Callable[[list[Submission]], Iterator[StudentReport]],
     ) -> Generator[StudentReport]:
-        """Let a cluster grade the submissions, and yield their reports."""
+        """Grade the submissions on a cluster, and yield their reports."""
         left = []
         for submission in submissions:
             if report := self.earlier(submission):

@@ -31,10 +31,10 @@ def grade_submission(
     once: OnceForAll | None = None,
     fill: Callable[..., Staged] | None = None,
 ) -> StudentReport:
-    """Grade one submission and return its report. Any error is reported there.
+    """Grade one submission and return its report, which also reports any error of the grader.
 
-    ``once`` holds the verdicts that the whole class shares. ``fill`` replaces ``stage`` if the
-    submission is on another machine.
+    ``once`` contains the verdicts that the whole class shares. If the submission is on another
+    machine, ``fill`` replaces ``stage``.
     """
     once = once or OnceForAll()
     start = time.monotonic()
@@ -122,7 +122,7 @@ def _all_results(
 
 
 def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
-    """Return whether no file of a chapter was handed in: none was taken and none was refused."""
+    """Return whether a student handed in no file of a chapter, not even one that was refused."""
     refused = any(module.startswith(f"{chapter.name}.") for module in staged.missing)
     taken = any((box / chapter.name / name).exists() for name in chapter.handed_in)
     return not (refused or taken)

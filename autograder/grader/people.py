@@ -1,4 +1,4 @@
-"""Whom a class consists of: the roster, the codes of an anonymous class, and its marks."""
+"""Load the people of a class: its roster, the codes of an anonymous class, and its marks."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from autograder.submissions.roster import read_roster
 def people_of(
     submissions: list[Submission], out: Path, roster: Path | None, *, anonymous: bool
 ) -> ClassList:
-    """Return the class, under the names that its reports show.
+    """Return the class, with the names that its reports show.
 
     Raises:
         ValueError: The roster or the key contains a mistake, or ``out`` has reports with names.
@@ -43,7 +43,7 @@ def folder_with_names(out: Path, *, anonymous: bool) -> Path:
 
 
 def differences(people: ClassList) -> list[str]:
-    """Return sentences on the differences between the roster and what was handed in."""
+    """Return sentences that describe where the roster and the submissions do not match."""
     return [
         f"{title}: {len(names)} ({'; '.join(names)})."
         for title, names in (

@@ -1,4 +1,4 @@
-"""Grade one student of a graded class again, as the class was graded, and keep a log of it."""
+"""Grade one student again under the same conditions as the class, and log the changes."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ MAY_DIFFER = {
 
 
 class Regrade:
-    """A student of an earlier run who is graded again, with the reports of the class before it.
+    """One student of an earlier run who is graded again, with the reports of the class before it.
 
     Raises:
         ValueError: The folder has no earlier run, or the student did not hand in anything.

@@ -1,4 +1,4 @@
-"""The conditions under which a report stays valid: checks, grader, Python, sandbox and seed."""
+"""Describe the conditions under which a report stays valid, such as the checks and the seed."""
 
 from __future__ import annotations
 

@@ -24,8 +24,9 @@ def write_canvas(
 ) -> None:
     """Write a row for each student of the roster, in the form that Canvas documents.
 
-    Canvas looks for the ID, then for the SIS user ID, the login and the name. An empty cell is no
-    grade. ``title`` is that of an assignment, "Lab 1 (12345)", or of a new one.
+    Canvas identifies a student by the ID, or else by the SIS user ID, the login or the name. An
+    empty cell means that there is no grade. ``title`` names an existing assignment, such as "Lab 1
+    (12345)", or a new one.
     """
     rows = [[*HEADER, title], ["    Points Possible", "", "", "", "", number(points)]]
     for member in people.members:

@@ -29,7 +29,7 @@ from autograder.submissions.find import Submission, printable
 
 
 def main(folder: Path, root: Path = ROOT) -> None:
-    """Print the results of ``folder``/submission, whatever goes wrong."""
+    """Print the results of ``folder``/submission, even if grading fails."""
     try:
         results = gradescope_results(grade_one(folder, root))
     except ValueError as error:  # its text is a sentence for people

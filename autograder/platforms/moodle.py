@@ -20,10 +20,11 @@ WORKSHEET = [
 
 
 def write_moodle(path: Path, people: ClassList, grades: Mapping[str, float], title: str) -> None:
-    """Write a row for each student of the roster. One unknown student would stop the import.
+    """Write a row for each student of the roster, because an unknown student would stop the import.
 
-    If the cell by which Moodle looks for a student were empty, the grade would go to the student
-    above. So the columns of logins and emails are there only if everybody has one.
+    If the cell that identifies a student were empty, Moodle would give the grade to the student
+    above. For this reason, the columns for logins and emails are written only if every student has
+    one.
     """
     students = [(member, member.student) for member in people.members if member.student]
     columns = {"ID number": [who.id for _, who in students]}
@@ -39,11 +40,11 @@ def write_moodle(path: Path, people: ClassList, grades: Mapping[str, float], tit
 def write_worksheet(
     path: Path, people: ClassList, grades: Mapping[str, float], points: float
 ) -> bool:
-    """Write the grading worksheet of the assignment from which the submissions were downloaded.
+    """Write the grading worksheet of the assignment, and return whether there was one to write.
 
-    Moodle needs no roster for it, since the folders name the participants. Nothing is written, and
-    False returned, if nothing comes from Moodle. There is no column for comments, because empty
-    cells in it would delete those that Moodle has.
+    This needs no roster, because the folders that Moodle creates name the participants. If no
+    submission comes from Moodle, nothing is written. The worksheet has no column for comments,
+    since empty cells in it would delete the comments in Moodle.
     """
     rows = []
     for member in people.members:

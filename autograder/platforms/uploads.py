@@ -19,10 +19,10 @@ CANVAS_ID = re.compile(r" \([0-9]+\)$")  # of an assignment, at the end of its t
 
 @dataclass(frozen=True)
 class Column:
-    """The column of the grades on a platform.
+    """The column for the grades on a platform.
 
-    ``title`` may end with the id of an assignment, as in "Lab 1 (12345)". ``points`` are those of
-    the assignment there, to which the grades are rescaled.
+    ``title`` may end with the id of an assignment, as in "Lab 1 (12345)". ``points`` is the maximum
+    of the assignment on the platform. Grades are rescaled to it.
     """
 
     title: str = ""

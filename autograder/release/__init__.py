@@ -1,1 +1,1 @@
-"""Releasing the reference after the deadline, beside each student's own solutions that passed."""
+"""Release the reference after the deadline, next to each student's own passing solutions."""

@@ -18,7 +18,7 @@ OUTSIDE = ""  # the name of the code that is in no function
 
 @dataclass(frozen=True)
 class Code:
-    """The body of a function: its text without the first indent, and what is counted in it."""
+    """The body of a function: its text without the first indentation, and its counts."""
 
     text: str
     counts: Counts
@@ -78,7 +78,7 @@ def compare_others(
 
 
 def _codes(file: str, texts: Texts) -> dict[str, Code]:
-    """Return the functions of a module. What cannot be read of it is left out."""
+    """Return the functions of a module, leaving out any part that cannot be read."""
     text = texts.get(file, "")
     return {one.name: _code(file, text, one) for one in read_functions(text)[0]}
 

@@ -1,4 +1,4 @@
-"""The files of the reference that are released, with stubs for the exercises that are not."""
+"""Release files of the reference, with stubs for the exercises that are not released yet."""
 
 from __future__ import annotations
 

@@ -55,7 +55,10 @@ def exercise_rates(chapters: list[Chapter], reports: Sequence[StudentReport]) ->
 
 
 def most_missed(rates: list[ExerciseRate]) -> list[ExerciseRate]:
-    """Return the exercises that the fewest students pass, worst first, unless everybody passes."""
+    """Return the exercises that the fewest students pass, with the lowest pass rate first.
+
+    The result is empty if everybody passes everything.
+    """
     missed = [rate for rate in rates if rate.share is not None and rate.share < 1]
     return sorted(missed, key=_pass_share_then_points)[:MOST_MISSED]
 

@@ -169,7 +169,7 @@ def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
 
 
 def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
-    """Return a chart for each open exercise that somebody has a point for, in report order."""
+    """Return a chart for each open exercise in which at least one submission has a position."""
     found: dict[str, tuple[ExerciseReport, Chart]] = {}
     named: dict[str, list[tuple[str, Sequence[float]]]] = {}
     for report in reports:
@@ -186,7 +186,7 @@ def _possible(exercises: Sequence[ExerciseReport]) -> float:
 
 
 def _groups(checks: list[CheckReport]) -> list[LostChecks]:
-    """Group failed checks by message: one file that cannot be read makes many checks fail."""
+    """Group failed checks by message, because one unreadable file can make many checks fail."""
     groups: dict[tuple[Status, str, bool, bool], LostChecks] = {}
     for check in checks:
         shared = check.status, str(check.message), check.hidden, check.robust

@@ -30,12 +30,13 @@ def write_gradebook(
     missing: Sequence[str] = (),
     unmatched: Sequence[str] = (),
 ) -> Path:
-    """Write gradebook.csv with the points possible in its second row, and return its path.
+    """Write gradebook.csv, whose second row has the possible points, and return its path.
 
-    An empty cell means that there is no grade: an answer waits for a person, the grader failed, or
-    the student is ``missing``, since nothing was handed in. ``unmatched`` are those who are not in
-    the roster. If there is a due date, the total is the points without the penalty. Both have
-    columns too.
+    A cell is empty if there is no grade yet. This is the case if an answer still has to be marked,
+    if the grader failed, or if a student is ``missing`` because nothing was handed in.
+    ``unmatched`` are the students who are not in the roster. If there is a due date, the total is
+    the points minus the penalty, and the points, the late days and the penalty have their own
+    columns.
     """
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     written = possible(exercise for exercise in exercises if exercise.kind == "written")
@@ -72,7 +73,7 @@ def write_gradebook(
 
 
 def _late(report: StudentReport) -> list[float | None]:
-    """Return the points, the late days and the penalty. Days that are unknown stay empty."""
+    """Return the points, the late days and the penalty. An unknown number of days is left empty."""
     days = report.late.days if report.late else None
     return [report.earned, days, None if report.earned is None else report.penalty]
 

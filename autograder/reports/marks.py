@@ -93,7 +93,7 @@ def read_rows(
 
 
 def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> list[str]:
-    """Return the cells of a mark, of which a spreadsheet takes none for a formula."""
+    """Return the cells of a mark, written so that no spreadsheet reads them as formulas."""
     harmless = as_cell(student)
     name = harmless if _names(students).get(harmless) == student else student
     comment = clean(mark.comment).strip()
@@ -101,7 +101,9 @@ def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> 
 
 
 def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
-    """Return marks under the names that the reports show, which ``names`` has for all others.
+    """Return the marks under the names that the reports show.
+
+    ``names`` maps every other name of a student to the name in the reports.
 
     Raises:
         ValueError: A student has two marks for an exercise, under two names.
@@ -177,5 +179,5 @@ def _names(students: Iterable[str]) -> dict[str, str]:
 
 
 def _key(name: str) -> str:
-    """Return a name in which an accented letter is one character, however it was typed."""
+    """Return a name in normalized form, so that accented letters compare equal however typed."""
     return unicodedata.normalize("NFC", name.strip())

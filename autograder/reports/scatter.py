@@ -69,7 +69,7 @@ def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, P
 
 
 def front(points: Sequence[Point]) -> list[list[float]]:
-    """Return the points whose error is smaller than that of any cheaper point, sorted by cost."""
+    """Return the points that are more accurate than every cheaper point, sorted by cost."""
     kept: list[list[float]] = []
     for cost, error in sorted([*point] for point in points):
         if not kept or error < kept[-1][1]:
@@ -86,7 +86,7 @@ def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
 
 
 def _ticks(values: Sequence[float]) -> list[float]:
-    """Return 1, 2 and 5 times powers of ten around the values, or fewer if these are too many."""
+    """Return ticks at 1, 2 and 5 times powers of ten, or fewer ticks if these are too many."""
     low, high = 0.8 * min(values), 1.25 * max(values)
     powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
     fine = [float(f"{digit}e{power}") for power in powers for digit in (1, 2, 5)]

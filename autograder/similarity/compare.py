@@ -1,9 +1,9 @@
 """Compare the code of a class pair by pair, and rate how unusual the similarity of each pair is.
 
-Within an exercise, a fingerprint has more weight if fewer students have it. A pair's similarity is
-the mean over the exercises, in which no exercise counts for much more than another. The usual
-similarity of both students is subtracted from it. The difference, in units of its spread over the
-class, is the pair's surprise.
+A fingerprint has more weight if fewer students have it in the same exercise. The similarity of a
+pair is the mean over the exercises, in which no single exercise dominates. To rate it, the usual
+similarity of both students to others is subtracted. The difference, divided by its spread over the
+class, is called the surprise of the pair.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Who is in a class: the students of the roster, and the submissions that belong to them."""
+"""Determine who is in a class: match the students of the roster with the submissions."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Member:
 
 @dataclass(frozen=True)
 class ClassList:
-    """The members of a class. Without a roster, they are those who handed something in."""
+    """The members of a class. Without a roster, these are the students who handed something in."""
 
     members: list[Member]
     has_roster: bool = False
@@ -86,11 +86,13 @@ class ClassList:
 def match(
     submissions: list[Submission], roster: list[Student] | None, path: Path | None
 ) -> ClassList:
-    """Return the class: each submission with its student, and everybody who has none.
+    """Match each submission with a student of the roster, and return the class.
+
+    The class also contains submissions without a student and students without a submission.
 
     Raises:
-        ValueError: A submission matches two students, or a student two submissions. The message
-            names the lines of the roster, which is in ``path``.
+        ValueError: A submission matches two students, or a student matches two submissions. The
+            message names the lines of the roster, which is in ``path``.
     """
     if roster is None:
         return ClassList([Member(one.student, None, one) for one in submissions])

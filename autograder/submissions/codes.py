@@ -1,4 +1,4 @@
-"""Codes in place of names, and the file that says which code is whose."""
+"""Replace names with codes, and keep a key file that assigns the codes to the students."""
 
 from __future__ import annotations
 
@@ -23,10 +23,12 @@ QUOTED = re.compile(r"'.*'", re.DOTALL)
 
 
 def with_codes(people: ClassList, path: Path) -> ClassList:
-    """Return the class with codes for names, and write the key: which code is whose.
+    """Return the class with codes in place of names, and write the key file.
 
-    A code depends on the secret in the key and on the student's id, or on the name of the
-    submission if nobody in the roster has handed it in. With the same key, it is the same again.
+    The key file shows which code belongs to which student. A code is computed from the secret in
+    the key file and from the student's id, or from the name of a submission that belongs to no
+    student in the roster. As long as the key file exists, each student therefore keeps the same
+    code.
 
     Raises:
         ValueError: The key is damaged.
@@ -52,7 +54,7 @@ def key_path(roster: Path | None, out: Path) -> Path:
 
 
 def without_names(note: str) -> str:
-    """Return a note without what it quotes: names of folders, which may contain a student's."""
+    """Return a note without its quotations, because a quoted folder name may name a student."""
     return QUOTED.sub("one of them", note)
 
 

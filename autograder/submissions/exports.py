@@ -1,4 +1,4 @@
-"""The names that Canvas and Moodle give to submissions when an instructor downloads them."""
+"""Read the names that Canvas and Moodle give to submissions when an instructor downloads them."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ RESUBMITTED = re.compile(r"-([0-9]+)$")
 
 @dataclass(frozen=True)
 class Exported:
-    """What the name of a submission says.
+    """The information in the name of a submission.
 
-    For Canvas, ``name`` is lastfirst without spaces, and ``number`` is the user's id. For Moodle,
-    ``name`` is the full name, and ``number`` is the participant in this one assignment. ``order``
-    is larger for a later upload.
+    For Canvas, ``name`` is the last and first name without spaces, and ``number`` is the user's id.
+    For Moodle, ``name`` is the full name, and ``number`` identifies the participant in this one
+    assignment only. A later upload has a larger ``order``.
     """
 
     platform: Literal["canvas", "moodle"]

@@ -86,12 +86,12 @@ def read_roster(path: Path) -> list[Student]:
 
 
 def key(text: str) -> str:
-    """Return an id, email or login in the form in which two of them are compared."""
+    """Return an id, email or login in normalized form, so that two of them can be compared."""
     return unicodedata.normalize("NFC", text.strip()).casefold()
 
 
 def letters(name: str) -> str:
-    """Return only the letters and digits of a name, without case. Platforms drop the rest."""
+    """Return only the letters and digits of a name, in lower case, as platforms drop the rest."""
     text = unicodedata.normalize("NFKC", name).casefold()
     return "".join(character for character in text if character.isalnum())
 

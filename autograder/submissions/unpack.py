@@ -1,6 +1,6 @@
-"""Unpack the zip of a whole class, as Canvas and Moodle make it, into a folder beside it.
+"""Unpack the zip of a whole class, as Canvas and Moodle create it, into a folder beside it.
 
-It contains what students uploaded, so nothing in it is trusted.
+The zip contains files that students uploaded, so none of its contents are trusted.
 """
 
 from __future__ import annotations

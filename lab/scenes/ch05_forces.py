@@ -121,7 +121,7 @@ class FallInAir(Scene):
 
 
 class Orbit(Scene):
-    """A planet around a star. A step moves the position first, as in the book, or the velocity."""
+    """A planet around a star. A step updates either the position first, as in the book, or last."""
 
     chapter = 5
     title = "An orbit that should close"

@@ -17,7 +17,7 @@ LATE = 0.5  # s, duration of a late frame
 
 
 class Bridge(WorldScene):
-    """A heavy ball that walks across a rope bridge. All frames are on time, or some are late."""
+    """A heavy ball that walks across a rope bridge. The reader can make some of the frames late."""
 
     chapter = 8
     title = "A rope bridge"
@@ -65,7 +65,7 @@ class Bridge(WorldScene):
         self.contacts.draw(pen, 1.0)
 
     def too_long(self) -> float:
-        """Return how much longer than allowed the worst cable is, in percent."""
+        """Return by how many percent the most overstretched cable exceeds its allowed length."""
         return over_length(self.bridge.world.contact_generators)
 
     def chart(self) -> dict[str, float]:

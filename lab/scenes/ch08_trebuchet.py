@@ -57,7 +57,7 @@ class Trebuchet(WorldScene):
             self.look()
 
     def look(self) -> None:
-        """Record the path and the energies, and end the throw when the projectile lands."""
+        """Record the path and the energies, and end the throw as soon as the projectile lands."""
         engine = self.engine
         weight, projectile = engine.weight, engine.projectile
         self.way.append((projectile.position.x, max(0.0, projectile.position.y)))

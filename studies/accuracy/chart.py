@@ -140,9 +140,10 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
 
 
 def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None:
-    """Draw a ratio as a mark, which is open if the time is extrapolated.
+    """Draw the ratio of one row of the table as a mark, which is open if a time is extrapolated.
 
-    A bound is an open mark with an arrow, or the word "never".
+    A bound is drawn as an open mark with an arrow. If one side can never reach the tolerance, the
+    word "never" is written at the edge instead.
     """
     if found.ratio:
         face = "none" if found.is_extrapolated else color

@@ -1,8 +1,10 @@
-"""Measure every model of some scenes: its error and work once, its time in turn with all others.
+"""Measure the error, the work and the time of every model in some scenes.
 
-The times of a round are measured in random order, so that other load on the machine does not affect
-a single model. The results are saved after every round. A run that was interrupted resumes from
-them, as long as the code and the versions are the same.
+The error and the work of a model are always the same, so they are measured only once. Times vary,
+so they are measured in several rounds. Each round times all models in random order, so that other
+load on the machine does not affect only one of them. The results are saved after every round. If a
+run is interrupted, the next run resumes from the saved results, as long as the code and the
+versions are the same.
 """
 
 from __future__ import annotations
@@ -32,9 +34,10 @@ LONG, FEW = 1.0, 2  # s, rounds: a run that takes longer is timed only in the fi
 
 @dataclass
 class Point:
-    """The results of a model with one choice of its steps. ``times`` has a time in s per round.
+    """The results of a model with one choice of its steps.
 
     ``steps`` is the number of steps per frame, or 1 / tolerance for a model that takes a tolerance.
+    ``times`` contains one time in s per round.
     """
 
     scene: str
@@ -67,10 +70,10 @@ class Measured:
 def explore(
     scenes: Sequence[Scene], slowest: float, theirs: float, hear: Callable[[str], None]
 ) -> Measured:
-    """Return the points of these scenes with the error and work of each model, but without times.
+    """Measure the error and the work of each model in these scenes, but no times yet.
 
-    The steps of a model increase until a run takes ``slowest`` s, or ``theirs`` s for pymunk's
-    models, or until the model is exact.
+    Each model runs with more and more steps. It stops when it is exact or when a run takes longer
+    than ``slowest`` s. For pymunk's models, the limit is ``theirs`` s instead.
     """
     points = []
     for scene in scenes:

@@ -1,4 +1,4 @@
-"""Evaluate the measured points: the time that each model needs for a tolerance, and the best."""
+"""Find the time that each model needs to meet a tolerance, and the best model of each side."""
 
 from __future__ import annotations
 
@@ -17,13 +17,14 @@ FARTHEST = 1000.0  # an error is extrapolated to a thousandth of the smallest er
 
 @dataclass(frozen=True)
 class Side:
-    """The model on one side, ours or pymunk's, that reaches a tolerance first, and its time in s.
+    """The fastest model of one side, ours or pymunk's, that meets a tolerance, and its time in s.
 
-    Both are None if no model reaches it. In that case every model that could still reach it has
-    been run for ``longest`` s or longer. ``never`` is true if there is no such model.
+    Both are None if no model meets the tolerance. In that case, every model that might still meet
+    it with more steps has been run for at least ``longest`` s. If no model could ever meet it,
+    ``never`` is true.
 
-    If ``order`` is not None, the model has not been run for that long. Its time is extrapolated
-    from this order of convergence.
+    If ``order`` is not None, the model has not actually been run with enough steps. Its time is
+    extrapolated from this order of convergence.
     """
 
     model: str | None
@@ -67,10 +68,10 @@ class Row:
 
 
 def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
-    """Return the index of the first point from which on a model is within a tolerance, or None.
+    """Return the index of the first point from which on a model meets a tolerance, or None.
 
-    ``ordered`` is sorted by steps. All points with more steps must be within the tolerance as well,
-    because one point may be within it by chance.
+    ``ordered`` is sorted by steps. All points with more steps must meet the tolerance as well,
+    because a single point may meet it by chance.
     """
     outside = [i for i, point in enumerate(ordered) if not point.error <= tolerance]
     first = outside[-1] + 1 if outside else 0
@@ -95,10 +96,11 @@ def time_to(points: Sequence[Point], tolerance: float) -> float | None:
 
 
 def stalls(points: Sequence[Point]) -> bool:
-    """Return whether a model's error has not even halved while its steps grew eightfold.
+    """Return whether a model's error has not even halved while its number of steps grew eightfold.
 
-    At order 1 the error would fall to an eighth. So a model that stalls is assumed to never reach
-    smaller errors. As long as the error is a tenth of the scale or more, nothing can be concluded.
+    At order 1, the error would fall to an eighth. A model that stalls is therefore assumed to never
+    reach smaller errors. An error of a tenth of the scale or more is too large to draw this
+    conclusion.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     before = [point for point in ordered if EIGHTFOLD * point.steps <= ordered[-1].steps]
@@ -106,11 +108,11 @@ def stalls(points: Sequence[Point]) -> bool:
 
 
 def order_of(points: Sequence[Point]) -> float | None:
-    """Return a model's order of convergence over the last eightfold increase of its steps.
+    """Return a model's order of convergence over the last eightfold increase of its steps, or None.
 
-    The order is the exponent p if the error is proportional to 1 / steps^p. It is None if the error
-    does not fall steadily, so that the order varies between doublings. It is also None if the error
-    is a tenth of the scale or more, or if there are fewer than four points.
+    The order is the exponent p if the error is proportional to 1 / steps^p. It is unknown if the
+    error does not fall steadily, which means that the order varies between doublings. It is also
+    unknown if the error is a tenth of the scale or more, or if there are fewer than four points.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     last = [point for point in ordered if EIGHTFOLD * point.steps >= ordered[-1].steps]
@@ -187,7 +189,7 @@ def row(points: Sequence[Point], tolerance: float) -> Row:
 
 
 def extrapolated(side: Side, points: Sequence[Point], tolerance: float) -> Side:
-    """Return a side with the shortest time that is extrapolated for one of its models.
+    """Extrapolate the time of each model, and return the side with the shortest of these times.
 
     If no model has a steady order, the side is returned unchanged.
     """
@@ -209,9 +211,9 @@ def table(points: Sequence[Point]) -> list[Row]:
 
 
 def front(points: Sequence[Point]) -> list[Point]:
-    """Return the points for which no other point is both faster and more accurate, by time.
+    """Return the points to which no other point is superior in both time and error, by time.
 
-    All errors that come from rounding alone count as equal.
+    All errors that come only from rounding count as equal.
     """
     kept: list[Point] = []
     nearest = math.inf

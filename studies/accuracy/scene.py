@@ -46,7 +46,7 @@ class Model:
 
     ``by`` is "ours", "the book" or "pymunk". An exact model has no steps to choose, so its
     ``steps`` is (1,). If ``takes_tolerance`` is true, the model chooses its own steps. The numbers
-    in ``steps`` are then 1 / tolerance, so that a larger number is more accurate here, too.
+    in ``steps`` are then 1 / tolerance, so that a larger number still means a more accurate run.
     """
 
     name: str
@@ -58,11 +58,12 @@ class Model:
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene with a number of frames. ``truth`` returns the exact position at a time in s.
+    """A scene that runs for a number of frames, with its exact solution and its models.
 
-    ``scale`` is in m. ``counted`` describes what the models count as their work. If the truth is
-    neither a closed form nor SciPy's solution of one equation, ``differs`` returns the difference
-    between two independent ways to compute it, in units of the scale.
+    ``truth`` returns the exact position at a time in s. ``scale`` is the size of the scene in m.
+    ``counted`` describes what the models count as their work. If the truth is neither a closed form
+    nor SciPy's solution of a single equation, ``differs`` checks it. This function computes the
+    truth in two independent ways and returns the difference, in units of the scale.
     """
 
     name: str

@@ -1,9 +1,10 @@
-"""Speed at equal accuracy: pymunk's time relative to that of one of our models.
+"""Compare our models with pymunk at equal accuracy.
 
-The position is needed in every frame, with a tolerance in units of the scene's size. Each side
-makes the fewest steps per frame that reach the tolerance, out of the powers of two. If pymunk does
-not reach it with MOST steps, its time is extrapolated from its order of convergence, and the line
-reports this. If pymunk's error does not decrease steadily either, the line is a lower bound.
+Each line is pymunk's time as a multiple of the time of one of our models. The position is needed in
+every frame, within a tolerance in units of the scene's size. Each side makes the smallest number of
+steps per frame, out of the powers of two, that meets the tolerance. If even MOST steps are too few
+for pymunk, its time is extrapolated from its order of convergence, and the line says so. If its
+error does not decrease steadily either, the line is a lower bound.
 
 The last lines compare the cost of a fixed step with that of `adaptive` for an orbit.
 """
@@ -51,9 +52,9 @@ def lines() -> list[Measurement]:
 def lines_of_adaptive() -> list[Measurement]:
     """Return the cost of Runge-Kutta 4 relative to `adaptive`, for the orbit of a comet.
 
-    Both have an error of at most 1e-6 of the semi-major axis in every frame. Each uses the coarsest
-    setting with that error. Runge-Kutta 4 has a number of steps per frame, and `adaptive` has a
-    tolerance, with four tolerances per decade to choose from.
+    Each method uses the coarsest setting whose error is at most 1e-6 of the semi-major axis in
+    every frame. For Runge-Kutta 4, the setting is the number of steps per frame. For `adaptive`, it
+    is a tolerance, with four tolerances per decade to choose from.
     """
     (scene,) = scenes_with("orbit of eccentricity 0.9")
     fixed, own = model_of(scene, RK4), model_of(scene, "adaptive")
@@ -134,9 +135,9 @@ def is_exact(model: Model) -> bool:
 
 
 def fewest_steps(scene: Scene, model: Model, tolerance: float) -> tuple[int, float]:
-    """Return the fewest steps per frame within a tolerance, as a power of two, and the error.
+    """Return the fewest steps per frame that meet a tolerance, as a power of two, and the error.
 
-    If MOST steps per run are not enough, return the most steps that were tried.
+    If even MOST steps per run do not meet it, return the most steps that were tried.
     """
     finest = tried_steps(scene, model, tolerance)[-1]
     return finest.steps, finest.error

@@ -1,4 +1,4 @@
-"""The cost of contacts: a heap and a plain scan, pairs of many spheres, and a chain of rods."""
+"""Measure the cost of contacts: with and without a heap, among spheres, and in a chain."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def lines() -> list[Measurement]:
 
 
 def resolving(kind: type[ContactResolver], count: int) -> Timer:
-    """Return a timer of a resolver for the contacts of a rope that has just been stretched."""
+    """Return a timer that resolves the contacts of a rope that has just been stretched."""
 
     def once() -> float:
         down = Vector3(0.0, -GRAVITY)
@@ -131,10 +131,10 @@ def by_pymunk(rate: int) -> tuple[float, float]:
 
 
 def matching_rate() -> int:
-    """Return the frame rate at which pymunk's tip is as accurate as ours, found by doubling.
+    """Return the frame rate at which pymunk's tip is as accurate as ours.
 
-    The exact position is that of DirectChain at 16 times its rate, where its error is 256 times
-    smaller.
+    The rate is doubled until this is the case. The exact position is approximated by DirectChain at
+    16 times its rate, at which its error is 256 times smaller.
     """
     true = by_direct_solve(16 * RATE)
     ours = math.dist(by_direct_solve(RATE), true)

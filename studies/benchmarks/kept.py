@@ -1,4 +1,4 @@
-"""The committed figures of the last `make bench`, and their quotations in the READMEs.
+"""Keep the figures of the last `make bench`, and update the places where READMEs quote them.
 
 A README quotes the median of a line between two comments. The first comment contains the beginning
 of the line's description, which must be long enough to identify the line:
@@ -45,7 +45,7 @@ def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
 
 
 def rounded(figure: float) -> float:
-    """Return a figure rounded to three digits, because its spread is larger than a fourth."""
+    """Return a figure rounded to three digits, because its spread makes more digits meaningless."""
     return float(f"{figure:.3g}")
 
 

@@ -54,8 +54,8 @@ def lines() -> list[Measurement]:
 def _against_pymunk(bodies: int, *, read: bool) -> Measurement:
     """Time the same number of damped falls in both engines.
 
-    If ``read`` is true, every x and y is read after each step. Our positions are in Python already,
-    but pymunk's are fetched one by one from its C library.
+    If ``read`` is true, every x and y is read after each step. This is cheap for our engine, whose
+    positions are Python objects, but pymunk has to fetch each position from its C library.
     """
     frames = max(1, 4000 // bodies)
     particles = [make_particle(DAMPED_FALL) for _ in range(bodies)]
@@ -112,8 +112,8 @@ def in_place_steps(particle: Particle, frames: list[float]) -> None:
 def arithmetic(frames: list[float]) -> Numbers:
     """Step by the same equations in local variables, and return the final position.
 
-    This time is the cost of a step without any objects, with a power in every frame.
-    Particle.integrate saves the power if a frame is as long as the last frame.
+    This time shows the cost of a step without any objects. It computes a power in every frame.
+    Particle.integrate avoids the power if a frame is as long as the frame before it.
     """
     x, y, z = PROJECTILE.start.position
     vx, vy, vz = PROJECTILE.start.velocity

@@ -1,4 +1,4 @@
-"""The cost of springs: a cloth by connect, by one Spring per end, and by plain arithmetic."""
+"""Measure the cost of a cloth made with connect, with one Spring per end, and without objects."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ ROUNDS = 21
 
 
 def lines() -> list[Measurement]:
-    """Return all lines about springs. The cloths are made once, and fall from round to round."""
+    """Return all lines about springs. The cloths are built once and keep falling in every round."""
     whole, ends = make_cloth(DAMPING), make_cloth_of_ends()
     connected, apart = timer(lambda: steps(*whole)), timer(lambda: steps(*ends))
     return [
@@ -45,7 +45,7 @@ def lines() -> list[Measurement]:
 
 
 class VectorSpring(Spring):
-    """A spring in vectors, as students write it first."""
+    """A spring written with vector operators, as most students write it at first."""
 
     def update_force(self, particle: Particle, duration: float) -> None:  # noqa: ARG002
         """Add the force of the spring on the particle."""
@@ -76,7 +76,10 @@ def steps(knots: list[Particle], registry: ForceRegistry) -> float:
 
 
 def cloth_arithmetic() -> float:
-    """Run the same cloth in lists of floats, springs first, and return its lowest height."""
+    """Run the same cloth with lists of floats, and return its lowest height.
+
+    The forces of the springs are computed first.
+    """
     count = KNOTS * KNOTS
     x = [REST_LENGTH * (i % KNOTS) for i in range(count)]
     y = [0.0] * count

@@ -1,4 +1,4 @@
-"""The cost of a world, of a world asleep, and of a rope of rods, compared with alternatives."""
+"""Measure the cost of a world, of a sleeping world, and of a rope of rods."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def lines() -> list[Measurement]:
 def asleep(
     what: str, make: Callable[[type[ParticleWorld]], ParticleWorld], target: Target
 ) -> Measurement:
-    """Return the line of awake balls, over the same balls with nine tenths of them asleep."""
+    """Compare a world of awake balls with the same world in which nine tenths of them sleep."""
     worlds = make(ParticleWorld), make(SleepingWorld)
     return Measurement(
         f"{BALLS} balls {what}: ParticleWorld / SleepingWorld with nine tenths of them asleep",
@@ -69,7 +69,7 @@ def asleep(
 
 
 def rope(links: int, rounds: int) -> Measurement:
-    """Return the line of a rope of rods, over a direct solve of the same rope."""
+    """Compare a rope of rods with a direct solve of the same rope."""
     rods = partial(hang_by_rods, links, 60, SUBSTEPS, 1.0)
     chain = partial(hang_by_direct_chain, links, RATE, 1.0)
     wanted = polygon_sag(links)

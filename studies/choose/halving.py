@@ -1,9 +1,10 @@
 """Estimate the error of runs without an exact solution, by halving their steps (Richardson).
 
-If a model has order p, halving its steps divides its error by 2^p. So the difference d between a
-run and the run with half its steps is nearly the error of the first one, and d / (2^p - 1) is
-nearly the error of the second one. The order that the differences show must be steady, otherwise
-the error cannot be estimated: this happens if bodies collide, and if a motion is chaotic.
+If a model has order p, halving its steps divides its error by 2^p. Therefore the difference d
+between a run and the same run with half the step size is close to the error of the first run, and d
+/ (2^p - 1) is close to the error of the second run. This works only if the order that the
+differences show is steady. It is not steady if bodies collide or if a motion is chaotic, and then
+the error cannot be estimated.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ LEAST = 0.7  # an order below this is no convergence
 
 @dataclass(frozen=True)
 class Halved:
-    """Estimated errors, one per run, and the orders that were seen, from coarse steps to fine ones.
+    """The estimated error of each run, and the observed orders, from coarse steps to fine steps.
 
     Without steady orders, the errors are only guesses. The runs are exact if they differ only by
     rounding.
@@ -40,12 +41,12 @@ def halved(
     """Return the estimated errors of the runs of one model.
 
     From one run to the next, the steps become shorter by the factor ``ratio``. A run that failed is
-    None. Its error is infinite, and so are the errors of all runs before it. The error of a run is
-    its distance from the finest run, plus the estimated error of that one.
+    None. Its error is infinite, and so are the errors of all runs before it. The error of any other
+    run is its distance from the finest run, plus the estimated error of the finest run.
 
-    ``order`` is the highest order that the model can have. An order that is seen to be higher is
-    chance, so it is not used. If runs ``may_repeat`` each other, as with tolerances that all
-    allow the same steps, equal runs are no sign that they are exact.
+    ``order`` is the highest order that the model can have. If a higher order is observed, it is a
+    coincidence and is not used. Normally two equal runs show that both are exact. If runs
+    ``may_repeat`` each other, they do not, because several tolerances can lead to the same steps.
     """
     first = max((i + 1 for i, run in enumerate(runs) if run is None), default=0)
     good: list[Run] = [run for run in runs[first:] if run is not None]
@@ -70,7 +71,7 @@ def halved(
 
 
 def _is_steady(orders: Sequence[float], order: float) -> bool:
-    """Return whether the last two orders are the expected one, or the last three agree."""
+    """Return whether the last two orders match the expected order, or the last three agree."""
     if len(orders) >= 2 and all(abs(seen - order) <= NEAR * order for seen in orders[-2:]):
         return True
     last = orders[-3:]

@@ -1,9 +1,10 @@
-"""The models that a world can be run with. Which ones can be tried follows from the scene.
+"""The models that can run a world. The scene decides which of them are tried.
 
-- Without contacts, every integrator of chapter 6 can be used. Without forces, steps are exact.
-- If all contacts are those of rods and cables, a net can solve for all pulls at once.
+- A world without contacts can use every integrator of chapter 6. If it has no forces either, the
+  closed form is exact.
+- If all contacts come from rods and cables, a net can solve for all tensions at once.
 - If all contacts come from detectors, time division can stop at each impact.
-- With any contacts, the world can make a step and then resolve the contacts.
+- A world with any kind of contact can make a step and then resolve the contacts.
 """
 
 from __future__ import annotations
@@ -32,8 +33,9 @@ ORDERS = {"leapfrog": 2, "velocity Verlet": 2, "Runge-Kutta 4": 4}  # the others
 class Model:
     """A way to step a world, and the order with which its error should fall.
 
-    ``step_of`` returns what steps a new world. The numbers in ``choices`` are steps per frame. If
-    ``takes_tolerance`` is true, they are 1 / tolerance, and the error falls with the tolerance.
+    ``step_of`` takes a new world and returns the function that steps it. The numbers in ``choices``
+    are steps per frame. If ``takes_tolerance`` is true, they are 1 / tolerance instead, and the
+    error is proportional to the tolerance.
     """
 
     name: str
@@ -49,7 +51,7 @@ class Model:
         return "once per frame" if choice == 1 else f"{choice} steps per frame"
 
     def steps_of(self, world: ParticleWorld, choice: int) -> tuple[Step, int]:
-        """Return what steps a world, and how many steps a frame has."""
+        """Return the function that steps a world, and the number of steps per frame."""
         if self.takes_tolerance:
             world.integrator = adaptive(1.0 / choice)
             return self.step_of(world), 1
@@ -83,7 +85,7 @@ def _special(world: ParticleWorld) -> list[Model]:
 
 
 def _with(integrator: Integrator) -> Callable[[ParticleWorld], Step]:
-    """Return what steps a world's particles alone, because it has no contacts to look for."""
+    """Return the function that steps only a world's particles, as the world has no contacts."""
 
     def step_of(world: ParticleWorld) -> Step:
         particles, forces = world.particles, world.registry.update_forces

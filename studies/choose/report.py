@@ -84,7 +84,7 @@ def _table(found: list[Tried], scene: OwnScene, tolerance: float) -> Table:
 
 
 def _order(tried: Tried) -> str:
-    """Return the order that the last runs of a model show, beside the one that it should have."""
+    """Return the observed order of a model's last runs, next to the order that it should have."""
     if tried.halved.is_exact:
         return "exact"
     seen = f"{tried.halved.orders[-1]:.1f}" if tried.halved.orders else "?"
@@ -120,7 +120,7 @@ def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
 
 
 def _seen(tried: Tried) -> str:
-    """Return the name of a model and the last orders that were seen, or why there are none."""
+    """Return the name of a model and the last observed orders, or the reason why there are none."""
     shown = ", ".join(f"{each:.1f}" for each in tried.halved.orders[-3:])
     if not shown:
         return f"{tried.model.name} ({tried.failure or 'its runs hardly differ'})"

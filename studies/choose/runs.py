@@ -22,9 +22,10 @@ STILL = 1e-12  # a displacement, as a fraction of what is measured, that is no m
 
 @dataclass
 class Tried:
-    """A model, and its runs with its first choices: what they measured, and their times in s.
+    """A model, what its runs with the first choices have measured, and the time of each run in s.
 
-    ``halved`` has their estimated errors, and ``failure`` says how the last failed run ended.
+    ``halved`` contains the estimated errors of the runs. ``failure`` explains why the last run
+    failed, if it did.
     """
 
     model: Model
@@ -46,7 +47,7 @@ class Tried:
         self.halved = halved(self.runs, ratio, model.order, may_repeat=may_repeat)
 
     def is_enough(self, tolerance: float) -> bool:
-        """Return whether the errors are known, and a run with two finer ones is within them."""
+        """Return whether errors are known and a run and two finer runs meet the tolerance."""
         found = self.halved
         within = all(error <= tolerance for error in found.errors[-3:])
         return found.is_exact or (found.is_steady and within)
@@ -132,10 +133,10 @@ def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, flo
 
 
 def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
-    """Time runs again, in random order, so that other load does not affect a single model.
+    """Time runs again in random order, so that other load does not affect only one model.
 
-    These are the runs that may be chosen: of models whose error is known, up to the first run that
-    is within the tolerance.
+    Only the runs that may be chosen are timed again. These are the runs of models whose error is
+    known, up to the first run that is within the tolerance.
     """
     every = []
     for tried in found:

@@ -26,9 +26,10 @@ class SceneError(ValueError):
 
 @dataclass(frozen=True)
 class OwnScene:
-    """A scene of a number of frames. ``build`` returns it at its start, and ``measure`` reads it.
+    """A reader's own scene, which runs for a number of frames.
 
-    The functions are the reader's own, so ``built`` and ``measured`` check what they return.
+    ``build`` returns the scene in its initial state, and ``measure`` returns the values to compare.
+    The reader wrote both functions, so ``built`` and ``measured`` check what they return.
     """
 
     path: Path
@@ -37,10 +38,10 @@ class OwnScene:
     measure: Callable[[Any], Any]
 
     def built(self) -> ParticleWorld:
-        """Return a new world.
+        """Return a new world in its initial state.
 
         Raises:
-            SceneError: If build raises an exception, or returns no world with a particle.
+            SceneError: If build raises an exception, or does not return a world with particles.
         """
         world = self._asked("build", self.build)
         if not isinstance(world, ParticleWorld):
@@ -64,11 +65,11 @@ class OwnScene:
             raise SceneError(message) from None
 
     def check(self) -> Values:
-        """Return what is measured at the start, after building the scene twice.
+        """Build the scene twice to check it, and return what is measured at the start.
 
         Raises:
-            SceneError: If the two are not the same scene, if they share a particle, or if what is
-                measured is nothing or not finite.
+            SceneError: If the two scenes differ or share a particle, or if nothing is measured, or
+                if a measured value is not finite.
         """
         first, second = self.built(), self.built()
         if {*map(id, first.particles)} & {*map(id, second.particles)}:
@@ -119,7 +120,7 @@ def load(path: Path) -> OwnScene:
 
 
 def why(error: BaseException, path: Path) -> str:
-    """Return the error with which something stopped, and the last line of the file in its way."""
+    """Describe an exception: its message, and the last line of the reader's file that led to it."""
     frames = traceback.extract_tb(error.__traceback__)
     lines = [frame.lineno for frame in frames if Path(frame.filename) == path.absolute()]
     if isinstance(error, SyntaxError) and Path(error.filename or "") == path.absolute():

@@ -44,7 +44,7 @@ def of_scene(points: Sequence[Point], scene: str) -> dict[str, list[Point]]:
 
 
 def time_within(points: Sequence[Point], scene: str, solver: str, tolerance: float) -> float | None:
-    """Return the time in ms per frame within which a solver stays within an error, or None."""
+    """Return the time in ms per frame that a solver needs for an error, or None if unknown."""
     own = of_scene(points, scene).get(solver)
     return time_to(own, tolerance) if own else None
 

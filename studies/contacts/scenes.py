@@ -1,12 +1,15 @@
-"""Stacks and ropes at rest, and a rope that swings, by every solver of chapter 7.
+"""Stacks and ropes at rest, and a swinging rope, each run with every solver of chapter 7.
 
-Each scene measures one error, whose exact value is 0: the largest overlap of spheres that touch, as
-a fraction of their diameter; the change in length of a rope, as a fraction of its length; or the
-change in energy, as a fraction of the energy that the swinging rope has at its lowest point. It is
-the largest error at the end of any frame in 1 s. The work is the number of steps.
+Each scene measures one error, which would be 0 for an exact solver, and reports its largest value
+at the end of any frame in 1 s. The error depends on the scene:
 
-The mass ratio is that of the top sphere, or of the weight at the end of the rope, to one of the
-others, which have 1 kg each. Gravity is 10 m/s^2.
+- For a stack, it is the largest overlap of touching spheres as a fraction of their diameter.
+- For a rope at rest, it is the change in length as a fraction of the rope's length.
+- For a swinging rope, it is the change in energy as a fraction of the kinetic energy at the lowest
+  point.
+
+The mass ratio compares the top sphere, or the weight at the end of the rope, with any of the other
+bodies, which have 1 kg each. Gravity is 10 m/s^2. The work is the number of steps.
 """
 
 from __future__ import annotations
@@ -46,7 +49,7 @@ Move = Callable[[float], object]
 
 @dataclass(frozen=True)
 class Bodies:
-    """Particles with what keeps them in place, and the error that a scene measures.
+    """Particles, the constraints that hold them in place, and the error that a scene measures.
 
     ``error`` takes the duration of a step. Its result has no unit.
     """
@@ -57,7 +60,7 @@ class Bodies:
 
 
 class ColdStart(SequentialImpulses):
-    """Sequential impulses that forget the impulses of the last step."""
+    """Sequential impulses that start from zero instead of from the impulses of the last step."""
 
     def step(self, duration: float) -> None:
         self.impulses.clear()
@@ -65,7 +68,7 @@ class ColdStart(SequentialImpulses):
 
 
 def by_book(particles: list[Particle], generators: Iterable[ContactGenerator]) -> Move:
-    """Return the step of a world with the book's resolver, in its fast form."""
+    """Return the step of a world that uses the book's resolver in its fast implementation."""
     world = ParticleWorld(particles, generators)
     world.resolver = HeapResolver()
     return world.step

@@ -98,7 +98,10 @@ def draw_maps(png: Path) -> None:
 
 
 def divergence() -> list[Loss]:
-    """Return the steps to divergence beyond the limits, by the eigenvalue and by simulation."""
+    """Return the steps that each method takes to diverge, as predicted and as simulated.
+
+    The predictions follow from the eigenvalues of a step.
+    """
     rows = []
     for name, damping in LOST.items():
         for beyond in BEYOND:
@@ -111,10 +114,11 @@ def divergence() -> list[Loss]:
 
 
 def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> tuple[int, int]:
-    """Return the steps until an oscillation is 1e6 times as large, from release and in between.
+    """Count the steps until an oscillation is 1e6 times as large, from release and later on.
 
-    The second number is that of the steps from 1e3 to 1e9 times the initial size. ``predicted`` is
-    the expected number. The size of an oscillation combines x and v / sqrt(k / m).
+    The first number counts from release. The second number counts from 1e3 to 1e9 times the initial
+    size, when the initial state no longer matters. ``predicted`` is the expected number of steps.
+    The size of an oscillation combines x and v / sqrt(k / m).
     """
     integrator, pull, d = stepping(name, kappa, damping)
     chi = math.sqrt(pull.stiffness)
@@ -131,7 +135,7 @@ def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> 
 def draw_divergence(
     losses: Sequence[Loss], drifts: dict[str, list[float]], swings: Sequence[int], png: Path
 ) -> None:
-    """Draw the time to divergence by distance from the limit, its error, and energies over time."""
+    """Draw the time to divergence outside the limits, its error, and energies over time."""
     figure, (left, middle, right) = pyplot.subplots(1, 3, figsize=(17, 5.4), layout="constrained")
     _draw_steps(left, losses)
     _draw_errors(middle, losses)

@@ -1,9 +1,9 @@
-"""Measure limits of stability by bisection, and energies inside the limits.
+"""Measure the limits of stability by bisection, and the energy inside the limits.
 
 There are limits for springs, for drag and for a penalty ground. A step is a linear map of position
-and velocity. A spring reaches its limit when the magnitude of the larger eigenvalue exceeds 1. Drag
-reaches its limit when the magnitude of the factor of the velocity does. Pymunk is measured in the
-same way.
+and velocity, so its eigenvalues show whether a motion grows. A spring reaches its limit when the
+magnitude of the larger eigenvalue exceeds 1. Drag reaches its limit when the factor by which it
+multiplies the velocity exceeds 1 in magnitude. Pymunk is measured in the same way.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ Growth = Callable[[float], float]
 
 
 class Bound(NamedTuple):
-    """A limit in one case, as measured and from theory. It is infinite if there is no limit.
+    """The limit of a method in one case, as measured and from theory. No limit is infinity.
 
     ``steps`` is the number of steps in which an oscillation just outside the limit grows by the
     factor HUGE, or NaN if nothing grows.
@@ -59,7 +59,7 @@ class Bound(NamedTuple):
 def pymunk_step(
     by_hand: bool, x: float, v: float, k: float, c: float, mass: float, duration: float
 ) -> State:
-    """Return position and velocity of a pymunk body on a spring after a step, as a Solver does."""
+    """Step a pymunk body on a spring, and return its position and velocity as a Solver does."""
     space = pymunk.Space()
     body = pymunk.Body(mass, 1.0)
     body.position, body.velocity = (x, 0.0), (v, 0.0)
@@ -74,7 +74,7 @@ def pymunk_step(
 
 
 def pymunk_damping(x: float, v: float, k: float, c: float, mass: float, duration: float) -> State:
-    """Return the same for a body in a pymunk space whose damping d is e^(-c / m)."""
+    """Step a pymunk body in a space with damping d = e^(-c / m), without a spring."""
     del k
     space = pymunk.Space()
     space.damping = math.exp(-c / mass)
@@ -92,9 +92,10 @@ PYMUNK: dict[str, Solver] = {
 
 
 def stepping(name: str, kappa: float, damping: float) -> tuple[Integrator, Pull, float]:
-    """Return a method, its spring with k h^2 / m = kappa, and the particle's damping d.
+    """Return a method, its spring with k h^2 / m = kappa, and the damping d of the particle.
 
-    ``damping`` is d^h of the particle for an integrator, and c h / m of the spring for the others.
+    For an integrator, ``damping`` is d^h of the particle. For every other method it is c h / m of
+    the spring.
     """
     k = kappa / FRAME**2
     if name in INTEGRATORS:
@@ -147,16 +148,19 @@ def spring_limit(name: str, damping: float, at: str) -> Bound:
 
 
 def ground_limit() -> Bound:
-    """Return the k h^2 / m at which a penalty ground throws a body at rest: the step's limit."""
+    """Return the k h^2 / m above which a penalty ground throws a resting body into the air.
+
+    This is also the limit of the step.
+    """
     found = first(lambda kappa: 2.0 if thrown(kappa) else 1.0)
     return Bound("penalty ground", "at rest", found, 4.0, float(thrown(OUTSIDE * found)))
 
 
 def thrown(kappa: float) -> int:
-    """Return the step, of 2000, after which a body that rested in the ground is above it, or 0.
+    """Return the first of 2000 steps after which a resting body has left the ground, or 0 if none.
 
-    The body starts slightly below its position of rest, by a fraction 1 / HUGE of its depth. So it
-    leaves the ground when its displacement has grown by the factor HUGE.
+    The body starts slightly below its rest position, by a fraction 1 / HUGE of its depth. It
+    therefore leaves the ground when its displacement has grown by the factor HUGE.
     """
     depth = 10.0 / (kappa / FRAME**2)
     heights = bounces(kappa / FRAME**2, -depth * (1.0 + 1.0 / HUGE), 2000)
@@ -185,7 +189,7 @@ DRAG_THEORY = {
 
 
 def drag_limits() -> list[Bound]:
-    """Return each method's limits of k1 h / m, for growth and for reversal in a step."""
+    """Return each method's limits of k1 h / m, above which a step increases or reverses speed."""
     rows = []
     for name, (grows, turns) in DRAG_THEORY.items():
         kept = partial(drag_factor, name)
@@ -209,7 +213,7 @@ def drag_factor(name: str, z: float) -> float:
 
 
 def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
-    """Return where growth begins, the limit from theory, and the steps to divergence outside it."""
+    """Find where growth begins. Return it with the theoretical limit and the steps to diverge."""
     found = first(growth)
     bears = 0.0 < found < math.inf
     steps = math.log(HUGE) / math.log(growth(OUTSIDE * found)) if bears else math.nan
@@ -217,9 +221,10 @@ def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
 
 
 def first(growth: Growth) -> float:
-    """Return where growth begins, by bisection below the first of many values that show growth.
+    """Return the smallest value that shows growth, found by bisection.
 
-    The result is 0 if even LEAST shows growth, and infinity if no value up to MOST does.
+    Many values are tried first, and the bisection starts below the first one that grows. The result
+    is 0 if even LEAST shows growth, and infinity if no value up to MOST does.
     """
     low, high = 0.0, LEAST
     while not growth(high) > 1.0 + 1e-13:
@@ -230,7 +235,7 @@ def first(growth: Growth) -> float:
 
 
 def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
-    """Return the energy of each method after these numbers of oscillations, in rising order.
+    """Return the energy of each method after these numbers of oscillations, in ascending order.
 
     The initial energy is 1. Explicit Euler is left out, because it explodes at this stiffness.
     """

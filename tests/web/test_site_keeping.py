@@ -183,15 +183,15 @@ def test_an_upload_asks_before_it_overwrites_and_refuses_what_is_no_zip(
     dialog.get_by_role("button", name="Replace them").click()
     until(page, lambda: stored(page) == marked("two"))
     for content, words in {
-        b"no zip": "no ordinary zip",
+        b"no zip": "not an ordinary zip",
         b"x" * 5_000_001: "larger than 5 MB",
     }.items():
         (tmp_path / "bad.zip").write_bytes(content)
         chooser.set_input_files(tmp_path / "bad.zip")
         status.filter(has_text=words).wait_for()
     for name, text, words in (
-        ("other/file.py", b"", "has no file of the course"),
-        ("constructor", b"", "has no file of the course"),
+        ("other/file.py", b"", "contains no file of the course"),
+        ("constructor", b"", "contains no file of the course"),
         (VECTOR, b"\xff\xfe", "not a text in UTF-8"),
         (VECTOR, b"x" * 200_001, "too large"),
     ):

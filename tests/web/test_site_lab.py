@@ -109,7 +109,7 @@ def test_a_scene_says_which_exercise_it_waits_for(visitor: Any, site: Served) ->
     page.goto(f"{site.address}ch02_vectors.html")
     figure = page.locator("figure.live").first
     figure.get_by_role("button", name="Start").click()
-    link = figure.get_by_role("link", name="This scene plays your own code.")
+    link = figure.get_by_role("link", name="This scene runs your own code.")
     link.wait_for()
     assert "not written yet: Exercise B2." in figure.inner_text()
     link.click()

@@ -1,11 +1,12 @@
 """The rope bridge of chapter 8 at rest with a load: how well each model keeps it in place.
 
-Every model starts at rest in the position with the least potential energy, but slightly lower.
-Otherwise rounding would decide which cables are taut. The work is the number of resolved contacts.
-Pymunk visits all of its joints in each iteration of a step.
+Every model starts at rest, slightly below the position of least potential energy. Exactly at that
+position, rounding errors would decide which cables are taut. The work is the number of resolved
+contacts. Pymunk resolves all of its joints in each iteration of a step.
 
 Positions are compared as seen from the side, because pymunk is two-dimensional. Its bridge has both
-sides in one plane, with the cables as long as they appear from there, and needs no rods across.
+sides in one plane, and its cables have the lengths that they appear to have from the side. It needs
+no rods between the two sides.
 """
 
 from __future__ import annotations
@@ -84,7 +85,10 @@ def bridge() -> Scene:
 
 
 def sleeping() -> Scene:
-    """The same bridge asleep for 10 s, in which nothing touches it, and pymunk's asleep too."""
+    """Return the scene of the same bridge asleep for 10 s, while nothing touches it.
+
+    Pymunk's bridge is asleep as well.
+    """
     models = [
         Model("asleep", by_sleep, (1,)),
         Model("found by equilibrium, then asleep", partial(by_equilibrium, LONG), (1,)),
@@ -110,10 +114,10 @@ def cables() -> list[tuple[int | tuple[float, float], int, float]]:
 
 @cache
 def hanging(extra: float = 0.0) -> list[Place]:
-    """Return the positions of one side's rows, at the least potential energy possible.
+    """Return the positions of the rows on one side that have the least potential energy.
 
-    There the weights and the pulls of the cables balance, and all cables are taut. Each cable has
-    its length plus ``extra``, in m.
+    In these positions the weights and the tensions of the cables are in balance, and all cables are
+    taut. Each cable is longer than its normal length by ``extra`` m.
     """
     held = cables()
 
@@ -173,7 +177,7 @@ def by_world(
 
 
 def hung(links: Links) -> tuple[list[Particle], list[Row], list[ContactGenerator]]:
-    """Return the ends of the rows a hair too low, the rows, and their links."""
+    """Return the ends of the rows slightly below their rest positions, the rows, and the links."""
     rows = make_rows()
     held = links(rows)  # the links get their lengths from the positions before the shift
     for row, (x, y), mass in zip(rows, hanging(HAIR), MASSES, strict=True):
@@ -204,14 +208,17 @@ def from_the_side() -> tuple[list[Particle], list[Any]]:
 
 
 def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> Outcome:
-    """Hold the bridge with a net that is solved directly. At rest the last tensions stay right."""
+    """Hold the bridge with a net that is solved directly for all links at once.
+
+    The bridge is at rest, so the tensions of the last step are also correct for the next one.
+    """
     ends, links = make()
     places = in_frames(DirectNet(links).step, partial(place_of, ends), FRAMES, steps)
     return Outcome(places, FRAMES * steps * len(links))
 
 
 def by_equilibrium(frames: int, steps: int) -> Outcome:
-    """Find where the bridge rests, and let it sleep there."""
+    """Find the position in which the bridge is at rest, and put the bridge to sleep there."""
     ends, links = whole()
     world = SleepingWorld(ends, links)
     equilibrium(world)
@@ -219,7 +226,7 @@ def by_equilibrium(frames: int, steps: int) -> Outcome:
 
 
 def by_sleep(steps: int) -> Outcome:
-    """Let the bridge sleep from the start, as pymunk's bridge does."""
+    """Put the bridge to sleep from the start, as pymunk does with its bridge."""
     ends, links = whole()
     world = SleepingWorld(ends, links, sleep_frames=1)
     world.fall_asleep(world.contacts())

@@ -1,7 +1,7 @@
 """Models of a chain of rods: the exact path, our models, and pymunk's pin joints.
 
-The work is the number of resolved contacts. A model that solves for all rods at once counts each
-rod once per evaluation, and pymunk visits its joints several times per step.
+The work is the number of resolved contacts. A model that solves for all rods at once counts every
+rod once per evaluation. Pymunk's count includes every iteration, in which it resolves all joints.
 """
 
 from __future__ import annotations
@@ -72,10 +72,11 @@ class Chain:
         return [self.length] * count, self.masses, [self.angle] * count
 
     def truth(self) -> Callable[[float], Place]:
-        """Return the exact path, found by SciPy from Lagrange's equations for the angles.
+        """Return the exact path, computed by SciPy from Lagrange's equations for the angles.
 
-        If M is the sum of the masses from the farther one of two rods to the tip, these are
-        sum_j M l (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) = -M_i g sin a_i.
+        The equation for each angle a_i is sum_j M l (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) =
+        -M_i g sin a_i. For two rods i and j, M is the sum of all masses from the rod that is
+        farther from the anchor out to the tip, and M_i is this sum for rod i alone.
         """
         count = len(self.masses)
         below = numpy.cumsum(self.masses[::-1])[::-1]
@@ -97,7 +98,7 @@ class Chain:
 
 
 def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
-    """Return the models for any chain, with these numbers of steps per frame. Pymunk's are last."""
+    """Return the models for a chain with these numbers of steps per frame, with pymunk's last."""
     return [
         Model("by its angles, Runge-Kutta 4", partial(by_angles, chain), steps),
         Model("by its angles in long steps", partial(by_long_steps, chain), LONG_STEPS),
@@ -121,14 +122,14 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
 
 
 def by_angles(chain: Chain, steps: int) -> Outcome:
-    """Step the angles alone by Runge-Kutta 4, with four evaluations per step."""
+    """Step only the angles with Runge-Kutta 4, which makes four evaluations per step."""
     angles = AngleChain(*chain.angles(), gravity=chain.gravity)
     places = in_frames(angles.step, lambda: flat(angles.positions), chain.frames, steps)
     return Outcome(places, 4 * chain.frames * steps * len(chain.masses))
 
 
 def by_long_steps(chain: Chain, steps: int) -> Outcome:
-    """Step the angles so many times in LONG frames, and read cubics between the steps' ends."""
+    """Step the angles with long steps, this many in LONG frames, and interpolate with cubics."""
     angles = AngleChain(*chain.angles(), gravity=chain.gravity)
     length, places, made = LONG / steps, [], 0  # frames of a step
     old, fast = [*angles.angles], [*angles.angular_velocities]
@@ -150,7 +151,7 @@ def by_long_steps(chain: Chain, steps: int) -> Outcome:
 
 
 def by_tensions(chain: Chain, steps: int) -> Outcome:
-    """Step the particles by Runge-Kutta 4, with the tensions of the rods as forces."""
+    """Step the particles with Runge-Kutta 4, using the tensions of the rods as forces."""
     particles = chain.particles()
     rods = RodTensions(particles, Vector3())
     places = in_frames(
@@ -163,7 +164,7 @@ def by_tensions(chain: Chain, steps: int) -> Outcome:
 
 
 def by_direct_chain(chain: Chain, steps: int) -> Outcome:
-    """Step the particles, solving for the impulses of all rods at once."""
+    """Step the particles, and solve for the impulses of all rods at once."""
     particles = chain.particles()
     solver = DirectChain(particles, Vector3())
     places = in_frames(solver.step, lambda: places_of(particles), chain.frames, steps)

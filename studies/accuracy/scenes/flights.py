@@ -133,7 +133,7 @@ def orbit(e: float, turns: int, period: float) -> Scene:
 
 
 def floating_block() -> Scene:
-    """Return a block that bobs in water, always partly submerged, and so moves as on a spring."""
+    """Return a block that bobs in water, always partly submerged, so it moves as if on a spring."""
     frames, s, volume, mass = 240, 0.05, 0.001, 0.5
     stiffness = 1000.0 * volume * G / (2.0 * s)  # increase of the buoyancy per meter of depth
     low, amplitude = s * (1.0 - 2.0 * mass / (1000.0 * volume)), 0.04

@@ -26,7 +26,10 @@ def pendulum() -> Scene:
     chain = Chain(1.0, [1.0], 0.5 * math.pi, ROUND_G, frames=300)
 
     def truth(time: float) -> Place:
-        """Use Jacobi's functions: sin(angle / 2) is sin(start / 2) cn / dn of t sqrt(g / l)."""
+        """Return the exact position of a pendulum, computed with Jacobi's elliptic functions.
+
+        With t in s, sin(angle / 2) is sin(start / 2) times cn / dn of t sqrt(g / l).
+        """
         m = math.sin(0.25 * math.pi) ** 2
         _, cn, dn, _ = ellipj(math.sqrt(ROUND_G) * time, m)
         half = math.asin(math.sqrt(m) * cn / dn)

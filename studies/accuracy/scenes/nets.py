@@ -1,4 +1,4 @@
-"""Scenes of nets: a rope bridge that swings and one that is walked over, and a net that catches."""
+"""Scenes of nets: a bridge that swings, a bridge with a walker, and a net that catches a ball."""
 
 from __future__ import annotations
 
@@ -34,9 +34,10 @@ FINE = 8  # steps a frame, of our own run that the truth is compared with
 
 
 def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) -> Scene:
-    """Return the scene of a plane, which is made when it is first run.
+    """Return the scene of a plane, which is built only when it is first run.
 
-    The truth is SciPy's, and ``differs`` compares it with our own run in short steps.
+    SciPy computes the exact solution. ``differs`` compares it with a run of our own net in short
+    steps.
     """
     plane = cache(make)
 
@@ -64,17 +65,17 @@ def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) ->
 
 
 def bridge_ties() -> list[Tie]:
-    """Return the cables of one side of the rope bridge, as they are seen from that side."""
+    """Return the cables on one side of the rope bridge, as long as they appear from that side."""
     return [(start, end, length, 1) for start, end, length in cables()]
 
 
 def hung() -> list[tuple[float, float]]:
-    """Return where the rows of a side hang, with a load on the third."""
+    """Return the positions in which the rows of one side hang, with a load on the third row."""
     return [(x, y) for x, y in hanging()]
 
 
 def settled(plane: Plane, wind: float = 0.0) -> Plane:
-    """Return a plane whose knots are where they stay at rest, in a wind along X in m/s^2."""
+    """Return a plane whose knots start at rest, balanced against a wind along X in m/s^2."""
     knots = plane.particles()
     for knot in knots:
         knot.acceleration.x = wind
@@ -87,9 +88,10 @@ def settled(plane: Plane, wind: float = 0.0) -> Plane:
 
 
 def swinging() -> Scene:
-    """A side of the bridge that hangs aside in a wind of 3 m/s^2, which stops: then 2 s of swing.
+    """Return one side of the bridge, which swings for 2 s after a steady wind has stopped.
 
-    All its cables stay taut. There is no damping.
+    At first the side hangs at rest in a wind of 3 m/s^2. All of its cables stay taut, and there is
+    no damping.
     """
 
     def make() -> Plane:
@@ -99,9 +101,10 @@ def swinging() -> Scene:
 
 
 def walked_over() -> Scene:
-    """A side of the bridge, over which half of a ball of 5 kg walks at 2 m/s, for 3.6 s.
+    """Return one side of the bridge, with a ball that walks across it at 2 m/s for 3.6 s.
 
-    The weight of the ball is on the two rows beside it. All cables stay taut.
+    The ball has 5 kg. This side carries half of its weight, which is divided between the two rows
+    beside the ball. All cables stay taut.
     """
 
     def make() -> Plane:
@@ -112,11 +115,12 @@ def walked_over() -> Scene:
 
 
 def catching() -> Scene:
-    """A net of 6 by 6 cables between two poles, and a ball of 1 kg that falls in, for 0.6 s.
+    """Return a net of 6 by 6 knots between two poles that catches a ball of 1 kg, for 0.6 s.
 
-    Cables across have knots of 0.2 kg every 0.55 m in the top row, and every 0.59 m below it, so
-    that they hang slack there. Cables of 0.45 m hang down from knot to knot. The ball falls 0.3 m,
-    a bit beside the middle. It touches what comes within its radius of 0.5 m in the upper two rows.
+    Each knot has 0.2 kg. The horizontal cables are 0.55 m long in the top row and 0.59 m long in
+    the rows below it, where they hang slack. Vertical cables of 0.45 m connect each knot to the
+    knot below it. The ball falls 0.3 m and lands slightly off center. It collides with the knots of
+    the upper two rows that come within its radius of 0.5 m.
     """
     size, gap, radius = 6, 0.5, 0.5
 

@@ -1,7 +1,7 @@
-"""Ways to run a net in a plane: its true motion, our nets of order 2 and 4, and pymunk's joints.
+"""Run a net in a plane: its exact motion, our nets of order 2 and 4, and pymunk's slide joints.
 
-What is counted is links solved for: four times a step for a net of order 4. Pymunk goes through its
-joints in each step as often as it has iterations.
+The work is the number of links that are solved for. A net of order 4 solves for all of its links
+four times per step. Pymunk solves for its joints in every iteration of a step.
 """
 
 from __future__ import annotations
@@ -30,10 +30,11 @@ FAR = 1e3  # m: no slide joint gets as long
 
 @dataclass(frozen=True)
 class Plane:
-    """Knots with masses in kg at their start positions, and the ties between them; see TautMotion.
+    """A net in the X-Y plane: knots with masses in kg, and the ties between them (see TautMotion).
 
-    ``walker`` is what walks over the knots in their order: its x at the start in m, its speed in
-    m/s, and its weight in N, which the two knots beside it bear in proportion.
+    ``places`` are the initial positions of the knots. ``walker`` describes a load that moves across
+    the knots in their order. It consists of the initial x in m, the speed in m/s and the weight in
+    N. The two knots beside the walker carry the weight, and the nearer knot carries more of it.
     """
 
     masses: Sequence[float]
@@ -44,7 +45,7 @@ class Plane:
     gravity: float = 9.81
 
     def load(self, time: float, places: Any) -> Any:
-        """Return the weights on all knots, and that of the walker."""
+        """Return the weights of all knots in N, including the weight of the walker."""
         forces = numpy.outer(self.masses, (0.0, -self.gravity))
         if self.walker:
             start, pace, weight = self.walker
@@ -54,14 +55,14 @@ class Plane:
         return forces.ravel()
 
     def exact(self) -> Any:
-        """Return the positions at the end of each frame, by SciPy."""
+        """Return the exact positions at the end of each frame, computed by SciPy."""
         motion = TautMotion(self.masses, self.ties, self.load)
         times = [frame / RATE for frame in range(1, self.frames + 1)]
         still = numpy.zeros((len(self.masses), 2))
         return motion.run(numpy.array(self.places), still, times)
 
     def particles(self) -> list[Particle]:
-        """Return the knots of one copy."""
+        """Return new particles for the knots, in their initial positions."""
         down = Vector3(0.0, -self.gravity)
         return [
             Particle(Vector3(x, y), acceleration=down, mass=mass)
@@ -69,7 +70,7 @@ class Plane:
         ]
 
     def links(self, knots: Sequence[Particle]) -> list[Any]:
-        """Return the links of chapter 7 that are these ties."""
+        """Return the cables and struts of chapter 7 that correspond to the ties."""
         found: list[Any] = []
         for start, end, length, kind in self.ties:
             if not isinstance(start, int):
@@ -82,19 +83,22 @@ class Plane:
 
 
 def borne(xs: Sequence[float], x: float) -> tuple[int, float]:
-    """Return after which knot a walker is, and which fraction of the way to the next one."""
+    """Return the index of the knot behind a walker, and the progress to the next knot (0 to 1)."""
     knot = sum(x >= other for other in xs[1:-1])
     return knot, min(max((x - xs[knot]) / (xs[knot + 1] - xs[knot]), 0.0), 1.0)
 
 
 class Walker:
-    """Generates the weight of a walker; it is registered for one knot, and pulls at two."""
+    """A force generator for the weight of a walker.
+
+    Register it for only one knot. It adds forces to both knots beside the walker by itself.
+    """
 
     def __init__(self, knots: Sequence[Particle], walker: Particle, weight: float) -> None:
         self.knots, self.walker, self.weight = knots, walker, weight
 
     def update_force(self, _: Particle, __: float) -> None:
-        """Add the weight to the two knots beside the walker, in proportion."""
+        """Divide the weight between the two knots beside the walker, by their distances."""
         xs = [knot.position.x for knot in self.knots]
         knot, share = borne(xs, self.walker.position.x)
         self.knots[knot].add_force(Vector3(0.0, (share - 1.0) * self.weight))
@@ -102,7 +106,7 @@ class Walker:
 
 
 def made(plane: Plane, kind: type[DirectNet] | type[SmoothNet]) -> tuple[list[Particle], Any]:
-    """Return the knots, and what makes a step of their net."""
+    """Return the knots of a new net, and a function that makes one step of the net."""
     knots = plane.particles()
     registry, walkers = ForceRegistry(), []
     if plane.walker:
@@ -124,7 +128,7 @@ def made(plane: Plane, kind: type[DirectNet] | type[SmoothNet]) -> tuple[list[Pa
 
 
 def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) -> Outcome:
-    """Step the net, and read the positions of the knots in every frame."""
+    """Step the net, and record the positions of the knots at the end of every frame."""
     knots, step = made(plane, kind)
 
     def place() -> Place:
@@ -136,9 +140,10 @@ def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) ->
 
 
 def by_long_steps(plane: Plane, steps: int) -> Outcome:
-    """Make so many steps of order 4 in LONG frames, and read cubics between their ends.
+    """Make ``steps`` long steps of order 4 in LONG frames, and interpolate between their ends.
 
-    That is good for smooth motion: there is no cubic through an impact.
+    The interpolation uses cubics, which are accurate only for smooth motion. A cubic cannot follow
+    the jump in velocity at an impact.
     """
     knots, step = made(plane, SmoothNet)
 
@@ -160,7 +165,7 @@ def by_long_steps(plane: Plane, steps: int) -> Outcome:
 
 
 def by_slide_joints(plane: Plane, iterations: int, steps: int) -> Outcome:
-    """Let pymunk hold the knots by slide joints, with so many iterations of its solver a step."""
+    """Hold the knots with pymunk's slide joints, with this many solver iterations per step."""
     import pymunk
 
     space = pymunk.Space()

@@ -42,7 +42,10 @@ def spring(stiffness: float, damping: float) -> Scene:
         return damped_spring_state(1.0, 0.0, stiffness, damping, 1.0, time)[0], 0.0
 
     def truth(time: float) -> Place:
-        """Use the two complex exponentials. The roots are never equal in these scenes."""
+        """Return the exact motion as the sum of two complex exponentials.
+
+        The formula would fail if both roots were equal, but in these scenes they never are.
+        """
         root = cmath.sqrt(0.25 * damping * damping - stiffness)
         a, b = -0.5 * damping + root, -0.5 * damping - root
         return ((b * cmath.exp(a * time) - a * cmath.exp(b * time)) / (b - a)).real, 0.0
@@ -127,7 +130,7 @@ def elastic_pendulum() -> Scene:
 
 
 def by_solver(solver: Solver, stiffness: float, damping: float, steps: int) -> Outcome:
-    """Step a linear spring by a solver, which evaluates one formula per step."""
+    """Step a linear spring with a solver, which evaluates one formula per step."""
     x, v = 1.0, 0.0
 
     def step(duration: float) -> None:

@@ -1,11 +1,15 @@
-"""The exact motion of cables in a plane, by SciPy: from event to event, with dense matrices.
+"""Compute the exact motion of cables in a plane with SciPy, from event to event.
 
-It shares nothing with the engine. While the same cables are taut, positions are a solution of
-ordinary differential equations: the pulls are those that keep the lengths. This ends when a pull
-gets to zero, or when a slack cable gets as long as it is. Then another set of cables is taut. Which
-one, and by how much velocities jump, is a problem of least squares with pulls that must not be
-negative: an impact without bounce takes as little kinetic energy as it can (Moreau, in
-Nonsmooth Mechanics and Applications, 1988). SciPy has a solver for such problems.
+The computation shares no code with the engine, so it is an independent test of it. As long as the
+same cables are taut, the positions follow from ordinary differential equations, in which the
+tensions keep the taut cables at their lengths. This phase ends when a tension drops to zero, or
+when a slack cable reaches its full length. After that, a different set of cables is taut, and the
+velocities may jump.
+
+Both the new set and the jump are found by solving a least-squares problem whose unknowns, the
+tensions, must not be negative. The reason is that an impact without bounce removes as little
+kinetic energy as possible (Moreau, in Nonsmooth Mechanics and Applications, 1988). SciPy has a
+solver for such problems.
 """
 
 from __future__ import annotations
@@ -25,7 +29,10 @@ EVENTS = 2000
 
 
 class TautMotion:
-    """Knots with masses in kg that ties hold, and a load in N that may move."""
+    """The motion of knots with masses in kg, which are held by ties.
+
+    ``load`` returns the external forces in N. They may depend on the time and on the positions.
+    """
 
     def __init__(self, masses: Sequence[float], ties: Sequence[Tie], load: Load) -> None:
         self.inverse = 1.0 / numpy.repeat(numpy.asarray(masses, float), 2)
@@ -43,12 +50,16 @@ class TautMotion:
         self.events = 0
 
     def gaps(self, places: Any) -> Any:
-        """Return how far in m each tie is from its limit; negative beyond it."""
+        """Return each tie's distance in m from its limit, which is negative beyond the limit."""
         ways = self.ends @ places.reshape(-1, 2) - self.anchors
         return self.kinds * (self.lengths - numpy.linalg.norm(ways, axis=1))
 
     def rows(self, places: Any, speeds: Any) -> tuple[Any, Any]:
-        """Return how each tie's length changes with the coordinates, and what bends its way."""
+        """Return how the ties' lengths depend on the coordinates, and the effect of their rotation.
+
+        The first result is the Jacobian matrix of the lengths, with one row per tie. The second
+        result is the part of each length's second derivative that comes from the tie's rotation.
+        """
         ways = self.ends @ places.reshape(-1, 2) - self.anchors
         rates = self.ends @ speeds.reshape(-1, 2)
         now = numpy.linalg.norm(ways, axis=1)
@@ -59,14 +70,14 @@ class TautMotion:
         return self.kinds[:, None] * matrix, self.kinds * bent
 
     def least(self, matrix: Any, wanted: Any) -> Any:
-        """Return pulls p >= 0 with p (A p - wanted) = 0 and A p >= wanted, A = J M^-1 J^T."""
+        """Return pulls p >= 0 with p (A p - wanted) = 0 and A p >= wanted, where A = J M^-1 J^T."""
         weighted = (matrix * numpy.sqrt(self.inverse)).T
         target, *_ = numpy.linalg.lstsq(weighted.T, wanted, rcond=None)
         pulls, _ = nnls(weighted, target, maxiter=100 * len(wanted) + 100)
         return pulls
 
     def accelerations(self, time: float, state: Any, taut: Any) -> tuple[Any, Any]:
-        """Return accelerations, and pulls of the taut ties."""
+        """Return the accelerations of the knots, and the pulls of the taut ties."""
         places, speeds = numpy.split(state, 2)
         matrix, bent = self.rows(places, speeds)
         free = self.inverse * self.load(time, places)
@@ -76,7 +87,7 @@ class TautMotion:
         return free - self.inverse * (held.T @ pulls), pulls
 
     def choose(self, time: float, state: Any) -> tuple[Any, Any]:
-        """Return the state after what impacts there are now, and which ties are then taut."""
+        """Resolve impacts at this time. Return the new state and the indices of the taut ties."""
         places, speeds = numpy.split(state, 2)
         matrix, bent = self.rows(places, speeds)
         near = numpy.flatnonzero(self.gaps(places) < NEAR)
@@ -92,7 +103,7 @@ class TautMotion:
         ]
 
     def run(self, places: Any, speeds: Any, times: Sequence[float]) -> Any:
-        """Return the positions at some times, a row for each, from those at time 0."""
+        """Return the positions at the given times, one row per time, from the state at time 0."""
         state = numpy.concatenate([numpy.ravel(places), numpy.ravel(speeds)]).astype(float)
         time, found = 0.0, []
         for _ in range(EVENTS):

@@ -17,7 +17,7 @@ export async function runChecks(panel, exercise) {
   panel.checking.setAttribute("aria-disabled", "true");
   panel.result.setAttribute("aria-busy", "true");
   panel.say("Checking ...");
-  const slow = setTimeout(() => panel.say("Python is starting. This takes some seconds, once."), SLOW);
+  const slow = setTimeout(() => panel.say("Python is starting. This takes a few seconds, but only the first time."), SLOW);
   try {
     await workspace.saveAll();
     const report = await engines().check({

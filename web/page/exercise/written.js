@@ -12,7 +12,7 @@ export function writtenPart(turn) {
   const question = (data.questions[exercise.id] ?? "").replace(/^> ?/gm, "").replaceAll("\n", " ");
   const field = el("textarea", {id: `answer-${exercise.id}`, rows: 7, spellcheck: true});
   const label = el("label", {htmlFor: field.id}, "Your answer");
-  const note = el("p", {className: "leave"}, "It is saved in answers.md. A person marks it, so Check cannot.");
+  const note = el("p", {className: "leave"}, "Your answer is saved in answers.md. Check cannot grade it, because a person reads and marks it.");
   turn.isWritten = true;
   const show = async () => {
     const {answer} = parts(await workspace.text(path), exercise.id);

@@ -39,7 +39,7 @@ export async function unzipped(file) {
     texts[pathOf(name, stubs)] = decoded(bytes, name);
   }
   if (!Object.keys(texts).length) {
-    throw new Error("The zip has no file of the course in it, such as ch02_vectors/vector.py. Zip the folders of the chapters.");
+    throw new Error("The zip contains no file of the course, such as ch02_vectors/vector.py. Zip the folders of the chapters.");
   }
   return {texts, others};
 }
@@ -54,7 +54,7 @@ function opened(bytes, filter) {
   try {
     return unzipSync(bytes, {filter});
   } catch (error) {
-    throw error.code === undefined ? error : new Error("The file is damaged, or no ordinary zip. Zip the folders of the chapters again.");
+    throw error.code === undefined ? error : new Error("The file is damaged, or it is not an ordinary zip file. Zip the folders of the chapters again.");
   }
 }
 

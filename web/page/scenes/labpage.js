@@ -31,14 +31,14 @@ export async function startLabPage() {
     lab.open(scene.name, values, rivals);
     const still = {src: `stills/${scene.name}.svg`, width: 640, height: 400, alt: "A still picture of the scene."};
     lab.$("stage").replaceChildren(el("img", still)); // shown until Python has started
-    lab.say("Python is starting. This takes some seconds, once.");
+    lab.say("Python is starting. This takes a few seconds, but only the first time.");
   };
   const given = chaptersGiven();
   $("whose").textContent = given.length
-    ? `This plays your own code, on the reference's chapters ${numbersOf(given)}.`
-    : "This plays your own code, as you have written it in the lessons.";
+    ? `This scene runs your own code on the reference's chapters ${numbersOf(given)}.`
+    : "This scene runs the code that you have written in the lessons.";
   $("scenes").onchange = () => (open($("scenes").value, {}), remember(lab));
-  workspace.addEventListener("saved", () => lab.say("Your code has changed. Restart plays it."));
+  workspace.addEventListener("saved", () => lab.say("Your code has changed. Press Restart to run the new version."));
   const {scene, values, rivals} = asked(new URLSearchParams(location.search), scenes[0].name);
   open(scene, values, rivals);
 }

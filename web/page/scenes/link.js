@@ -38,7 +38,7 @@ function linkExercise(words, place, chapters) {
   const chapter = chapters.find(({exercises}) => exercises.some((exercise) => exercise.id === id));
   if (!chapter) return;
   const href = `${chapter.name}.html#ex-${id.replace(".", "-")}`;
-  place.append(el("br"), el("a", {href}, `This scene plays your own code. Write exercise ${id} first.`));
+  place.append(el("br"), el("a", {href}, `This scene runs your own code. Write exercise ${id} first.`));
 }
 
 let loading = null;

@@ -28,7 +28,7 @@ class Live {
     running?.stop();
     running = this;
     warmUp();
-    this.status.textContent = "Python is starting. This takes some seconds, once.";
+    this.status.textContent = "Python is starting. This takes a few seconds, but only the first time.";
     try {
       const [[{Lab}, {listenToKeys}, {play}], options] = await Promise.all([loadLab(), labOptions(), workspace.opened()]);
       const place = el("div");
@@ -51,7 +51,7 @@ class Live {
       };
       listenToKeys(this.lab, place);
       this.lab.open(this.figure.dataset.scene, JSON.parse(this.figure.dataset.values));
-      workspace.addEventListener("saved", (this.saved = () => this.lab?.say("Your code has changed. Restart plays it.")));
+      workspace.addEventListener("saved", (this.saved = () => this.lab?.say("Your code has changed. Press Restart to run the new version.")));
     } catch (error) {
       this.status.textContent = error.message;
       this.stop();

@@ -1,8 +1,8 @@
 """Continue a run that another worker has begun, by first repeating what that worker reported.
 
-If a check does not end, the page has to end its worker, but keeps the worker's reports. A new
-worker starts from the beginning. It repeats the known results instead of running their checks
-again.
+If a check does not end, the page has to stop its worker, but it keeps the reports of that worker.
+The new worker starts the run from the beginning. For checks whose results are known, it repeats the
+results instead of running the checks again.
 """
 
 from __future__ import annotations
@@ -30,10 +30,11 @@ from web.python.browser.watchdog import watchdog
 
 @dataclass(frozen=True)
 class Past:
-    """A process of an earlier worker: what it reported, and how it ended.
+    """A process that an earlier worker ran: what it reported, and how it ended.
 
-    ``run`` names the chapter and the checks that it was to run. When it began, ``left`` seconds
-    remained of the time for all checks. It took ``seconds``.
+    ``run`` names the chapter and the checks that the process was meant to run. ``left`` is the time
+    in seconds that remained for all checks when the process began, and ``seconds`` is how long it
+    took.
     """
 
     run: str

@@ -1,7 +1,7 @@
-"""Run checks in this interpreter as a new process would, since a browser starts no processes.
+"""Run checks in this interpreter as if in a new process, because a browser cannot start processes.
 
-Afterward, everything that would end with a process is undone: imported modules, entries of
-sys.path, and the working folder.
+When a run ends, everything is undone that would disappear together with a process: imported
+modules, entries of sys.path, and the working folder.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ class InBrowser(InProcess):
 
 
 class BrowserRecorder(Recorder):
-    """A recorder that reads only the files it needs, because WebAssembly is three times slower."""
+    """A recorder that reads only the files it needs, because reading is slow in WebAssembly."""
 
     def pytest_ignore_collect(self, collection_path: Path) -> bool | None:
         """Ignore a file of checks that names none of the exercises."""

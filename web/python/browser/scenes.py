@@ -1,7 +1,8 @@
 """Play scenes for the page. Each link has its own host and engine, all in one interpreter.
 
-The modules of all engines have the same names. So each link keeps the modules that it has imported,
-and puts them into sys.modules only while it answers a message.
+The modules of all engines have the same names, so they cannot all be in sys.modules at once.
+Therefore each link keeps the modules that it has imported, and puts them into sys.modules only
+while it answers a message.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 """Interrupt student code when its time is up, in the only thread that a worker has.
 
-No other thread and no alarm can interrupt this thread. But thousands of times per second, Python
-checks whether the worker has sent a signal. When the time is up, the worker sends SIGALRM, and
-Python calls ``Watchdog.hear`` at the current line of the student's code. The page then ends the
-worker. A loop inside a C function such as sum never checks for signals, so the page ends its worker
-a second later.
+Neither another thread nor an alarm can interrupt this thread. However, Python checks thousands of
+times per second whether the worker has sent a signal. When the time is up, the worker sends
+SIGALRM, and Python calls ``Watchdog.hear`` at the current line of the student's code. The page then
+ends the worker. A loop inside a C function such as sum never checks for signals. In this case the
+page ends the worker a second later, without a report of the line.
 """
 
 from __future__ import annotations
@@ -18,7 +18,10 @@ from web.python.browser.page import post, start_clock, stop_clock
 
 
 class Watchdog:
-    """Reports code that does not end to the page, explained by whichever caller set `explain`."""
+    """A watchdog that reports code that does not end to the page, with the line where it is.
+
+    The caller sets `explain` to the function that turns the stack into an explanation.
+    """
 
     def __init__(self) -> None:
         self.explain: Callable[[str], dict[str, Any]] = lambda _: {}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
-from autograder.isolation.probe import best_level
+from autograder.isolation.probe import best_level, candidates, what_fails
 from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT
 
@@ -23,10 +23,14 @@ def choose_level(folder: Path, *, unsafe: bool) -> Level:
         return level
     if unsafe and os.geteuid() != 0:
         return level
+    reasons = "; ".join(filter(None, map(what_fails, candidates())))
     no_sandbox = (
         "this machine has no sandbox for submissions (it needs Linux with Landlock on x86-64, or "
         "bubblewrap)"
     )
+    tried = f". When it was tried: {reasons}" if reasons else ""
     if unsafe:
-        raise ValueError(f"{no_sandbox}, and without one, student code never runs as root")
-    raise ValueError(f"{no_sandbox}; to grade a class that you trust, add --unsafe-no-sandbox")
+        raise ValueError(f"{no_sandbox}, and without one, student code never runs as root{tried}")
+    raise ValueError(
+        f"{no_sandbox}; to grade a class that you trust, add --unsafe-no-sandbox{tried}"
+    )

@@ -19,15 +19,19 @@ HELD_BY_BUBBLEWRAP = ("reading a file", "writing a file", "reaching the network"
 
 def best_level() -> Level:
     """Return the strongest sandbox level that prevents every forbidden operation."""
+    return next((level for level in candidates() if not what_fails(level)), Level())
+
+
+def candidates() -> list[Level]:
+    """Return the levels that this machine may have, the strongest first."""
     inside = Level(landlock=landlock_version() > 0, seccomp=seccomp_works_here())
     around = Level(inside.landlock, inside.seccomp, bubblewrap=True)
-    candidates = [around] if shutil.which("bwrap") else []
-    candidates.append(inside)
-    return next((level for level in candidates if level.is_sandbox and holds(level)), Level())
+    found = [around, inside] if shutil.which("bwrap") else [inside]
+    return [level for level in found if level.is_sandbox]
 
 
-def holds(level: Level) -> bool:
-    """Return whether this level prevents every operation that it must prevent."""
+def what_fails(level: Level) -> str:
+    """Return what this level does not prevent, or why it cannot be tried, or an empty string."""
     attempts = [
         *(HELD_BY_LANDLOCK if level.landlock else ()),
         *(HELD_BY_SECCOMP if level.seccomp else ()),
@@ -41,9 +45,9 @@ def holds(level: Level) -> bool:
         try:
             session = template.start_worker(_no_answer)
             through: list[str] = session.ask("test_walls", attempts, str(forbidden))
-            return through == []
-        except (TemplateError, WorkerFailure):
-            return False
+            return f"it does not prevent {', '.join(through)}" if through else ""
+        except (TemplateError, WorkerFailure) as error:
+            return str(error) or type(error).__name__
         finally:
             template.close()
 

@@ -49,6 +49,10 @@ RULES, WIRE, STACK = 29, 30, 31
 def main(text: str) -> None:
     """Run the template: fork a worker for each "start", until the control socket is closed."""
     config = json.loads(text)
+    # Its number depends on the runner's open files. A low one is none of the numbers above, and
+    # workers close it.
+    control = socket.socket(fileno=os.dup(config["control"]))
+    os.close(config["control"])
     sys.argv[:], sys.orig_argv[:] = [""], []  # these reveal where files are
     level = sandbox.Level(**config["level"])
     sys.path[:] = [path for path in sys.path if path != config["root"]] + config["folders"]
@@ -68,7 +72,6 @@ def main(text: str) -> None:
     for name in [name for name in sys.modules if name.partition(".")[0] == "autograder"]:
         del sys.modules[name]  # student code must not find it
     gc.freeze()
-    control = socket.socket(fileno=config["control"])
     workers: set[int] = set()
     try:
         _obey(control, work, config["seconds"], workers)

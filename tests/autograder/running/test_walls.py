@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import sys
 from pathlib import Path
 from typing import NoReturn
@@ -44,6 +45,15 @@ def test_the_walls_hold_what_gets_through_without_them(tmp_path: Path, level: Le
     assert seccomp.isdisjoint(HELD_BY_SECCOMP)
     assert seccomp >= {*HELD_BY_LANDLOCK}
     assert all_of_them == set()
+
+
+@pytest.mark.parametrize("most", range(20, 34))
+def test_a_sandbox_works_however_many_files_its_runner_has_open(level: Level, most: int) -> None:
+    """Some descriptors of a worker have fixed numbers, up to 31."""
+    with contextlib.ExitStack() as files:
+        while files.enter_context(Path(os.devnull).open(encoding="utf-8")).fileno() < most:
+            pass
+        assert what_fails(level) == ""
 
 
 def test_a_wall_that_cannot_be_put_up_is_not_believed(monkeypatch: pytest.MonkeyPatch) -> None:

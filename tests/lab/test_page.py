@@ -34,7 +34,7 @@ def address() -> Iterator[str]:
 def page(browser: Any) -> Iterator[Any]:
     """Yield a page that records its errors and every host that it sends requests to."""
     page = browser.new_page(viewport=DESK, bypass_csp=True)  # Playwright's waits need eval
-    page.set_default_timeout(30_000.0)  # ms; an answer takes a second, on a busy machine ten
+    page.set_default_timeout(10_000.0)  # ms; an answer takes less than a second
     page.errors, page.hosts = [], set()
     page.on("pageerror", lambda error: page.errors.append(str(error)))
     page.on("request", lambda request: page.hosts.add(urlsplit(request.url).hostname))

@@ -128,5 +128,5 @@ def test_no_engine_outlives_a_lab_that_is_killed() -> None:
             else:
                 with contextlib.suppress(*GONE):
                     asyncio.run(use(address))
-    assert frames or KILLS < 10  # a busy machine may take longer than the few kills of a normal run
+    assert frames
     print(f"lab: killed {KILLS} times after {frames} frames")

@@ -7,7 +7,6 @@
 //   await engines.ready;    Python is ready
 //   await engines.check({files, chapter, exercise, given, seed, onProgress, onTrouble});
 //   engines.lab(onAnswer);  returns a link: send(message), close() and busy
-//   engines.stop();         end all workers
 
 import {runChecks} from "./checker.js";
 import {Interpreter} from "./interpreter.js";
@@ -33,22 +32,18 @@ export class Engines {
 
   check({files, chapter, exercise = null, given = [], seed = "1", ...hear}) {
     const asked = {files, chapter, exercise, given, seed};
-    const report = this.turn.then(() => {
+    const next = async () => {
+      const interpreter = await this.forChecks();
       this.warmUpIn(LONG);
-      return runChecks(asked, () => this.forChecks(), hear);
-    });
+      return interpreter;
+    };
+    const report = this.turn.then(() => runChecks(asked, next, hear));
     this.turn = report.catch(() => undefined).then(() => this.warmUpIn(QUIET));
     return report;
   }
 
   lab(onAnswer) {
     return this.scenes.link(onAnswer);
-  }
-
-  stop() {
-    clearTimeout(this.later);
-    for (const interpreter of [...this.all]) interpreter.end("Python was stopped.");
-    Object.assign(this, {warm: null, checker: null});
   }
 
   async forChecks() {

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 import zipfile
 from collections.abc import Iterator
 from pathlib import Path
@@ -11,10 +10,9 @@ import pytest
 
 from autograder.manifest import ROOT, load_chapters
 from copies import reference
-from course_site import BELOW, built
+from course_site import BELOW, built, built_with_solutions
 from in_node import NodeEngines, engines_of
 from made import made_stubs
-from web.pack import pack
 
 MOST = 3_000_000  # bytes
 OF_PYODIDE = 15_500_000
@@ -26,12 +24,9 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def with_solutions(site: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+def with_solutions(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return a folder with what Python needs, the reference's modules included."""
-    folder = tmp_path_factory.mktemp("with-solutions")
-    shutil.copytree(site / "pyodide", folder / "pyodide")
-    pack(folder, with_solutions=True)
-    return folder
+    return built_with_solutions(tmp_path_factory) / BELOW
 
 
 @pytest.fixture(scope="module")

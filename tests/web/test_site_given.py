@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import json
-import shutil
 import zipfile
-import zlib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -15,25 +12,17 @@ import pytest
 import browser as browsers
 import course_site
 from copies import reference
-from course_site import BELOW, Served, served_site
+from course_site import BELOW, Served, built_with_solutions, served_site
 from site_page import check, turn, visit, write
-from web.pack import pack
 
 browser = pytest.fixture(browsers.browser_alone, scope="module")
 site = pytest.fixture(course_site.site, scope="module")
 
 
 @pytest.fixture(scope="module")
-def generous(site: Served, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
+def generous(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
     """The same pages with the pack of `make site SOLUTIONS=1`."""
-    folder = tmp_path_factory.mktemp("generous")
-    below = folder / BELOW
-    shutil.copytree(site.folder / BELOW, below)
-    pack(below, with_solutions=True)
-    data = below / "data" / "course.data"
-    course = json.loads(zlib.decompress(data.read_bytes()))
-    data.write_bytes(zlib.compress(json.dumps({**course, "solutions": True}).encode()))
-    with served_site(folder) as server:
+    with served_site(built_with_solutions(tmp_path_factory)) as server:
         yield server
 
 

@@ -5,9 +5,12 @@ from __future__ import annotations
 import contextlib
 import fcntl
 import functools
+import json
 import os
+import shutil
 import threading
-from collections.abc import Iterator
+import zlib
+from collections.abc import Callable, Iterator
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
@@ -17,21 +20,43 @@ import pytest
 from browser import need
 from web.__main__ import build
 from web.node import missing
+from web.pack import pack
 
 BELOW = "some/where"  # the site must work from any path
 
 
-def built(factory: pytest.TempPathFactory, *, with_solutions: bool = False) -> Path:
+def built(factory: pytest.TempPathFactory) -> Path:
     """Return a folder with the site below BELOW. The first process that asks builds it."""
     need(missing())
+    return _made_once(factory, "site", functools.partial(build, with_solutions=False))
+
+
+def built_with_solutions(factory: pytest.TempPathFactory) -> Path:
+    """Return a folder with the same pages, and the pack of `make site SOLUTIONS=1`."""
+    site = built(factory) / BELOW
+
+    def make(below: Path) -> None:
+        shutil.copytree(site, below)
+        pack(below, with_solutions=True)
+        data = below / "data" / "course.data"
+        course = json.loads(zlib.decompress(data.read_bytes()))
+        data.write_bytes(zlib.compress(json.dumps({**course, "solutions": True}).encode()))
+
+    return _made_once(factory, "site-with-solutions", make)
+
+
+def _made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path], object]) -> Path:
+    """Return a folder that all processes share. The first one makes what is below BELOW."""
     shared = factory.getbasetemp()
     if os.environ.get("PYTEST_XDIST_WORKER"):
         shared = shared.parent
-    folder = shared / ("site-with-solutions" if with_solutions else "site")
-    with (shared / "site.lock").open("w", encoding="utf-8") as lock:
+    folder = shared / name
+    with (shared / f"{name}.lock").open("w", encoding="utf-8") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
-        if not (folder / BELOW).exists():
-            build(folder / BELOW, with_solutions=with_solutions)
+        if not folder.exists():
+            part = shared / f"{name}.part"
+            make(part / BELOW)
+            part.rename(folder)
     return folder
 
 

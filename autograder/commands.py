@@ -61,8 +61,8 @@ def advice(error: BaseException) -> str:
 
 def sentence(error: Exception) -> str:
     """Return an error as people read it, with advice if there is any."""
-    what = clean(str(error))
-    return f"{what}. {advice(error)}" if advice(error) else what
+    what, words = clean(str(error)), advice(error)
+    return f"{what}. {words}" if words else what
 
 
 def find_engine(folder: str) -> list[Path]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import textwrap
-from typing import TYPE_CHECKING
+from typing import IO, TYPE_CHECKING
 
 from autograder.message import INDENT, Row, laid_out
 
@@ -17,15 +17,15 @@ LONGEST_PRINTED = 4000  # characters; longer output was cut when it was captured
 MORE = re.compile(r"\.\.\. and (at least )?(\d+) more lines?")
 
 
-def plain_console() -> Console:
-    """Return a console that prints every text as it is.
+def plain_console(file: IO[str] | None = None, width: int | None = None) -> Console:
+    """Return a console that prints every text as it is, by default to standard output.
 
     Otherwise brackets and colons in a student's name could be taken for styles and emoji, and a
     name such as "Ann [/]" would stop the program.
     """
     from rich.console import Console
 
-    return Console(highlight=False, markup=False, emoji=False)
+    return Console(file=file, width=width, highlight=False, markup=False, emoji=False)
 
 
 def wrapped(words: str, width: int, hanging: int = 0) -> list[str]:

@@ -49,9 +49,9 @@ def first_order_drift(angular_speed: float, duration: float, steps: int) -> tupl
 
     A unit quaternion rotates about one axis at ``angular_speed`` in rad/s for ``duration`` in s, in
     ``steps`` equal steps of ``Quaternion.add_scaled``, and is never normalized. The first result is
-    its length at the end. The second result, in radians, is the angle that is missing:
-    angular_speed times duration, minus the angle by which the quaternion has actually rotated. It
-    is negative for a negative speed. Normalizing would correct the length (E-31) but not the angle.
+    its length at the end. The second result is how far the rotation lags behind, in
+    radians: angular_speed times duration, minus the angle of the quaternion. This difference is
+    negative for a negative speed. Normalizing would correct the length (E-31) but not the angle.
 
     >>> length, angle = first_order_drift(2 * math.pi, 1.0, 60)  # a turn a second, 60 frames
     >>> round(length, 4), round(math.degrees(angle), 4)

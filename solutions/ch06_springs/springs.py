@@ -30,9 +30,9 @@ def spring_force(
 
     ``offset`` is the position of this end relative to the other end in m, and ``velocity`` is its
     velocity relative to the other end in m/s. The force is -(k (l - l0) + c l') d^, where l is the
-    length of the offset and d^ is its direction. l' is the rate at which the spring gets longer, so
-    it is the component of the velocity along d^. If the offset is zero, there is no force. The
-    arguments are not checked here, because the constructors of the springs check them.
+    length of the offset and d^ is its direction. l' is the rate at which the length grows: the
+    component of the velocity along d^. A zero offset has no direction, so the force is zero then.
+    The arguments are not checked here, because the constructors of the springs check them.
 
     A spring that is shorter than its rest length pushes. In the book's listing it pulls instead,
     because the listing takes the absolute value of the extension (E-3).

@@ -23,6 +23,7 @@ from pathlib import Path
 
 import pymunk  # noqa: F401 - otherwise the first run of a pymunk model would include the import
 
+from autograder.files import replace_bytes
 from autograder.manifest import ROOT
 from studies.accuracy.scene import Model, Outcome, Scene
 from studies.timing import quartiles
@@ -121,9 +122,7 @@ def seconds_of(model: Model, steps: int) -> float:
 def save(measured: Measured, path: Path, sign: str) -> None:
     """Save the results atomically, with a signature of what was measured."""
     data = {"sign": sign, "rounds": measured.rounds, "points": [*map(asdict, measured.points)]}
-    part = path.with_suffix(".part")
-    part.write_text(json.dumps(data), encoding="utf-8")
-    part.replace(path)
+    replace_bytes(path, json.dumps(data).encode())
 
 
 def load(path: Path, sign: str) -> Measured | None:

@@ -2,8 +2,8 @@
 
 There are limits for springs, for drag and for a penalty ground. A step is a linear map of position
 and velocity, so its eigenvalues show whether a motion grows. A spring reaches its limit when the
-magnitude of the larger eigenvalue exceeds 1. Drag reaches its limit when the factor by which it
-multiplies the velocity exceeds 1 in magnitude. Pymunk is measured in the same way.
+magnitude of the larger eigenvalue exceeds 1. Drag reaches its limit when a step multiplies the
+velocity by a factor whose magnitude exceeds 1. Pymunk is measured in the same way.
 """
 
 from __future__ import annotations

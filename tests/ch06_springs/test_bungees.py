@@ -62,7 +62,7 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
                     "The force pushes. The printed form k (l0 - l) has the wrong sign (E-4). "
                     "Check the direction of the offset, too."
                 ): [-part for part in wanted],
-                "There is no force, although the rope is longer than its rest length and must "
+                "The force is zero, although the rope is longer than its rest length and must "
                 "pull. Check the condition for a slack rope.": ZERO,
                 "The force is -k l d^, as if the rest length were 0. Subtract the rest length "
                 "from the length.": [-k * (rest + extension) * part for part in d],

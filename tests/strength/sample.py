@@ -5,8 +5,6 @@ from __future__ import annotations
 import io
 from collections.abc import Sequence
 
-from rich.console import Console
-
 from autograder.grader.assignment import Assignment
 from autograder.grader.class_run import print_class
 from autograder.grader.grading import grade_submission
@@ -14,6 +12,7 @@ from autograder.isolation.sandbox import Level
 from autograder.manifest import ROOT, load_chapters
 from autograder.reports.report import StudentReport
 from autograder.submissions.find import Submission
+from autograder.wrapping import plain_console
 
 STUDENTS = ("ada", "ben", "dina", "finn", "hana")
 WIDTH = 130  # characters of a line; some messages are longer
@@ -36,7 +35,7 @@ def sample_table(students: Sequence[str] = STUDENTS) -> str:
         if report.student == "ada":
             check_whole(report)
     screen = io.StringIO()
-    print_class(Console(file=screen, width=1000), reports)
+    print_class(plain_console(screen, 1000), reports)
     lines = [line.rstrip() for line in screen.getvalue().splitlines()]
     return "\n".join(f"    {cut(line)}" for line in lines if line.strip(" ─"))
 

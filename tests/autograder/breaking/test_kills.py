@@ -50,7 +50,7 @@ def killed_again_and_again(
     """Kill a command, and start it again, until it was killed often enough.
 
     ``same`` returns the content of the folder that every whole run must give. ``check`` checks the
-    folder after each kill. It is told whether the folder was new before that.
+    folder after each kill. Its argument says whether the folder was new when the command started.
     """
     victim.run_whole()
     expected = same(victim.folder)

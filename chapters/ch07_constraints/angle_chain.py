@@ -88,9 +88,9 @@ class AngleChain:
         the rates ``gaining``.
         """
         # Row i: (1/m0 + 1/m1) T[i] - cos/m0 T[i-1] - cos/m1 T[i+1] = L w^2, with the tensions T in
-        # N, the masses m0 and m1 at the ends of the rod, and the cosines of the angles between
-        # rods. Elimination leaves T[i] = value + factor T[i+1] in each row. The anchor does not
-        # accelerate, so gravity enters in the first row only.
+        # N, the masses m0 and m1 at the ends of the rod, and the cosines of the bends, which are
+        # the angles between rods. Elimination leaves T[i] = value + factor T[i+1] in each row. The
+        # anchor does not accelerate, so gravity enters in the first row only.
         lengths, masses, angles, velocities = (
             self.lengths,
             self.masses,
@@ -98,31 +98,30 @@ class AngleChain:
             self.angular_velocities,
         )
         angle, speed = angles[0] + ahead * turning[0], velocities[0] + ahead * gaining[0]
-        sine, cosine = math.sin(angle), math.cos(angle)
         inner = pivot = 1.0 / masses[0]
-        value = (lengths[0] * speed * speed + self.gravity * cosine) / pivot
-        weight = self.gravity * sine
+        value = (lengths[0] * speed * speed + self.gravity * math.cos(angle)) / pivot
+        weight = self.gravity * math.sin(angle)
         speeds, rows = [speed], []
         for i in range(1, len(angles)):
-            length, outer = lengths[i], 1.0 / masses[i]
+            length, outer, before = lengths[i], 1.0 / masses[i], angle
             angle, speed = angles[i] + ahead * turning[i], velocities[i] + ahead * gaining[i]
-            s, c = math.sin(angle), math.cos(angle)
-            beside = inner * (s * sine + c * cosine)
+            bend = angle - before
+            beside = inner * math.cos(bend)
             factor = beside / pivot
-            rows.append((length, inner * (s * cosine - c * sine), factor, value))
+            rows.append((length, inner * math.sin(bend), factor, value))
             pivot = inner + outer - beside * factor
             value = (length * speed * speed + beside * value) / pivot
             speeds.append(speed)
-            inner, sine, cosine = outer, s, c
+            inner = outer
 
         # A rod is turned by what the rods beside it pull across it. From the tip to the anchor:
         accelerations = []
         tension, across = value, 0.0
         for length, turn, factor, value in reversed(rows):
-            before = value + factor * tension
-            accelerations.append((across - turn * before) / length)
+            nearer = value + factor * tension
+            accelerations.append((across - turn * nearer) / length)
             across = turn * tension
-            tension = before
+            tension = nearer
         accelerations.append((across - weight) / lengths[0])
         accelerations.reverse()
         return speeds, accelerations

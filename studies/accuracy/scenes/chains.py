@@ -24,6 +24,7 @@ from ch06_springs.integrators import (
     semi_implicit_euler,
 )
 from ch07_constraints.angle_chain import AngleChain
+from ch07_constraints.angle_rope import AngleRope
 from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.direct_chain import DirectChain
 from ch07_constraints.links import AnchoredRod, Rod
@@ -70,6 +71,15 @@ class Chain:
         """Return the initial lengths, masses and angles."""
         count = len(self.masses)
         return [self.length] * count, self.masses, [self.angle] * count
+
+    def by_its_angles(self) -> AngleChain:
+        """Return the chain described by its angles, as an AngleRope if all masses are equal."""
+        first = self.masses[0]
+        if all(mass == first for mass in self.masses):
+            return AngleRope(
+                self.length, first, [self.angle] * len(self.masses), None, self.gravity
+            )
+        return AngleChain(*self.angles(), gravity=self.gravity)
 
     def truth(self) -> Callable[[float], Place]:
         """Return the exact path, computed by SciPy from Lagrange's equations for the angles.
@@ -123,14 +133,14 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
 
 def by_angles(chain: Chain, steps: int) -> Outcome:
     """Step only the angles with Runge-Kutta 4, which makes four evaluations per step."""
-    angles = AngleChain(*chain.angles(), gravity=chain.gravity)
+    angles = chain.by_its_angles()
     places = in_frames(angles.step, lambda: flat(angles.positions), chain.frames, steps)
     return Outcome(places, 4 * chain.frames * steps * len(chain.masses))
 
 
 def by_long_steps(chain: Chain, steps: int) -> Outcome:
     """Step the angles with long steps, this many in LONG frames, and interpolate with cubics."""
-    angles = AngleChain(*chain.angles(), gravity=chain.gravity)
+    angles = chain.by_its_angles()
     length, places, made = LONG / steps, [], 0  # frames of a step
     old, fast = [*angles.angles], [*angles.angular_velocities]
     for frame in range(1, chain.frames + 1):
@@ -145,7 +155,8 @@ def by_long_steps(chain: Chain, steps: int) -> Outcome:
         for angle in turned:
             x += chain.length * math.sin(angle)
             y -= chain.length * math.cos(angle)
-            place += [x, y]
+            place.append(x)
+            place.append(y)
         places.append(tuple(place))
     return Outcome(places, 4 * made * len(chain.masses))
 

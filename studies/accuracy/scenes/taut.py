@@ -139,5 +139,4 @@ class TautMotion:
                 return numpy.array(found)[:, : len(self.inverse)]
             time, state = float(got.t_events[0][0]), got.y_events[0][0]
             self.events += 1
-            pass
         raise ArithmeticError("there is no end of impacts")

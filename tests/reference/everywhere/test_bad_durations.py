@@ -24,6 +24,7 @@ from ch06_springs import integrators, springs
 from ch06_springs.adaptive import adaptive
 from ch07_constraints.angle_chain import AngleChain
 from ch07_constraints.angle_pendulum import AnglePendulum, DoublePendulum
+from ch07_constraints.angle_rope import AngleRope
 from ch07_constraints.contacts import Contact, ContactResolver
 from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
 from ch07_constraints.direct_chain import DirectChain
@@ -241,6 +242,7 @@ POSITIVE: dict[str, Callable[[], Entry]] = {
         by_angles, lambda: DoublePendulum([1.0, 2.0], [1.0, 2.0], [1.0, 2.0])
     ),
     "AngleChain": partial(by_angles, lambda: AngleChain([1.0] * 3, [2.0] * 3, [0.5] * 3)),
+    "AngleRope": partial(by_angles, lambda: AngleRope(1.0, 2.0, [0.5] * 3)),
     **{
         f"{kind.__name__}.{method}, {title}": partial(world, method, integrator, kind)
         for kind in (ParticleWorld, SleepingWorld)

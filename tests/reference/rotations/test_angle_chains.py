@@ -24,6 +24,7 @@ from ch06_springs.integrators import (
 )
 from ch07_constraints.angle_chain import AngleChain
 from ch07_constraints.angle_pendulum import DoublePendulum
+from ch07_constraints.angle_rope import AngleRope
 from ch07_constraints.rod_tensions import RodTensions
 from studies.drawing import slope
 
@@ -34,7 +35,12 @@ Chain = AngleChain | DoublePendulum
 # Different lengths and masses, wide angles, and initial motion, so that no errors cancel.
 TWO = ([1.0, 0.7], [1.0, 2.5], [1.0, -0.6], [0.5, 2.0])
 FOUR = ([1.0, 0.7, 0.6, 0.9], [1.0, 2.5, 1.5, 4.0], [1.0, -0.6, 0.2, 0.8], [0.5, 2.0, -1.0, 0.0])
+EQUAL = ([0.7] * 4, [2.5] * 4, *FOUR[2:])
 TIME = 0.3  # s, in which the rods turn by about a radian
+
+
+def rope(lengths: list[float], masses: list[float], *state: list[float]) -> AngleRope:
+    return AngleRope(lengths[0], masses[0], *state)
 
 
 def lagrange(start: tuple[list[float], ...], time: float) -> list[float]:
@@ -109,7 +115,8 @@ def test_small_swings_are_the_normal_modes_of_a_hanging_chain(count: int) -> Non
 
 
 @pytest.mark.parametrize(
-    ("kind", "start"), [(DoublePendulum, TWO), (AngleChain, TWO), (AngleChain, FOUR)]
+    ("kind", "start"),
+    [(DoublePendulum, TWO), (AngleChain, TWO), (AngleChain, FOUR), (rope, EQUAL)],
 )
 def test_chains_by_angles_are_those_of_lagrange_at_the_fourth_order(
     kind: Callable[..., Chain], start: tuple[list[float], ...]
@@ -274,3 +281,9 @@ def test_chains_by_angles_refuse_what_is_none(
 ) -> None:
     with pytest.raises(ValueError, match="must"):
         kind(*bad)
+
+
+@pytest.mark.parametrize("bad", [(0.0, 1.0, [0.0]), (1.0, INF, [0.0]), (1.0, 1.0, [])])
+def test_a_rope_refuses_what_is_none(bad: tuple[float, float, list[float]]) -> None:
+    with pytest.raises(ValueError, match="must"):
+        AngleRope(*bad)

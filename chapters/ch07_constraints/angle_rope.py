@@ -1,0 +1,67 @@
+"""Going further, complete: a rope of equal links in a plane, described by its angles.
+
+It moves exactly as an AngleChain of equal rods does. Because all lengths and masses are equal, they
+cancel in the equations of motion, where only gravity / length is left. Without them a step takes
+about 15 % less time.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from ch07_constraints.angle_chain import AngleChain
+
+
+class AngleRope(AngleChain):
+    """Massless links of the same ``length`` in m, each with the same ``mass`` in kg at its end.
+
+    The other arguments, the attributes and the errors are those of an AngleChain. The lists
+    ``lengths`` and ``masses`` contain one number for each link.
+    """
+
+    def __init__(
+        self,
+        length: float,
+        mass: float,
+        angles: Sequence[float],
+        angular_velocities: Sequence[float] | None = None,
+        gravity: float = 9.81,
+    ) -> None:
+        count = len(angles)
+        super().__init__([length] * count, [mass] * count, angles, angular_velocities, gravity)
+
+    def _rates(
+        self, ahead: float, turning: Sequence[float], gaining: Sequence[float]
+    ) -> tuple[list[float], list[float]]:
+        """Return what AngleChain._rates returns, with its equations divided by the equal numbers.
+
+        Row i is 2 t[i] - cos t[i-1] - cos t[i+1] = w^2, where t is tension / (mass length).
+        """
+        angles, velocities = self.angles, self.angular_velocities
+        gravity = self.gravity / self.lengths[0]
+        angle, speed = angles[0] + ahead * turning[0], velocities[0] + ahead * gaining[0]
+        pivot, value = 1.0, speed * speed + gravity * math.cos(angle)
+        weight = gravity * math.sin(angle)
+        speeds, rows = [speed], []
+        for i in range(1, len(angles)):
+            before = angle
+            angle, speed = angles[i] + ahead * turning[i], velocities[i] + ahead * gaining[i]
+            bend = angle - before
+            beside = math.cos(bend)
+            factor = beside / pivot
+            rows.append((math.sin(bend), factor, value))
+            pivot = 2.0 - beside * factor
+            value = (speed * speed + beside * value) / pivot
+            speeds.append(speed)
+
+        accelerations = []
+        tension, across = value, 0.0
+        for turn, factor, value in reversed(rows):
+            nearer = value + factor * tension
+            accelerations.append(across - turn * nearer)
+            across = turn * tension
+            tension = nearer
+        accelerations.append(across - weight)
+        accelerations.reverse()
+        return speeds, accelerations

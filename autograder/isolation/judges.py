@@ -7,6 +7,7 @@ that started it ends. A judge that it forks is like one with its own interpreter
 from __future__ import annotations
 
 import contextlib
+import gc
 import json
 import os
 import socket
@@ -97,6 +98,7 @@ def main() -> None:
     from autograder.isolation import in_worker  # noqa: F401 - imported once for all judges
 
     control = socket.socket(fileno=int(sys.argv[1]))
+    gc.freeze()  # so that collecting garbage in a judge does not copy the memory that it shares
     while True:
         try:
             text, descriptors, _, _ = socket.recv_fds(control, 1 << 16, 3)

@@ -224,13 +224,14 @@ def weakened(share: float, explicit: bool) -> Callable[..., None]:
     def step(these: Sequence[Particle], apply_forces: Callable[[float], None], h: float) -> None:
         apply_forces(h)
         for one in these:
-            force = one.force_accumulator * share
-            start = one.position.copy()
-            one.clear_forces()
-            one.add_force(force)
-            one.integrate(h)
-            if not explicit:
-                one.position = start + one.velocity * h
+            one.add_force(one.force_accumulator * (share - 1.0))
+            if explicit:
+                one.integrate(h)
+            else:
+                start = one.position.copy()
+                one.integrate(h)
+                start.add_scaled(one.velocity, h)
+                one.position = start
 
     return step
 

@@ -178,7 +178,7 @@ def test_the_ends_of_what_is_measured() -> None:
         "Without damping the book's step is not stable for any spring. Return 0 or almost 0."
     )
     got = measured(1.0, True, 1.0, h)
-    # With k h^2 / m = 1e-4, 0.36 N/m here, a swing grows by 10 % in FRAMES.
+    # With k h^2 / m = 1e-4, 0.36 N/m here, a swing grows by 5 % in FRAMES.
     expect_between(got, -0.36, 0.36)
     about.call = "largest_stable_stiffness(integrator, 0.5, 1/60), a step that makes every swing "
     about.call += "wider"
@@ -189,12 +189,10 @@ def test_the_ends_of_what_is_measured() -> None:
         "Do not try any stiffness above STIFFEST / h^2. If even this stiffness is stable, return "
         "it."
     )
-    for rate in (60.0, 1.25):
-        about.call = f"largest_stable_stiffness(integrator, 0.5, 1/{rate:g}), a step stable up to "
-        about.call += "400 / h^2"
-        most = 16.0 * rate**2
-        got = measured(0.01, False, 0.5, 1.0 / rate)
-        expect_close(got, most, tolerance=0.01 * most)
+    about.call = "largest_stable_stiffness(integrator, 0.5, 0.8), a step stable up to 400 / h^2"
+    most = 16.0 / 0.8**2
+    got = measured(0.01, False, 0.5, 0.8)
+    expect_close(got, most, tolerance=0.01 * most)
     about.call = "largest_stable_stiffness(integrator, 0.0, 1/60), the velocity-first step"
     about.cause = (
         "A damping of 0 is valid. With damping 0 the particle is at rest at the end of each step."

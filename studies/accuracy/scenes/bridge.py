@@ -45,7 +45,6 @@ from ch08_mass_aggregate.world import ParticleWorld
 from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene, in_frames
 
 FRAMES = 60  # errors do not grow after this second
-FRAMES = 60  # errors do not grow after this second
 LONG = 600  # frames of sleep
 MASSES = [PLANK_MASS + (2.5 if row == 2 else 0.0) for row in range(ROWS)]  # 5 kg on the third row
 HAIR = 1e-8  # m; it puts ends 3e-8 m too low, so smaller errors have no meaning

@@ -25,7 +25,7 @@ START = math.radians(200.0)  # direction of the long arm at the start, from X to
 BEND = math.radians(120.0)  # from the long arm back to the short one, which points up at the start
 STEP = 1.0 / 250.0  # s
 TIME_LIMIT = 4.0  # s: a sling that has not let go by then throws nothing
-ITERATIONS = 100  # per phase
+ITERATIONS = 70  # per phase
 MOST_WEIGHT, LONGEST_BEAM = 400.0, 5.0  # kg, and m for both arms: the limits of my_design
 
 

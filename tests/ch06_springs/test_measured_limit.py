@@ -124,7 +124,7 @@ def test_swings_that_stay_as_they_are_are_not_wider() -> None:
         "sampled closer to their extremes than others. Compare the maximum of many late "
         "oscillations with that of many early ones."
     )
-    for share in (0.1, 0.9, 0.97, 0.98):
+    for share in (0.1, 0.9, 0.98):
         k = share * 14_400.0
         about.call = f"swings_wider(integrator, {k}, 1.0, 1/60), a step stable up to 14400 N/m"
         got = wider(1.0, False, k, 1.0, 1.0 / 60.0)
@@ -132,6 +132,13 @@ def test_swings_that_stay_as_they_are_are_not_wider() -> None:
     about.call = "swings_wider(integrator, 14700, 1.0, 1/60), a step that is stable up to 14400 N/m"
     about.cause = "At 2 % above the limit, the oscillations grow."
     got = wider(1.0, False, 14_700.0, 1.0, 1.0 / 60.0)
+    expect_exactly(got, True)
+    about.call = "swings_wider(integrator, 1.0, 1.0, 1/60), the book's step"
+    about.cause = (
+        "Without damping the book's step is not stable for any spring. Here the oscillations grow "
+        "by 15 % in FRAMES steps."
+    )
+    got = wider(1.0, True, 1.0, 1.0, 1.0 / 60.0)
     expect_exactly(got, True)
 
 
@@ -173,17 +180,11 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
 def test_the_ends_of_what_is_measured() -> None:
     about.read = LARGEST
     h = 1.0 / 60.0
-    about.call = "largest_stable_stiffness(integrator, 1.0, 1/60), the book's step"
-    about.cause = (
-        "Without damping the book's step is not stable for any spring. Return 0 or almost 0."
-    )
-    got = measured(1.0, True, 1.0, h)
-    # With k h^2 / m = 1e-4, 0.36 N/m here, a swing grows by 5 % in FRAMES.
-    expect_between(got, -0.36, 0.36)
     about.call = "largest_stable_stiffness(integrator, 0.5, 1/60), a step that makes every swing "
     about.call += "wider"
     about.cause = "If no spring is stable, return 0 or almost 0."
     got = never_safe(h)
+    # A spring of 0.36 N/m, with k h^2 / m = 1e-4, is softer than any that matters in a game.
     expect_between(got, -0.36, 0.36)
     about.cause = (
         "Do not try any stiffness above STIFFEST / h^2. If even this stiffness is stable, return "

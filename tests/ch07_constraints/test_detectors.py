@@ -304,7 +304,7 @@ def test_a_grid_has_no_seams(rng: Random) -> None:
 @pytest.mark.exercise("B7.9")
 def test_a_pile_of_ten_holds() -> None:
     about.read = "book 7.3.1, and the docstring of ParticlePairs.contacts"
-    about.call = "ten spheres of 1 kg, radius 0.5 m, stacked on the ground; 15 semi-implicit steps "
+    about.call = "ten spheres of 1 kg, radius 0.5 m, stacked on the ground; 10 semi-implicit steps "
     about.call += "of 1/60 s with ParticlePairs and a ContactResolver of 500 iterations"
     about.cause = "In every step, each sphere has a contact with the sphere below it."
     particles = [
@@ -312,7 +312,7 @@ def test_a_pile_of_ten_holds() -> None:
         for i in range(10)
     ]
     heights, overlap = piled(
-        particles, ParticlePairs(particles, 0.5), ContactResolver(500), 15, 1.0 / 60.0
+        particles, ParticlePairs(particles, 0.5), ContactResolver(500), 10, 1.0 / 60.0
     )
     wanted = tuple(i + 0.5 for i in range(10))
     # Measured: 0.02 m of overlap at most; 6 % of the diameter is allowed.

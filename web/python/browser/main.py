@@ -13,7 +13,7 @@ from lab.broken_off import TIME_LIMIT, why_it_broke_off
 from web.python.browser.checks import check
 from web.python.browser.folder import Folder
 from web.python.browser.page import post
-from web.python.browser.process import install_limits
+from web.python.browser.process import compile_once, install_limits
 from web.python.browser.scenes import Link
 from web.python.browser.watchdog import watchdog
 
@@ -29,6 +29,7 @@ def start() -> None:
     os.chdir(ROOT)
     watchdog.install()
     install_limits()
+    compile_once()
     post(
         "ready",
         hung=str(explain_hang("", TIME_LIMIT, [])),

@@ -12,7 +12,7 @@ from ch06_springs.integrators import Integrator
 from ch06_springs.springs import AnchoredSpring
 
 START = 10.0  # m, how far from its anchor the particle is released
-FRAMES = 1000
+FRAMES = 800
 STIFFEST = 16.0  # times m / h^2: twice the limit of runge_kutta_4 at d = 1
 SOFTEST = 1e-7  # times m / h^2: softer springs count as no spring
 

@@ -136,7 +136,7 @@ def test_swings_that_stay_as_they_are_are_not_wider() -> None:
     about.call = "swings_wider(integrator, 1.0, 1.0, 1/60), the book's step"
     about.cause = (
         "Without damping the book's step is not stable for any spring. Here the oscillations grow "
-        "by 15 % in FRAMES steps."
+        "by 12 % in FRAMES steps."
     )
     got = wider(1.0, True, 1.0, 1.0, 1.0 / 60.0)
     expect_exactly(got, True)

@@ -12,8 +12,12 @@ from made import made_stubs
 from studied import study
 
 
-def plot(engine: str | Path, out: Path, chapters: str = "2") -> subprocess.CompletedProcess[str]:
-    return study("plot", "--chapter", chapters, "--engine", str(engine), "--out", str(out))
+def plot(
+    engine: str | Path, out: Path, chapters: str = "2", only: tuple[str, ...] = ()
+) -> subprocess.CompletedProcess[str]:
+    """Draw the plots of some chapters with an engine, or only those that ``only`` names."""
+    command = ("plot", "--chapter", chapters, "--engine", str(engine), "--out", str(out))
+    return study(*command, only=only)
 
 
 def table(out: Path, name: str, chapter: str = "ch02_vectors") -> list[list[str]]:

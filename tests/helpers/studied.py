@@ -24,11 +24,15 @@ ENVIRONMENT = os.environ | {"MPLBACKEND": "Agg", "PYTHONPATH": str(ROOT)}
 
 
 def study(
-    *arguments: str, package: str = "studies", settings: dict[str, int] | None = None
+    *arguments: str,
+    package: str = "studies",
+    settings: dict[str, int] | None = None,
+    only: tuple[str, ...] = (),
 ) -> subprocess.CompletedProcess:
     """Run `python -m` with the package and these arguments.
 
     ``settings`` replaces constants of the module that plays scenes, as in {"STEPS_A_PICTURE": 6}.
+    If ``only`` names plots, a chapter's other plots are left out where processes can fork.
     """
     if not hasattr(os, "fork"):
         command = [sys.executable, "-m", package, *arguments]
@@ -37,7 +41,7 @@ def study(
         )
     with tempfile.TemporaryDirectory(prefix="study-") as folder:
         out, err = Path(folder) / "out", Path(folder) / "err"
-        request = {"package": package, "arguments": arguments, "set": settings or {}}
+        request = {"package": package, "arguments": arguments, "set": settings or {}, "only": only}
         request |= {"out": str(out), "err": str(err)}
         waiting = _waiting()
         print(json.dumps(request), file=waiting.stdin, flush=True)
@@ -85,6 +89,10 @@ def _run(request: dict) -> int:
     for name, value in request["set"].items():
         assert hasattr(module, name), name
         setattr(module, name, value)
+    if only := request["only"]:
+        plots = sys.modules["studies.plot"]
+        draw = plots.draw
+        plots.draw = lambda plot, folder: plot.__name__ not in only or draw(plot, folder)
     try:
         status = sys.modules[f"{request['package']}.__main__"].main()
     except SystemExit as end:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 from collections.abc import Sequence
 
-from autograder.grader.assignment import Assignment
+from autograder.grader.assignment import Assignment, OnceForAll
 from autograder.grader.class_run import print_class
 from autograder.grader.grading import grade_submission
 from autograder.isolation.sandbox import Level
@@ -26,9 +26,9 @@ def sample_table(students: Sequence[str] = STUDENTS) -> str:
     Raises:
         ValueError: Ada's work, the second right solution, loses a point.
     """
-    assignment = Assignment(load_chapters(), "1", Level())
+    assignment, once = Assignment(load_chapters(), "1", Level()), OnceForAll()
     reports = [
-        grade_submission(assignment, Submission(student, ROOT / "sample_class" / student))
+        grade_submission(assignment, Submission(student, ROOT / "sample_class" / student), once)
         for student in students
     ]
     for report in reports:

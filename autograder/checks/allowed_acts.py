@@ -1,9 +1,10 @@
 """Keep a student's code from writing files, starting programs or threads, and using sockets.
 
-In the grader, a sandbox refuses all of this. Here, Python's audit events announce most such
-operations before they happen, and this module refuses them with the same errors. It does not
-withstand hostile code as the sandbox does. Its purpose is that students learn at home what grading
-will refuse. An operation without an audit event, such as os.pipe, is carried out.
+The grader runs submissions in a sandbox that refuses all of this. When students run the checks at
+home, there is no sandbox. Instead, this module listens to Python's audit events, which announce
+most such operations before they happen, and raises the errors that the sandbox would cause. Its
+purpose is to show students early what the grader will refuse. It does not stop hostile code, and it
+cannot refuse operations without an audit event, such as os.pipe.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ NOT_FOUND = 2, "No such file or directory"
 DENIED = 13, "Permission denied"
 NOT_STARTED = 32512  # what os.system returns if it cannot start a process
 
-# Audit events that are not permitted. The error names one path, two paths, or none.
+# Audit events that are refused, grouped by how many paths the error names.
 WITH_PATH = "os.mkdir os.remove os.rmdir os.chmod os.chown os.truncate os.chdir os.posix_spawn"
 WITH_PATHS = "os.rename os.link os.symlink"
 WITHOUT = (
@@ -39,7 +40,7 @@ WITHOUT = (
 
 
 def limit_acts(code: StudentsCode) -> None:
-    """From now on, refuse operations of the student's code that grading does not allow."""
+    """From now on, refuse every operation of the student's code that the grader would refuse."""
     refusals: dict[str, Callable[..., None]] = {
         "open": lambda *arguments: _open(code, *arguments),
         "os.listdir": lambda path: _list(code, path),

@@ -1,4 +1,4 @@
-"""Choose the sandbox for this machine, and refuse to grade a class without one."""
+"""Choose the sandbox for this machine, and refuse to grade a class if there is none."""
 
 from __future__ import annotations
 

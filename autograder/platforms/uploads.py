@@ -1,4 +1,4 @@
-"""Write the grades of a class in the forms that Canvas and Moodle import."""
+"""Write the grades of a class in the formats that Canvas and Moodle import."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ CANVAS_ID = re.compile(r" \([0-9]+\)$")  # of an assignment, at the end of its t
 
 @dataclass(frozen=True)
 class Column:
-    """The column for the grades on a platform.
+    """The column with the grades on a platform.
 
     ``title`` may end with the id of an assignment, as in "Lab 1 (12345)". ``points`` is the maximum
-    of the assignment on the platform. Grades are rescaled to it.
+    of the assignment on the platform, to which the grades are rescaled.
     """
 
     title: str = ""
@@ -42,10 +42,10 @@ def write_uploads(
     reports: Sequence[StudentReport],
     column: Column,
 ) -> tuple[list[Path], list[str]]:
-    """Write canvas.csv and moodle.csv for a class with a roster, and a worksheet for Moodle.
+    """Write canvas.csv and moodle.csv for a class with a roster, and Moodle's worksheet.
 
     Returns:
-        The paths, and sentences for the instructor.
+        The paths of the files, and sentences for the instructor.
     """
     most = possible(exercise for chapter in chapters for exercise in chapter.exercises)
     for_canvas = column.points or most

@@ -1,4 +1,4 @@
-"""The command similarity: compare the submissions of a class, and write the pages."""
+"""The command `similarity`, which compares the submissions of a class and writes the pages."""
 
 from __future__ import annotations
 
@@ -15,10 +15,11 @@ from autograder.wrapping import plain_console
 
 
 def similarity(folder: Path, out: Path, chapters: list[Chapter], root: Path = ROOT) -> int:
-    """Compare every two submissions in a folder, and write the pages into ``out``.
+    """Compare every pair of submissions in a folder, and write the pages into ``out``.
 
-    Raises ValueError if there is nothing to compare, and OSError if one of our own files cannot be
-    read or written.
+    Raises:
+        ValueError: There is nothing to compare.
+        OSError: A file of the repository cannot be read, or a page cannot be written.
     """
     if out.resolve().is_relative_to(folder.resolve()):
         raise ValueError(f"--out must not be in the folder of the class, got {str(out)!r}")

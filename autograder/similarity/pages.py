@@ -1,6 +1,6 @@
-"""Write the pages of a comparison: an index of pairs, and two students' code side by side.
+"""Write the pages of a comparison: an index of pairs, and the code of each pair side by side.
 
-Names and code are inserted only as text, and nothing is loaded from other hosts.
+Names and code are inserted only as text, and the pages load nothing from other hosts.
 """
 
 from __future__ import annotations
@@ -21,15 +21,15 @@ from autograder.similarity.compare import FEWEST, Comparison, Pair, Passage, Sha
 from autograder.similarity.winnow import covered
 
 TEMPLATES = Path(__file__).parent / "templates"
-FEWEST_ROWS = 30  # pairs on the index; all that stand out are on it
+FEWEST_ROWS = 30  # pairs on the index, or more if more pairs stand out
 MOST_LINES = 200  # of one function
 WIDEST = 500  # characters of a line
-RARE = 0.1  # of the class
+RARE = 0.1  # fraction of the class
 
 
 @dataclass(frozen=True)
 class Piece:
-    """A piece of code: shared by few ("rare"), shared by many ("common"), or not shared ("")."""
+    """A piece of code. Few students share it ("rare"), many do ("common"), or nobody does ("")."""
 
     text: str
     kind: str
@@ -37,7 +37,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Side:
-    """A function of one student, in pieces, and the line at which it begins."""
+    """A function of one student, divided into pieces, and the line at which it begins."""
 
     name: str
     file: str
@@ -48,7 +48,7 @@ class Side:
 def write_pages(
     out: Path, comparison: Comparison, chapters: list[Chapter], small: list[str], notes: list[str]
 ) -> Path:
-    """Write index.html and a page for each of its pairs, and return the path of the index."""
+    """Write index.html and a page for each pair that it lists. Return the path of the index."""
     shown = comparison.pairs[: max(FEWEST_ROWS, comparison.outstanding)]
     rows = [
         (f"pairs/pair-{number:03}.html", pair, comparison.shared(pair))
@@ -79,7 +79,10 @@ def write_pages(
 
 
 def pieces_of(passage: Passage, kinds: dict[int, str]) -> list[Piece]:
-    """Return the lines of a function in pieces. ``kinds`` maps token numbers to kinds."""
+    """Return the lines of a function, divided into pieces.
+
+    ``kinds`` maps token numbers to kinds.
+    """
     first, last = passage.tokens[0].start[0], passage.tokens[-1].end[0]
     lines = passage.text.split("\n")[first - 1 : min(last, first - 1 + MOST_LINES)]
     marks = [[""] * len(line) for line in lines]
@@ -134,7 +137,7 @@ def _works(pair: Pair) -> tuple[Any, Any]:
 
 
 def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
-    """Return the functions of one student that contain shared code."""
+    """Return those functions of one student that contain shared code."""
     sides = []
     for passage in passages:
         kinds = dict.fromkeys(covered(passage.tokens, part.fingerprints), "common")
@@ -147,6 +150,6 @@ def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
 
 
 def _histogram(pairs: Sequence[Pair]) -> list[tuple[int, int]]:
-    """Return the number of pairs whose surprise is between one whole number and the next."""
+    """Return a histogram of the surprise of all pairs, in bins that are 1 wide."""
     counts = Counter(math.floor(p.surprise) for p in pairs if p.surprise is not None)
     return [(n, counts[n]) for n in range(min(counts), max(counts) + 1)] if counts else []

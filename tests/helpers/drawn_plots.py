@@ -1,4 +1,4 @@
-"""Draw plots as the command does, and read the tables that it writes."""
+"""Draw plots in the same way as the command, and read the tables that it writes."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def engine_with(chapter: str, added: dict[str, str], at: Path) -> Path:
 
 
 def plot_of_stubs(chapter: str, at: Path) -> str:
-    """Return what is printed where the reference's chapter is not written yet."""
+    """Return the output of plotting a chapter of the reference that is not written yet."""
     copy_tree(ROOT / "solutions", at / "engine")
     for path, text in made_stubs().items():
         if path.startswith(f"chapters/{chapter}/"):

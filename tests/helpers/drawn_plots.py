@@ -31,7 +31,7 @@ def engine_with(chapter: str, added: dict[str, str], at: Path) -> Path:
 
 
 def plot_of_stubs(chapter: str, at: Path) -> str:
-    """Return the output of plotting a chapter of the reference that is not written yet."""
+    """Return what is printed if a chapter of stubs is plotted on the reference of the others."""
     copy_tree(ROOT / "solutions", at / "engine")
     for path, text in made_stubs().items():
         if path.startswith(f"chapters/{chapter}/"):

@@ -151,7 +151,7 @@ def run_similarity(arguments: argparse.Namespace) -> int:
 def run_mark(arguments: argparse.Namespace) -> int:
     """Serve the page for marking written answers until the user presses Ctrl-C."""
     if sys.platform == "win32":
-        raise ValueError("mark takes Linux or macOS; on Windows run it under WSL")
+        raise ValueError("mark needs Linux or macOS; on Windows, run it under WSL")
     from autograder.marking.server import mark
     from autograder.submissions.unpack import class_folder
 

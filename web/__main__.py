@@ -49,7 +49,7 @@ def build(out: Path, *, with_solutions: bool) -> None:
         ValueError: The folder contains anything else.
     """
     if out.exists() and any(out.iterdir()) and not (out / "sw.js").is_file():
-        raise ValueError(f"{out} is not empty, and is no earlier build of the site")
+        raise ValueError(f"{out} is neither empty nor an earlier build of the site")
     prepare()
     shutil.rmtree(PARTS, ignore_errors=True)
     PARTS.mkdir(parents=True)

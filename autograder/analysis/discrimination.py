@@ -49,7 +49,7 @@ def discrimination(own: Sequence[float], rest: Sequence[float]) -> Discriminatio
     apart = count - Counter(own).most_common(1)[0][1]
     if apart < FEWEST_APART:
         have = "student has" if apart == 1 else "students have"
-        return Discrimination(count, reason=f"{apart or 'no'} {have} another score than the others")
+        return Discrimination(count, reason=f"{apart or 'no'} {have} a different score than most")
     if len({*rest}) == 1:
         return Discrimination(count, reason="all students have the same score for the rest")
     value = max(-1.0, min(1.0, statistics.correlation(own, rest)))

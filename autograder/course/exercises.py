@@ -54,9 +54,11 @@ class Chooser:
         extra = self._ids("extra_credit")
         whole = self._chapters("chapters")
         for name in (name for name in listed if name in extra):
-            self._wrong("extra_credit", f"{name} is in exercises too. List it once", name)
+            self._wrong(
+                "extra_credit", f"{name} is also listed in exercises. List it only once", name
+            )
         for name in (name for name in listed if self.home[name] in whole):
-            words = f"{name} belongs to chapter {self.home[name].number}, which chapters lists"
+            words = f"{name} belongs to chapter {self.home[name].number}, which is listed already"
             self._wrong("exercises", words, name)
         ids = {*listed, *extra, *(e.id for chapter in whole for e in chapter.exercises)}
         if not ids - {*extra}:
@@ -107,7 +109,7 @@ class Chooser:
             chapter = self.home[name]
             missing = [e for e in chapter.exercise(name).needs if e not in ids | self.before]
             if missing and chapter not in given:
-                words = f"{name} needs {', '.join(missing)}, which no assignment up to here has"
+                words = f"{name} needs {', '.join(missing)}, which no assignment so far contains"
                 self._wrong(*self._where(name), word=name, words=words)
             earlier |= (needs_of(chapter, name) - ids) & self.before
         for chapter in {self.home[name].number: self.home[name] for name in ids}.values():
@@ -117,7 +119,7 @@ class Chooser:
                 self.mistakes.add(
                     self.path,
                     f"chapter {chapter.number} builds on chapter {below.number}, which is neither "
-                    f"given nor assigned up to here. Add {below.number} to given",
+                    f"given nor assigned so far. Add {below.number} to given",
                 )
         return [name for name in self.home if name in earlier]
 
@@ -162,7 +164,7 @@ class Chooser:
         now = possible(chosen.values())
         if total is not None and out_of is not None:
             self._wrong(
-                "total", "total checks the sum of the points, and out_of changes it. Keep one"
+                "total", "total checks the sum of the points, but out_of changes it. Keep only one"
             )
         elif total is not None and now and abs(total - now) > 0.005:
             self._wrong("total", f"the points add up to {shown(now)}, not to {shown(total)}")

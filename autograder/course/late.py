@@ -63,7 +63,7 @@ def late_of(
     due = max([deadline.due, *granted], key=lambda time: time.astimezone(UTC))
     was = f"It was due {clock(due)}{' (extended)' if granted else ''}."
     if said is None:
-        return Late(None, 0.0, f"{was} No time of submission is known, so there is no penalty.")
+        return Late(None, 0.0, f"{was} The submission time is unknown, so there is no penalty.")
     if said.at is None and said.late:
         words = f"{said.source} says that it is late, but not by how much, so there is no penalty."
         return Late(None, 0.0, f"{was} {words}")

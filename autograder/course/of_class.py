@@ -45,14 +45,14 @@ def lateness(
     add = f"To add times, write {folder / TIMES}."
     if unknown := [student for student in students if student not in said]:
         notes.append(
-            f"No time of submission is known for {len(unknown)} of {len(students)} students, who "
-            f"get no penalty: {_some(unknown)}. {add}"
+            f"The submission time is unknown for {len(unknown)} of {len(students)} students, who "
+            f"therefore get no penalty: {_some(unknown)}. {add}"
         )
     unclear = [student for student, at in said.items() if at.late and at.at is None]
     if unclear:
         notes.append(
-            f"Late by an unknown time, so without a penalty: {len(unclear)} ({_some(unclear)}). "
-            f"{add}"
+            f"Late by an unknown amount of time, and therefore without a penalty: {len(unclear)} "
+            f"({_some(unclear)}). {add}"
         )
     if days := [each for each in late.values() if each.days]:
         lose = sum(each.deduction > 0.0 for each in days)

@@ -169,7 +169,7 @@ class Reader:
             return found
         what = "folder" if key == "hidden_checks" else "file"
         there = [other.name for other in self.folder.iterdir()] if self.folder.is_dir() else []
-        wanted = nearest(name, there) or f"It is looked for in {str(self.folder.resolve())!r}."
+        wanted = nearest(name, there) or f"It should be in {str(self.folder.resolve())!r}."
         self.mistakes.add((*path, key), f"{key}: there is no {what} {name!r}. {wanted}")
         return None
 

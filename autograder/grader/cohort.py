@@ -137,7 +137,9 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         for note in report.notes:
             console.print(f"{report.student}: {note}", markup=False)
     if moved:
-        console.print(f"Students not in this class: {moved}. See {out / 'earlier'}.")
+        console.print(
+            f"Reports of students outside this class: {moved}, moved to {out / 'earlier'}"
+        )
     if class_run.reused:
         console.print(
             f"{len(class_run.reused)} of {len(graded)} reports were kept from an earlier run."
@@ -150,7 +152,7 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
     for place in places:
         console.print(str(place), markup=False, soft_wrap=True)
     for place in uploads:
-        only_you = ": keep it to yourself, since it has names" if options.anonymous else ""
+        only_you = ": keep this private, because it has names" if options.anonymous else ""
         console.print(f"{place}{only_you}", markup=False, soft_wrap=True)
     return int(any(report.status != "graded" for report in graded))
 

@@ -93,7 +93,7 @@ class Regrade:
             if name not in MAY_DIFFER:
                 earlier = next(getattr(one.run, name) for one in self.reports if one.run)
                 new = getattr(run.key, name)
-                raise ValueError(f"{name} must be as for the class, {earlier}, got {new}")
+                raise ValueError(f"{name} must be the same as for the class, {earlier}, got {new}")
         if differing:
             changed = ", ".join(MAY_DIFFER[name] for name in differing)
             self.changed = f"Changed since the class was graded: {changed}."
@@ -143,7 +143,7 @@ def earlier_choice(out: Path) -> tuple[str, str]:
     """
     run = next((report.run for report in read_results(out) if report.run), None)
     if run is None:
-        raise ValueError(f"the run in {str(out)!r} did not note its chapters: name them")
+        raise ValueError(f"the run in {str(out)!r} did not record its chapters: name them")
     return ",".join(map(str, run.chapters)), ",".join(map(str, run.given))
 
 

@@ -250,5 +250,7 @@ class ObjectHandle(Handle):
 
     def _reference(self, session: Session) -> dict[str, Any]:
         if session is not self._of:
-            raise WorkerFailure(Message("an object of another check is used; its process is gone"))
+            raise WorkerFailure(
+                Message("an object of another check is used after its process has ended")
+            )
         return {"object": self._number}

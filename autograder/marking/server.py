@@ -110,12 +110,12 @@ class Marks(Handler):
             points = self.site.tasks[exercise].exercise.points
             mark, seen = mark_of(asked["mark"], points), mark_of(asked["seen"], points)
         except (ValueError, KeyError, TypeError, RecursionError) as error:
-            self.refuse(400, f"this is no mark: {error}")
+            self.refuse(400, f"this is not a valid mark: {error}")
             return
         try:
             self.site.marks.change(student, exercise, mark, seen)
         except ChangedError:
-            self.answer(409, why="Another page has changed this mark.")
+            self.answer(409, why="This mark has been changed on another page in the meantime.")
             return
         except (ValueError, OSError) as error:
             self.refuse(503, str(error))
@@ -180,7 +180,7 @@ def mark(folder: Path, chapters: list[Chapter], *, browser: bool = True, root: P
     async def serve() -> None:
         site.listen(site.application())
         print(f"The answers are at {site.address}")
-        print(f"Marks go to {marks.path}. Ctrl-C ends it.", flush=True)
+        print(f"Marks are saved in {marks.path}. Press Ctrl-C to stop.", flush=True)
         if browser:
             webbrowser.open(site.address)
         await asyncio.Event().wait()
@@ -188,5 +188,5 @@ def mark(folder: Path, chapters: list[Chapter], *, browser: bool = True, root: P
     try:
         asyncio.run(serve())
     except KeyboardInterrupt:
-        print("\nRun make grade again to put the marks into the reports.")
+        print("\nRun make grade again to add the marks to the reports.")
     return 0

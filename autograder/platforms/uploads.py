@@ -75,16 +75,16 @@ def write_uploads(
         if points != most:
             lines.append(
                 f"{path.name}: rescaled from {shown(most)} points to {shown(points)}. "
-                "POINTS= gives other points, up to 100 for Moodle."
+                "Choose other points with POINTS=, up to 100 for Moodle."
             )
     if more := sum(total > most for total in totals.values()):
         lines.append(
-            f"Grades over {shown(for_moodle)}: {more}. Moodle would refuse them, so "
-            f"they are {shown(for_moodle)} there."
+            f"Grades over {shown(for_moodle)}: {more}. Moodle would reject them, so "
+            f"they are imported as {shown(for_moodle)}."
         )
     if waiting := sum(r.waiting > 0 for r in reports):
         lines.append(
-            f"Students with answers that wait for a person: {waiting}. These answers count "
-            "nothing in the grades for the platforms."
+            f"Students with answers that are not marked yet: {waiting}. These answers earn no "
+            "points in the grades for the platforms."
         )
     return paths, lines

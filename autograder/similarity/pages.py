@@ -108,7 +108,7 @@ def pieces_of(passage: Passage, kinds: dict[int, str]) -> list[Piece]:
             pieces.append(Piece(clean(text[columns[0] : columns[-1] + 1]), kind))
         pieces.append(Piece(" ...\n" if len(text) > WIDEST else "\n", ""))
     if last - first >= MOST_LINES:
-        pieces.append(Piece(f"... and {last - first + 1 - MOST_LINES} lines more\n", ""))
+        pieces.append(Piece(f"... and {last - first + 1 - MOST_LINES} more lines\n", ""))
     return pieces
 
 

@@ -164,8 +164,8 @@ def _read_marker(folder: Path) -> Unpacked:
         return from_json(Unpacked, data)
     except (OSError, ValueError) as error:
         raise ValueError(
-            f"{folder} is already there, but not unpacked from {folder.name}.zip: grade that "
-            "folder, or move it away"
+            f"{folder} already exists, but was not unpacked from {folder.name}.zip: grade that "
+            "folder instead, or move it away"
         ) from error
 
 

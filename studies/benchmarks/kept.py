@@ -68,7 +68,7 @@ def with_quotations(page: str, ratios: dict[str, float]) -> str:
         wanted = " ".join(match[2].split())
         found = [ratio for what, ratio in ratios.items() if what.startswith(wanted)]
         if len(found) != 1:
-            raise ValueError(f"{len(found)} lines of make bench begin with {wanted!r}, not one")
+            raise ValueError(f"one line of make bench must begin with {wanted!r}, got {len(found)}")
         return f"{match[1]}{float(f'{found[0]:.2g}'):,g}{match[4]}"
 
     return QUOTATION.sub(renewed, page)

@@ -133,7 +133,7 @@ def _contradicting(found: list[Tried], chosen: Point) -> str:
     run = mine.runs[mine.model.choices.index(chosen.steps)]
     others = [tried for tried in found if tried is not mine and tried.halved.is_steady]
     if not others:
-        only = f"no model but {chosen.model} converges, so none confirms its error"
+        only = f"only {chosen.model} converges, so no other model confirms its error"
         return "" if mine.halved.is_exact or len(found) == 1 else only
     other = min(others, key=lambda tried: tried.halved.errors[-1])
     finest = other.runs[-1]

@@ -140,4 +140,4 @@ class TautMotion:
             time, state = float(got.t_events[0][0]), got.y_events[0][0]
             self.events += 1
             pass
-        raise ArithmeticError("there is no end of impacts")
+        raise ArithmeticError("the impacts do not come to an end")

@@ -1,4 +1,4 @@
-"""Find the scenes. Each module in lab/scenes/ lists its scene classes in a tuple SCENES."""
+"""Find the scenes of the lab. Each module in lab/scenes/ lists its scenes in a tuple SCENES."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ FOLDER = Path(__file__).parent / "scenes"
 
 @dataclass(frozen=True)
 class Entry:
-    """The name and location of a scene, which can be found without importing an engine."""
+    """Where a scene is defined. This information is available without importing an engine."""
 
     name: str
     title: str

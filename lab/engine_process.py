@@ -21,7 +21,10 @@ LONGEST_RECORDING = 120.0  # s
 
 
 class EngineProcess:
-    """The process that runs one engine for one page. The first message starts it."""
+    """The process that runs an engine for one open page.
+
+    It starts when the first message arrives.
+    """
 
     def __init__(self, engine: str, given: str = "") -> None:
         self.engine = engine
@@ -92,7 +95,7 @@ class EngineProcess:
         )
 
     def _why(self) -> str:
-        """Return an explanation of why the process stopped."""
+        """Return an explanation of why the process has stopped."""
         stack = self.stack.read_text(encoding="utf-8") if self.stack.exists() else ""
         return why_it_broke_off(stack, [ROOT / self.engine])
 

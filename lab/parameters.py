@@ -29,7 +29,7 @@ class Parameter:
         return self if scene is None else scene.values[self.name]
 
     def checked(self, value: object) -> Any:
-        """Return the value, converted if necessary, or raise ValueError if it is not allowed."""
+        """Return the value, converted to the right type. Raise ValueError if it is not allowed."""
         raise NotImplementedError
 
     def described(self) -> dict[str, Any]:
@@ -103,13 +103,13 @@ class Choice(Parameter):
         self.options = list(options)
 
     def checked(self, value: object) -> Any:
-        """Return the option that the value names.
+        """Return the option with this name.
 
-        The value may use hyphens for spaces, and case does not matter. This makes it easy to type
-        on a command line.
+        To make options easy to type on a command line, the name may contain hyphens instead of
+        spaces, and case does not matter.
 
         Raises:
-            ValueError: If no option has that name.
+            ValueError: No option has this name.
         """
         for option in self.options:
             if value == option or _plain(value) == _plain(option):
@@ -123,6 +123,6 @@ class Choice(Parameter):
 
 
 def _plain(name: object) -> str:
-    """Return an option as it may be typed on a command line."""
+    """Return the name of an option in the form in which it is typed on a command line."""
     text = f"{name:g}" if isinstance(name, float) else str(name)
     return text.lower().replace(" ", "-")

@@ -1,8 +1,8 @@
-"""A pen that records what a scene draws as plain data, for a page or matplotlib to draw later.
+"""A pen that records what a scene draws as plain data, which a page or matplotlib draws later.
 
-Coordinates are in the scene's own units, with +x to the right and +y up. A point is a Vector3 or a
-pair (x, y). Colors are given by name, so that each renderer can choose shades for a light or a dark
-page.
+Coordinates are in the scene's own units, with +x to the right and +y up. A point is either a
+Vector3 or a pair (x, y). Colors are given by name, so that a page can choose suitable shades for a
+light or a dark background.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ Item = list[Any]
 
 
 class Pen:
-    """A pen that records each drawn item as a list, which begins with its kind and color."""
+    """Records each drawn item as a list, which begins with the kind and the color of the item."""
 
     def __init__(self) -> None:
         self.items: list[Item] = []
@@ -43,11 +43,14 @@ class Pen:
         grab: str = "",
         fill: bool = True,
     ) -> None:
-        """Draw a circle. If ``grab`` is set, the reader can drag it: see ``Scene.drag``."""
+        """Draw a circle.
+
+        If ``grab`` is set, the reader can drag the circle, as in ``Scene.drag``.
+        """
         self._add("circle", color, *_xy(center), _short(radius), fill, grab)
 
     def dots(self, centers: Iterable[Point], color: str = "blue", size: float = 4.0) -> None:
-        """Draw dots of a fixed size in pixels, independent of the view's scale."""
+        """Draw dots with a size in pixels, which does not depend on the view's scale."""
         self._add("dots", color, _flat(centers), size)
 
     def line(

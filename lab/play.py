@@ -1,6 +1,7 @@
-"""Play a scene in a window, or record a scripted run of it to files.
+"""Play a scene in a window, or record a scripted run of the scene to files.
 
-The files are an animation, a contact sheet of pictures from it, and a table of the charted values.
+The files are an animation, an overview of still pictures from it, and a table of the charted
+values.
 """
 
 from __future__ import annotations
@@ -71,7 +72,7 @@ def record(scene: Scene, folder: Path, seconds: float | None = None) -> list[Pat
 
 
 def show(scene: Scene) -> None:
-    """Play a scene in a window until it is closed. Raises any exception of the engine."""
+    """Play a scene in a window until the window is closed. Exceptions of the engine are raised."""
     for setting in matplotlib.rcParams:
         if setting.startswith("keymap."):  # leave the keys to the scene
             matplotlib.rcParams[setting] = ["q"] if setting == "keymap.quit" else []

@@ -82,7 +82,7 @@ class Scene:
         return []
 
     def exact(self, time: float) -> list[float] | None:  # noqa: ARG002 - subclasses use it
-        """Return the exact coordinates at a time, or None if they are not known."""
+        """Return the exact coordinates at a time, or None if there is no exact solution."""
         return None
 
     def say(self) -> str:
@@ -103,7 +103,10 @@ class Scene:
         """Move the draggable circle with this name to a point."""
 
     def play(self, time: float) -> None:
-        """Act as a player would at this time. Recordings and tests call this before each frame."""
+        """Act as a player would at this time.
+
+        Recordings and tests call this method before each frame.
+        """
 
     def advance(self, duration: float = FRAME) -> None:
         """Advance the scene by one frame and update the time."""
@@ -111,7 +114,7 @@ class Scene:
         self.time += duration
 
     def error(self) -> float | None:
-        """Return the largest error of a coordinate, or None if the exact values are unknown."""
+        """Return the largest error of any coordinate, or None if there is no exact solution."""
         exact = self.exact(self.time)
         if exact is None:
             return None
@@ -120,7 +123,7 @@ class Scene:
 
 
 def parameters_of(scene: type[Scene]) -> dict[str, Parameter]:
-    """Return the parameters of a scene by name, those of its base classes last."""
+    """Return the parameters of a scene by name. Parameters of its base classes come last."""
     found: dict[str, Parameter] = {}
     for kind in scene.__mro__:
         for name, value in vars(kind).items():

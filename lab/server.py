@@ -47,7 +47,7 @@ class Lab(Site):
         )
 
     async def watch(self) -> None:
-        """Notify every page when a file of the student's engine is saved."""
+        """Notify every open page when a file of the student's engine is saved."""
         async for changes in awatch(find_engine(self.engines["yours"])[0]):
             files = sorted({Path(path).name for _, path in changes if path.endswith(".py")})
             for socket in list(self.sockets) if files else ():
@@ -85,7 +85,7 @@ class Recording(Handler):
 
 
 class EngineSocket(WebSocketHandler):
-    """A WebSocket with its own engine process."""
+    """A WebSocket for one open page, which has its own engine process."""
 
     def initialize(self, lab: Lab) -> None:
         self.lab = lab
@@ -99,7 +99,7 @@ class EngineSocket(WebSocketHandler):
             raise HTTPError(403)
 
     def check_origin(self, origin: str) -> bool:
-        """Accept only sockets that our own page opens."""
+        """Return whether a socket is opened by our own page. All others are refused."""
         return is_own_page(self.request, origin)
 
     def open(self) -> None:

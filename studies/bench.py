@@ -48,7 +48,7 @@ def main(arguments: list[str]) -> int:
 
 
 def every(console: Console) -> list[Measurement]:
-    """Return all measurements in order. Print which libraries are not installed."""
+    """Return all measurements in order, and print which libraries are not installed."""
     # These modules import chapters.
     from studies.benchmarks import (
         accuracy,

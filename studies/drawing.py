@@ -1,4 +1,4 @@
-"""Colors, labels and arrows that all plots share."""
+"""Colors, labels and arrows that are shared by all plots."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ GROWTH = ListedColormap(
 
 @dataclass(frozen=True)
 class Picture:
-    """A figure and the numbers that it shows, for the CSV beside it."""
+    """A figure and the numbers that it shows, which are written to a CSV file beside it."""
 
     figure: Figure
     columns: Sequence[str]
@@ -52,7 +52,10 @@ class Picture:
 
 
 def tell(figure: Figure, notes: Sequence[str]) -> None:
-    """Write below a picture why its scenes ended early, with at most three notes in full."""
+    """Write below a picture why some of its scenes ended early.
+
+    At most three notes are shown in full.
+    """
     lines = [line for note in notes[:3] for line in textwrap.wrap(note, 150)[:2]]
     if len(notes) > 3:
         lines.append(f"and {len(notes) - 3} more like these")

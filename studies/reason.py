@@ -1,4 +1,4 @@
-"""Explain in pictures and scenes why the student's code could not be run."""
+"""Explain in pictures and scenes why a student's code could not be run."""
 
 from __future__ import annotations
 

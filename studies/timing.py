@@ -1,8 +1,8 @@
-"""Measure times as ratios, which are similar on all machines although seconds are not.
+"""Measure times as ratios, because ratios are similar on all machines while seconds are not.
 
 The two times of a ratio are measured directly one after the other, in one run on one machine. The
-rounds of all lines are mixed. If the machine is slow for a minute, this affects all lines a little
-instead of one line a lot. A line reports the median and the quartiles of its rounds.
+rounds of all lines are mixed. If the machine is slow for a minute, all lines are affected a little,
+rather than one line a lot. A line reports the median and the quartiles of its rounds.
 """
 
 from __future__ import annotations

@@ -115,7 +115,10 @@ def fireworks() -> Picture:
 
 
 def step_error() -> Picture:
-    """Draw the error of the step against the length of a frame, by the closed form."""
+    """Plot the error of the integration step against the length of a frame.
+
+    The error is the difference from the closed form.
+    """
     counts = (15, 30, 60, 120, 240, 480, 960, 1920)
     seconds = 2.0
     figure, axes = pyplot.subplots(figsize=(6.4, 5), layout="constrained")

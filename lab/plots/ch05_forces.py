@@ -31,7 +31,7 @@ PERIOD = 2.0 * math.pi
 
 
 def terminal_speeds() -> Picture:
-    """Draw falls with linear and with quadratic drag, and their terminal speeds."""
+    """Plot falls with linear and with quadratic drag, and their terminal speeds."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.6), layout="constrained")
     rows: list[Sequence[object]] = []
     worst = 0.0
@@ -128,7 +128,7 @@ def fall_with_drag() -> Picture:
 
 
 def orbit() -> Picture:
-    """Draw the energy and angular momentum of an orbit over 20 turns with the book's step."""
+    """Plot the energy and the angular momentum during 20 orbits, simulated with the book's step."""
     figure, (path, energies, momenta) = pyplot.subplots(
         1, 3, figsize=(14, 4.6), layout="constrained"
     )

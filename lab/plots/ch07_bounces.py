@@ -37,7 +37,7 @@ COLORS = {"explicit Euler": RED, "semi-implicit Euler": BLUE, "time division": G
 
 
 def bounce_heights() -> Picture:
-    """Draw a ball that falls from 2 m and bounces, with restitution 1 and restitution 0.5."""
+    """Plot the height of a ball that falls from 2 m and bounces, with restitution 1 and 0.5."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
     rows: list[Sequence[object]] = []
     found = written(
@@ -79,7 +79,7 @@ def bounce_heights() -> Picture:
 
 
 def resting_jitter() -> Picture:
-    """Draw a ball at rest with the resting rule, without it, and with a rule that is too strict."""
+    """Plot a ball at rest with the resting rule, without it, and with a rule that is too strict."""
     figure, panels = pyplot.subplots(1, 3, figsize=(16, 5.4), layout="constrained")
     rows: list[Sequence[object]] = []
     rules = {"resting rule": None, "no rule": without_rule}
@@ -237,7 +237,10 @@ def _rise(run: Track) -> float:
 
 
 def _drops() -> tuple[str, list[tuple[str, float, float]]]:
-    """Return a file's name and its drops. It is the student's file, or the sample if empty."""
+    """Return the name of a file and the drops in it.
+
+    The file is the student's own or, if that is empty, the sample file.
+    """
     for name in ("drops.csv", "drops_sample.csv"):
         try:
             drops = read_drops(find_drops(name))

@@ -33,7 +33,7 @@ THROUGH = 1e3  # %, where an infinite excess length is drawn
 
 
 def mass_ratios() -> Picture:
-    """Draw the excess length of the bridge's cables under balls of 1 kg to 1 t, by method."""
+    """Plot how far the bridge's cables stretch under balls of 1 kg to 1 t, for each method."""
     figure, axes = pyplot.subplots(figsize=(10, 5.8), layout="constrained")
     ratios = (1, 10, 30, 100, 300, 1000)
     # Cases that take the longest and are accurate enough anyway are left out.
@@ -89,7 +89,7 @@ def mass_ratios() -> Picture:
 
 
 def hanging_rope() -> Picture:
-    """Draw how far a rope between two nails sinks below its position at rest, and the work."""
+    """Plot how far a rope between two nails sinks below its rest position, and the work for it."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
     # A rope that starts at rest should stay there, and DirectChain's stays to 1e-8 m. So that rope
     # also starts from a V.

@@ -1,4 +1,4 @@
-"""Scenes of chapter 2: two products of vectors that the reader can drag."""
+"""Scenes of chapter 2: the scalar and the vector product of vectors that the reader can drag."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ TIP = 0.14  # m, radius of the draggable tip of a vector
 
 
 def rotated(x: float, y: float, angle: float) -> tuple[float, float]:
-    """Return a pair rotated counter-clockwise by an angle in radians."""
+    """Return the point (x, y), rotated counter-clockwise by an angle in radians."""
     c, s = math.cos(angle), math.sin(angle)
     return c * x - s * y, s * x + c * y
 

@@ -16,7 +16,7 @@ Point = tuple[float, float]
 
 
 class Throw(Scene):
-    """A ball that the student's engine moves step by step, next to its exact path."""
+    """A ball that the student's engine moves step by step, shown next to its exact path."""
 
     chapter = 3
     title = "Throw a ball at the hoop"
@@ -127,9 +127,9 @@ class Throw(Scene):
         self.flies, self.rest = False, self.REST
 
     def past_hoop(self, path: list[Point]) -> float | None:
-        """Return how far past the rim's center, in m, a path comes down to the rim's height.
+        """Return how far beyond the rim's center, in m, a path comes down to the rim's height.
 
-        Returns None if the path never comes down through that height.
+        The result is None if the path never comes down through that height.
         """
         x, y = self.hoop
         for (x1, y1), (x2, y2) in pairwise(path):

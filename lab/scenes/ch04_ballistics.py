@@ -249,7 +249,7 @@ class Artillery(Scene):
 
 
 def can_throw() -> bool:
-    """Return whether the student has written the behavior of a grenade."""
+    """Return whether the student has already written the code of the grenade."""
     return is_written(lambda: grenade_after(Shot("grenade", Particle())))
 
 

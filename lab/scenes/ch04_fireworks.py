@@ -53,7 +53,10 @@ class Fireworks(Scene):
             self.display.show.update(duration)
 
     def ended(self) -> bool:
-        """Return whether the game is over, if its rules are written."""
+        """Return whether the game is over.
+
+        It is never over if the student has not written its rules.
+        """
         return self.plays and is_over(self.display)
 
     def draw(self, pen: Pen) -> None:
@@ -107,7 +110,7 @@ class Fireworks(Scene):
 
 
 def can_turn() -> bool:
-    """Return whether the wheel is written, by testing whether it throws sparks."""
+    """Return whether the student has written the wheel, by testing whether it throws sparks."""
     trial = FireworksShow([WHEEL_SPARK], capacity=9, seed=1)
     return is_written(lambda: make_wheel(trial, Vector3()).update(1.0))
 

@@ -121,7 +121,10 @@ class FallInAir(Scene):
 
 
 class Orbit(Scene):
-    """A planet around a star. A step updates either the position first, as in the book, or last."""
+    """A planet that orbits a star, with a step that updates the position first or last.
+
+    The book's step updates the position first.
+    """
 
     chapter = 5
     title = "An orbit that should close"

@@ -16,7 +16,7 @@ from lab.stepped import Stepped
 
 
 def explodes(scene: OneSpring) -> int:
-    """Return the index of the correct option, according to the stability limits of chapter 6."""
+    """Return the index of the correct option, based on the stability limits of chapter 6."""
     number = scene.stiffness / scene.rate**2 / scene.mass
     limits = {"explicit Euler": 0.0, "leapfrog": 4.0, "Runge-Kutta 4": 8.0}
     return 1 if number > limits.get(scene.integrator, 4.0) else 0

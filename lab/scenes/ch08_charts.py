@@ -17,7 +17,10 @@ METHODS = list(dict.fromkeys(model.name for scene in CHARTED.values() for model 
 
 
 class Charts(Scene):
-    """A scene of the charts. The model computes all frames first, and then they are shown."""
+    """A scene from the charts.
+
+    The model computes all frames in advance, and then they are shown.
+    """
 
     chapter = 8
     title = "Speed against accuracy"

@@ -21,7 +21,7 @@ PLACES = {"matrix": -2.4, "quaternion": 0.0, "Euler angles": 2.4}
 
 
 class Orientations(Scene):
-    """Three boxes with the same angular velocity, which store their orientations differently."""
+    """Three boxes with the same angular velocity that store their orientations differently."""
 
     chapter = 9
     title = "Matrix, quaternion, Euler angles"

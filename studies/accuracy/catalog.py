@@ -1,4 +1,4 @@
-"""All scenes, which a command can select by part of a name."""
+"""All scenes of the accuracy study. A command selects scenes by a part of their name."""
 
 from __future__ import annotations
 

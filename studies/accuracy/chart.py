@@ -1,4 +1,4 @@
-"""Draw a scene's error over processor time and over work, and an overview of all scenes."""
+"""Draw the charts: each scene's error over processor time and over work, and an overview."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
 def _draw_extrapolated(
     axes: Axes, points: Sequence[Point], styles: dict[str, dict[str, Any]]
 ) -> None:
-    """Draw a dotted line to the tightest tolerance for which pymunk's time is extrapolated."""
+    """Draw a dotted line to the tightest tolerance to which pymunk's time is extrapolated."""
     sides = [(tolerance, row(points, tolerance).pymunk) for tolerance in TOLERANCES]
     found = [(tolerance, side) for tolerance, side in sides if side.order is not None]
     if not found:
@@ -105,12 +105,14 @@ def _draw_extrapolated(
 
 
 def draw_overview(rows: Sequence[Row], png: Path) -> None:
-    """Write a chart of pymunk's time relative to our best model, for each scene and tolerance.
+    """Draw pymunk's time relative to our best model's, for each scene and each tolerance.
 
-    An open mark is a ratio in which pymunk's time is extrapolated from its order of convergence. An
-    open mark with an arrow is a bound, because one side did not reach the tolerance in the time it
-    was given. If a side can never reach it, the word "never" is at the edge. If neither side
-    reaches it, nothing is drawn.
+    - An open mark shows a ratio for which pymunk's time was extrapolated from its order of
+      convergence.
+    - An open mark with an arrow shows a bound, because one side did not reach the tolerance in the
+      time that it was given.
+    - The word "never" at the edge shows that one side can never reach the tolerance.
+    - Nothing is drawn if neither side reaches the tolerance.
     """
     scenes = list(dict.fromkeys(row.scene for row in rows))[::-1]
     tolerances = sorted({row.tolerance for row in rows}, reverse=True)
@@ -187,9 +189,9 @@ def told(side: Side) -> str:
 
 
 def told_ratio(found: Row) -> str:
-    """Return pymunk's time as a multiple of ours, as text: a number, a bound, or an empty string.
+    """Return pymunk's time as a multiple of ours: a number, a bound, or an empty string.
 
-    A number that is based on an extrapolated time begins with "~".
+    A number for which the time was extrapolated begins with "~".
     """
     low, high = found.bounds
     if found.ratio:

@@ -1,10 +1,11 @@
 """Measure the error, the work and the time of every model in some scenes.
 
-The error and the work of a model are always the same, so they are measured only once. Times vary,
-so they are measured in several rounds. Each round times all models in random order, so that other
-load on the machine does not affect only one of them. The results are saved after every round. If a
-run is interrupted, the next run resumes from the saved results, as long as the code and the
-versions are the same.
+The error and the work of a model are the same in every run, so they are measured only once. Times
+vary, so they are measured in several rounds. Each round times all models in random order, so that
+other load on the machine does not affect only one of them.
+
+The results are saved after every round. If a run is interrupted, the next run resumes from the
+saved results, as long as the code and the versions have not changed.
 """
 
 from __future__ import annotations
@@ -71,10 +72,10 @@ class Measured:
 def explore(
     scenes: Sequence[Scene], slowest: float, theirs: float, hear: Callable[[str], None]
 ) -> Measured:
-    """Measure the error and the work of each model in these scenes, but no times yet.
+    """Measure the error and the work of each model in these scenes. Times are measured later.
 
-    Each model runs with more and more steps. It stops when it is exact or when a run takes longer
-    than ``slowest`` s. For pymunk's models, the limit is ``theirs`` s instead.
+    Each model is run with more and more steps, until it is exact or until a run takes longer than
+    ``slowest`` seconds. For pymunk's models, the limit is ``theirs`` seconds.
     """
     points = []
     for scene in scenes:
@@ -92,7 +93,7 @@ def explore(
 
 
 def run(model: Model, steps: int) -> Outcome | None:
-    """Run a model. Return None if it fails, which may happen if its steps are too long."""
+    """Run a model. Return None if it fails, as it may if its steps are too long."""
     try:
         return model.run(steps)
     except (ArithmeticError, ValueError):
@@ -120,7 +121,7 @@ def seconds_of(model: Model, steps: int) -> float:
 
 
 def save(measured: Measured, path: Path, sign: str) -> None:
-    """Save the results atomically, with a signature of what was measured."""
+    """Save the results atomically, together with a signature of what was measured."""
     data = {"sign": sign, "rounds": measured.rounds, "points": [*map(asdict, measured.points)]}
     replace_bytes(path, json.dumps(data).encode())
 

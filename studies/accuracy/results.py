@@ -1,4 +1,7 @@
-"""Find the time that each model needs to meet a tolerance, and the best model of each side."""
+"""Find the time that each model needs to meet a tolerance, and the fastest model of each side.
+
+The two sides are our models and pymunk's models.
+"""
 
 from __future__ import annotations
 
@@ -17,13 +20,13 @@ FARTHEST = 1000.0  # an error is extrapolated to a thousandth of the smallest er
 
 @dataclass(frozen=True)
 class Side:
-    """The fastest model of one side, ours or pymunk's, that meets a tolerance, and its time in s.
+    """The fastest model of one side that meets a tolerance, and its time in s.
 
-    Both are None if no model meets the tolerance. In that case, every model that might still meet
-    it with more steps has been run for at least ``longest`` s. If no model could ever meet it,
-    ``never`` is true.
+    Both are None if no model meets the tolerance. In that case, every model that might meet it with
+    more steps has been run for at least ``longest`` seconds. ``never`` is true if no model could
+    ever meet it.
 
-    If ``order`` is not None, the model has not actually been run with enough steps. Its time is
+    If ``order`` is not None, the model has not been run with enough steps. Its time is then
     extrapolated from this order of convergence.
     """
 
@@ -36,7 +39,7 @@ class Side:
 
 @dataclass(frozen=True)
 class Row:
-    """The results of both sides for a scene and a tolerance."""
+    """The results of both sides for one scene and one tolerance."""
 
     scene: str
     tolerance: float
@@ -96,10 +99,11 @@ def time_to(points: Sequence[Point], tolerance: float) -> float | None:
 
 
 def stalls(points: Sequence[Point]) -> bool:
-    """Return whether a model's error has not even halved while its number of steps grew eightfold.
+    """Return whether a model's error no longer decreases when it makes more steps.
 
-    At order 1, the error would fall to an eighth. A model that stalls is therefore assumed to never
-    reach smaller errors. An error of a tenth of the scale or more is too large to draw this
+    A model stalls if its error has not even been halved while its number of steps grew eightfold.
+    At order 1, the error would have fallen to an eighth. A model that stalls is assumed to never
+    reach smaller errors. If the error is a tenth of the scale or more, it is too large for this
     conclusion.
     """
     ordered = sorted(points, key=lambda point: point.steps)
@@ -108,11 +112,11 @@ def stalls(points: Sequence[Point]) -> bool:
 
 
 def order_of(points: Sequence[Point]) -> float | None:
-    """Return a model's order of convergence over the last eightfold increase of its steps, or None.
+    """Return a model's order of convergence, measured over its last eightfold increase of steps.
 
-    The order is the exponent p if the error is proportional to 1 / steps^p. It is unknown if the
-    error does not fall steadily, which means that the order varies between doublings. It is also
-    unknown if the error is a tenth of the scale or more, or if there are fewer than four points.
+    The order is the exponent p in an error that is proportional to 1 / steps^p. The result is None
+    if the order is unknown, which is the case if the error does not fall steadily, if it is a tenth
+    of the scale or more, or if there are fewer than four points.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     last = [point for point in ordered if EIGHTFOLD * point.steps >= ordered[-1].steps]
@@ -211,9 +215,9 @@ def table(points: Sequence[Point]) -> list[Row]:
 
 
 def front(points: Sequence[Point]) -> list[Point]:
-    """Return the points to which no other point is superior in both time and error, by time.
+    """Return the points for which no other point is better in both time and error, sorted by time.
 
-    All errors that come only from rounding count as equal.
+    Errors that come only from rounding all count as equal.
     """
     kept: list[Point] = []
     nearest = math.inf

@@ -1,9 +1,9 @@
-"""The subject of a chart: a scene, its exact solution, and the models that run it.
+"""What a chart is about: a scene, its exact solution, and the models that run the scene.
 
-A model returns the positions at the end of every frame, at 60 frames per second, and may make any
-number of steps in between. Its error is the largest deviation of any coordinate from the exact
-solution at any of these times, in units of the scene's scale. Being right at a single moment is
-therefore not enough.
+A model returns the positions at the end of every frame, at 60 frames per second. It may make any
+number of steps per frame. Its error is the largest deviation of any coordinate from the exact
+solution at the end of any frame, as a fraction of the scene's scale. Being right at a single moment
+is therefore not enough.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ Pull = Callable[[float, float, float, float], tuple[float, float]]  # N, from x,
 
 @dataclass(frozen=True)
 class Outcome:
-    """The positions at the end of every frame, and the number of evaluations of the forces."""
+    """The positions at the end of every frame, and how often the forces were evaluated."""
 
     places: list[Place]
     work: int

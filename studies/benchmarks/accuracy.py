@@ -1,12 +1,12 @@
 """Compare our models with pymunk at equal accuracy.
 
-Each line is pymunk's time as a multiple of the time of one of our models. The position is needed in
-every frame, within a tolerance in units of the scene's size. Each side makes the smallest number of
-steps per frame, out of the powers of two, that meets the tolerance. If even MOST steps are too few
-for pymunk, its time is extrapolated from its order of convergence, and the line says so. If its
-error does not decrease steadily either, the line is a lower bound.
+Each line is pymunk's time divided by the time of one of our models. The positions must be accurate
+in every frame, within a tolerance that is a fraction of the scene's size. Each side uses the
+smallest number of steps per frame, out of the powers of two, that meets the tolerance. If even MOST
+steps are too few for pymunk, its time is extrapolated from its order of convergence, and the line
+says so. If pymunk's error does not decrease steadily either, the line is a lower bound.
 
-The last lines compare the cost of a fixed step with that of `adaptive` for an orbit.
+The last lines compare the cost of fixed steps with that of `adaptive` for an orbit.
 """
 
 from __future__ import annotations

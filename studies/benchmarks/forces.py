@@ -1,4 +1,4 @@
-"""The cost of a force: the step with forces, compared with chapter 3's and with arithmetic."""
+"""Measure the cost of forces, compared with the step of chapter 3 and with plain arithmetic."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The cost of running untrusted code in workers instead of in the process of the checks."""
+"""Measure the cost of running untrusted code in workers rather than in the checks' own process."""
 
 from __future__ import annotations
 

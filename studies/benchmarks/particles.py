@@ -1,4 +1,4 @@
-"""The step of a particle, compared with its arithmetic, with operators and with pymunk."""
+"""Compare the step of a particle with plain arithmetic, with vector operators and with pymunk."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""Sparks that are stepped frame by frame, compared with their closed form.
+"""Compare sparks that are stepped frame by frame with the closed form of their motion.
 
-Both return lists of coordinates, as a screen needs them.
+Both return lists of coordinates, which is what a screen needs.
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""What a full `make charts` keeps in the repository: the picture, its description and the page."""
+"""Update the files that a full `make charts` keeps in the repository.
+
+These are the overview picture, its description, and the page.
+"""
 
 from __future__ import annotations
 
@@ -33,7 +36,7 @@ def _wrapped(alt: str) -> str:
 
 
 def described(rows: Sequence[Row]) -> str:
-    """Return in words what the overview shows: how much longer, or shorter, pymunk takes."""
+    """Describe in words what the overview shows: how much longer, or less long, pymunk takes."""
     scenes = len({row.scene for row in rows})
     ratios = {row.ratio: row for row in rows if row.ratio}
     told = [

@@ -1,10 +1,11 @@
-"""Estimate the error of runs without an exact solution, by halving their steps (Richardson).
+"""Estimate errors without an exact solution, by halving the steps (Richardson extrapolation).
 
-If a model has order p, halving its steps divides its error by 2^p. Therefore the difference d
-between a run and the same run with half the step size is close to the error of the first run, and d
-/ (2^p - 1) is close to the error of the second run. This works only if the order that the
-differences show is steady. It is not steady if bodies collide or if a motion is chaotic, and then
-the error cannot be estimated.
+If a model has order p, halving its steps divides its error by 2^p. The difference d between a run
+and the same run with half the step size is therefore close to the error of the first run, and d /
+(2^p - 1) is close to the error of the second run.
+
+This works only if the differences show a steady order. They do not if bodies collide or if the
+motion is chaotic, and then the error cannot be estimated.
 """
 
 from __future__ import annotations

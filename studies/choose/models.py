@@ -1,4 +1,4 @@
-"""The models that can run a world. The scene decides which of them are tried.
+"""Determine which models can run a world. The contents of the world decide this.
 
 - A world without contacts can use every integrator of chapter 6. If it has no forces either, the
   closed form is exact.

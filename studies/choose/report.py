@@ -1,4 +1,4 @@
-"""Report the cheapest model of a reader's scene, and warn where its error cannot be estimated."""
+"""Report the cheapest model for a reader's scene, and warn if its error cannot be estimated."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Run a reader's scene with every model, with shorter and shorter steps, and time the runs."""
+"""Run a reader's scene with every model, using shorter and shorter steps, and time the runs."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ STILL = 1e-12  # a displacement, as a fraction of what is measured, that is no m
 
 @dataclass
 class Tried:
-    """A model, what its runs with the first choices have measured, and the time of each run in s.
+    """A model, the results of its runs with its first choices, and the time of each run in s.
 
-    ``halved`` contains the estimated errors of the runs. ``failure`` explains why the last run
-    failed, if it did.
+    ``halved`` contains the estimated errors of the runs. If the last run failed, ``failure``
+    explains why.
     """
 
     model: Model
@@ -47,7 +47,7 @@ class Tried:
         self.halved = halved(self.runs, ratio, model.order, may_repeat=may_repeat)
 
     def is_enough(self, tolerance: float) -> bool:
-        """Return whether errors are known and a run and two finer runs meet the tolerance."""
+        """Return whether the errors are known, and a run and two finer runs meet the tolerance."""
         found = self.halved
         within = all(error <= tolerance for error in found.errors[-3:])
         return found.is_exact or (found.is_steady and within)

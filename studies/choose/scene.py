@@ -1,4 +1,4 @@
-"""A scene from a reader's file: how it is built, how long it runs, and what is measured in it."""
+"""Load a scene from a reader's file: how it is built, how long it runs, and what is measured."""
 
 from __future__ import annotations
 
@@ -21,7 +21,10 @@ NAME = "scene_file"  # of the module that a file becomes
 
 
 class SceneError(ValueError):
-    """Raised for a file that does not describe a scene. The message says what is wrong with it."""
+    """Raised when a file does not describe a valid scene.
+
+    The message says what is wrong with it.
+    """
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""The table and the picture of the contact solvers, from measured points."""
+"""Draw the picture and write the table of the contact solvers, from their measured points."""
 
 from __future__ import annotations
 

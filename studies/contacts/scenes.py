@@ -1,15 +1,15 @@
 """Stacks and ropes at rest, and a swinging rope, each run with every solver of chapter 7.
 
-Each scene measures one error, which would be 0 for an exact solver, and reports its largest value
-at the end of any frame in 1 s. The error depends on the scene:
+Each scene measures one error, which would be 0 with an exact solver. It reports the largest value
+of this error at the end of any frame within 1 s. The error depends on the scene:
 
-- For a stack, it is the largest overlap of touching spheres as a fraction of their diameter.
-- For a rope at rest, it is the change in length as a fraction of the rope's length.
-- For a swinging rope, it is the change in energy as a fraction of the kinetic energy at the lowest
+- For a stack, it is the largest overlap of touching spheres, as a fraction of their diameter.
+- For a rope at rest, it is the change in length, as a fraction of the rope's length.
+- For a swinging rope, it is the change in energy, as a fraction of the kinetic energy at the lowest
   point.
 
-The mass ratio compares the top sphere, or the weight at the end of the rope, with any of the other
-bodies, which have 1 kg each. Gravity is 10 m/s^2. The work is the number of steps.
+The mass ratio is that of the top sphere, or of the weight at the end of the rope, to any other
+body. All other bodies have a mass of 1 kg. Gravity is 10 m/s^2. The work is the number of steps.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
-"""Measure the limits of stability by bisection, and the energy inside the limits.
+"""Measure stability limits by bisection, and measure the energy inside the limits.
 
 There are limits for springs, for drag and for a penalty ground. A step is a linear map of position
-and velocity, so its eigenvalues show whether a motion grows. A spring reaches its limit when the
-magnitude of the larger eigenvalue exceeds 1. Drag reaches its limit when a step multiplies the
-velocity by a factor whose magnitude exceeds 1. Pymunk is measured in the same way.
+and velocity, so its eigenvalues show whether a motion grows. A spring is at its limit when the
+magnitude of the larger eigenvalue begins to exceed 1. Drag is at its limit when a step multiplies
+the velocity by a factor whose magnitude begins to exceed 1. Pymunk is measured in the same way.
 """
 
 from __future__ import annotations

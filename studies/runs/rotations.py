@@ -1,7 +1,7 @@
-"""Orientations in plain numbers, for comparison with an engine, and motions for the plots.
+"""Orientations as plain numbers, to compare an engine with, and motions for the plots.
 
-An orientation is described by its components r, i, j and k, or by its arrows: the directions in
-which its own axes X, Y and Z point in the world.
+An orientation is described either by its components r, i, j and k, or by its arrows. The arrows are
+the directions in which its own axes X, Y and Z point in the world.
 """
 
 from __future__ import annotations

@@ -17,7 +17,7 @@ PLACE = "_Write your answer here._"
 RUBRIC = "**Rubric**"
 FILE = "answers.md"
 WORD = re.compile(r"[^\W\d_]{2,}")
-ENOUGH = 2  # words that count as an answer
+ENOUGH = 2  # the fewest words that count as an answer
 
 
 @dataclass(frozen=True)

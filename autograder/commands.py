@@ -39,9 +39,9 @@ def prepare() -> bool:
     PYTHONUTF8=0.
     """
     if sys.getfilesystemencoding() != "utf-8" and os.environ.get("PYTHONUTF8") != "1":
-        os.environ["PYTHONUTF8"] = "1"  # also for the processes that it starts
+        os.environ["PYTHONUTF8"] = "1"  # also affects the processes that are started later
         os.execv(sys.executable, [sys.executable, *sys.orig_argv[1:]])
-    for stream in (sys.stdout, sys.stderr):  # show ? for what the console cannot encode
+    for stream in (sys.stdout, sys.stderr):  # show ? for characters that the console cannot encode
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
     if importlib.util.find_spec("pytest") is None:

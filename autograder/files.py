@@ -23,7 +23,7 @@ def replace_bytes(path: Path, content: bytes) -> None:
             shutil.copymode(path, temporary)
         temporary.replace(path)
     except OSError as error:
-        error.filename = error.filename or str(path)  # it has none if the disk is full
+        error.filename = error.filename or str(path)  # the error lacks it if the disk is full
         if temporary.exists():
             temporary.unlink()
         raise

@@ -79,7 +79,7 @@ def make_handout(
     if out.exists() and any(out.iterdir()):
         raise ValueError(f"out must be a new or empty folder, but {out} is not empty")
     part = out.resolve().with_name(f".{out.resolve().name}.part")
-    shutil.rmtree(part, ignore_errors=True)  # of a run that was killed
+    shutil.rmtree(part, ignore_errors=True)  # left over from a run that was killed
     try:
         _fill(chapters, given, part, root, about)
         out.mkdir(parents=True, exist_ok=True)

@@ -24,7 +24,7 @@ from autograder.checks.students_code import LIBRARY, StudentsCode
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 READABLE = [*LIBRARY, *map(Path, ("/lib", "/lib64", "/usr/lib", "/usr/lib64"))]
 THREAD_STARTERS = "start_new_thread _start_new_thread start_joinable_thread _start_joinable_thread"
-# As Linux numbers them. Python in a browser numbers errors differently.
+# Linux's numbers, because Python in a browser uses different ones.
 NOT_PERMITTED = 1, "Operation not permitted"
 NOT_FOUND = 2, "No such file or directory"
 DENIED = 13, "Permission denied"
@@ -58,7 +58,7 @@ def limit_acts(code: StudentsCode) -> None:
     sys.addaudithook(hear)
     real_system = os.system
     os.system = lambda command: NOT_STARTED if code.is_calling() else real_system(command)
-    for module in (_thread, threading):  # not every Python has an event for these
+    for module in (_thread, threading):  # not every version of Python has an event for these
         for name in THREAD_STARTERS.split():
             if hasattr(module, name):
                 setattr(module, name, _no_threads(code, getattr(module, name)))
@@ -66,7 +66,7 @@ def limit_acts(code: StudentsCode) -> None:
 
 def _open(code: StudentsCode, path: Any, _: str | None, flags: int) -> None:
     if isinstance(path, int):
-        return  # the descriptor of a file that is already open
+        return  # it is the descriptor of a file that is already open
     file = os.path.realpath(path)
     if flags & WRITING:
         if os.path.isdir(os.path.dirname(file)):  # noqa: PTH112, PTH120 - it may be bytes

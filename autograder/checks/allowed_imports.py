@@ -52,7 +52,7 @@ def _refuse(code: StudentsCode, name: str, package: str | None, fromlist: Sequen
         try:
             name = importlib.util.resolve_name(name, package)
         except ImportError:
-            return  # Python raises its own error
+            return  # Python itself raises the error
     top, _, rest = name.partition(".")
     module = rest.partition(".")[0]
     if top in LIBRARY:

@@ -15,7 +15,7 @@ import sys
 import traceback
 from collections.abc import Callable
 
-CAN_COPY = hasattr(os, "fork") and sys.platform != "emscripten"  # there it always fails
+CAN_COPY = hasattr(os, "fork") and sys.platform != "emscripten"  # where fork always fails
 DONE = 87  # exit code of a copy that has finished its work
 
 

@@ -95,7 +95,7 @@ def arrange(
     return Arranged(
         root=str(root_of_checks(folder, root, behind)),
         engine=[str(path) for path in engine],
-        # Relative to root, because pytest rejects paths with brackets.
+        # The paths are relative to root, because pytest rejects paths that contain brackets.
         tests=[f"tests/{chapter.name}", *hidden],
         known=[exercise.id for exercise in chapter.exercises],
         chapter=chapter.name,

@@ -75,8 +75,8 @@ SLIPS = (
     ("can't decode", "Save the file as UTF-8 in your editor."),
     ("null bytes", "Save the file as UTF-8 in your editor."),
 )
-# These may be Python mistakes or follow from a mistake in the physics. So the cause that the check
-# suggests is shown as well.
+# These may be mistakes in Python, or they may follow from a mistake in the physics. So the cause
+# that the check suggests is shown as well.
 PERHAPS = (
     (
         "'tuple'",
@@ -128,7 +128,7 @@ PERHAPS = (
 )
 ESCAPED = re.compile(
     r"\\(?:x([0-9a-f]{2})|u([0-9a-f]{4})|U(000[0-9a-f]{5}|0010[0-9a-f]{4}))"
-)  # an escape in a stack dump
+)  # an escape sequence in a stack trace
 EXERCISE = re.compile(r"Exercise ([A-Z]?\d+\.\w+)")  # in the NotImplementedError of a stub
 STACK_LINE = re.compile(r'File "([^"\n]{1,500})", line (\d{1,6}) in (\S{1,100})')
 
@@ -160,7 +160,7 @@ def explain_exception(
             kind=Kind.UNWRITTEN,
             exercise=named[1] if named else "",
         )
-    # A cause that is set before there is a call does not belong to this exception.
+    # If there is no call yet, the cause was not set for this exception.
     cause, read = (about.cause, about.read) if about.call else ("", "")
     likely, other = _likely(fault.first_line, cause, fault)
     return Message(

@@ -49,7 +49,7 @@ def _candidates(
     """
     every = [(owner, name) for owner, names in edits.items() for name in names]
     own = [(exercise, name) for name in edits.get(exercise, ()) if calls(message.called, name)]
-    says = f"{message.title}\n{message.got}"  # one of them has Python's message
+    says = f"{message.title}\n{message.got}"  # Python's message is in one of them
     return [pair for pair in every if _names(says, pair[1])] + own
 
 

@@ -69,7 +69,7 @@ class InProcess:
                 self._import(module)
                 self.stop()
                 send(Imported())
-        # Only the checks get a placeholder for a missing name. In another module of the student's,
+        # Only the checks get a placeholder for a missing name. In the student's other modules,
         # such a name raises ImportError, both here and in the sandbox.
         for imported in filter(None, map(sys.modules.get, modules)):
             imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
@@ -86,11 +86,11 @@ class InProcess:
         gc.freeze()
 
     def _import(self, module: str) -> None:
-        # With bytecode, Python could miss a second edit of a file within the same second.
+        # Do not write bytecode. It could hide a second edit of a file within the same second.
         sys.dont_write_bytecode = True
         try:
             importlib.import_module(module)
-        except MissingNameError as error:  # it uses another module that is broken
+        except MissingNameError as error:  # the module uses another module that is broken
             sys.modules[module] = broken_module(module, error.message)
         except BaseException as error:  # including SystemExit
             message = explain_import(

@@ -93,7 +93,7 @@ class Judge:
             finally:
                 _processes.discard(process)
                 _kill(process)
-                self.code = process.wait()  # stdout is not closed: a stray child may hold it
+                self.code = process.wait()  # stdout stays open, since a stray child may hold it
                 if process.stdin:
                     process.stdin.close()
                 stderr.seek(max(0, stderr.seek(0, os.SEEK_END) - MOST_STDERR))
@@ -141,10 +141,10 @@ class Ending:
 def judge(run: Run) -> Ending:
     """Start a process for the checks that have no verdict yet, and follow it until it ends."""
     order, silent = run.order, False
-    # Windows holds on to the files of a process for a moment after its end.
+    # On Windows, the files of a process stay locked for a moment after it has ended.
     with tempfile.TemporaryDirectory(prefix="checks-", ignore_cleanup_errors=True) as name:
         folder = Path(name)
-        config = folder / "config.json"  # it may be longer than a command line
+        config = folder / "config.json"  # too long for a command line
         arranged = run.config(folder)
         stack_file = Path(arranged.stack_file)
         stack_file.touch()
@@ -189,7 +189,7 @@ def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
     """Kill a process. If the system has process groups, also kill all processes that it started."""
     with contextlib.suppress(ProcessLookupError, PermissionError):
         if sys.platform == "win32":
-            assert isinstance(process, subprocess.Popen)  # nothing is forked there
+            assert isinstance(process, subprocess.Popen)  # Windows cannot fork judges
             process.kill()
         else:
             os.killpg(process.pid, signal.SIGKILL)

@@ -25,7 +25,7 @@ from autograder.message import Kind, Message
 HURRIED = 0.25  # fraction of the time limit for later checks, once one function has hung twice
 LONGEST_MESSAGE = 8000  # characters; a message shows returned values, which may be huge
 LONGEST_PART = 800  # characters of each part, if the whole message is too long
-ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # of an object; it differs in every run
+ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # the address of an object, which differs in every run
 
 
 @dataclass(frozen=True)
@@ -224,7 +224,7 @@ class Run:
             )
         message, status, behind = decided.message, decided.status, self.order.behind
         if check.rationale is not None and behind is not None and not behind.for_instructor:
-            # Anything else could reveal what is checked, and how.
+            # Any other part of the message could reveal what is checked, and how.
             words = {"failed": check.rationale, "error": "the grader failed on this check"}
             message = Message(words.get(status, ""))
         self.verdicts[check.name] = Verdict(

@@ -11,9 +11,9 @@ import sys
 from pathlib import Path
 
 VARIABLES = {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
-NEEDED = ("SYSTEMROOT",)  # by Python itself, on Windows
-# Bytes on top of what the process uses now. A grader allows 512 MB in all, of which Python needs
-# about 30. Here the thread of the time limit needs another 8 MB for its stack.
+NEEDED = ("SYSTEMROOT",)  # variables that Python itself needs on Windows
+# Bytes in addition to what the process already uses. The grader allows 512 MB in total, of which
+# Python needs about 30 MB. Here, the thread for the time limit needs another 8 MB for its stack.
 MEMORY = 490 << 20
 _ARENA_MAX = -8  # M_ARENA_MAX in malloc.h
 DEPTH = 1000  # recursion limit of a process in the grader
@@ -31,7 +31,7 @@ def leave_home() -> None:
         import ctypes
         import resource
 
-        # A heap per thread would reserve 64 MB each, and two may exist for a moment. Share one.
+        # A heap per thread would reserve 64 MB for each of up to two threads, so they share one.
         set_option = getattr(ctypes.CDLL(None), "mallopt", None)  # only glibc has such heaps
         if set_option:
             set_option(_ARENA_MAX, 1)

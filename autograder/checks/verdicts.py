@@ -84,7 +84,7 @@ class Recorder:
         for number, item in enumerate(hidden, 1):
             item.user_properties.append(("rationale", _rationale(item)))
             worker = self.config.arranged.worker
-            if worker and not worker.for_instructor:  # its real name may reveal what it checks
+            if worker and not worker.for_instructor:  # the real name may reveal what is checked
                 item.name = f"hidden check {number}"
         checks = [
             Check(
@@ -105,7 +105,7 @@ class Recorder:
     def pytest_runtestloop(self, session: pytest.Session) -> bool | None:
         """Run each exercise in a forked copy, if the student's code runs in this process."""
         apart = isinstance(self.engine, InProcess) and self.engine.apart
-        if session.testsfailed or not apart:  # pytest reports a failed collection
+        if session.testsfailed or not apart:  # if the collection failed, pytest reports that
             return None
         for _, group in groupby(session.items, exercise_of):
             run_in_a_copy(partial(run_all, list(group)))

@@ -11,7 +11,7 @@ from autograder.course.lines import Path
 from autograder.course.mistakes import Mistakes, nearest, shown
 from autograder.course.model import Deadline, LatePolicy
 
-YEARS = range(1970, 3000)  # close to the years 1 and 9999, a time in another zone may not exist
+YEARS = range(1970, 3000)  # near the years 1 and 9999, converting to another zone may fail
 
 
 def read_zone(name: Any, path: Path, mistakes: Mistakes) -> ZoneInfo | None:
@@ -39,14 +39,14 @@ def read_time(
     elif value.tzinfo is not None:
         return value.astimezone(zone) if zone else value
     elif zone is None:
-        if not is_zone_wrong:  # the zone's own mistake is enough
+        if not is_zone_wrong:  # that mistake is already reported
             mistakes.add(
                 path,
                 f"{key} has no time zone. Add the offset from UTC, as in {value.isoformat()}"
                 '+02:00, or write time_zone = "Europe/Berlin" at the top of the file',
             )
     else:
-        time = value.replace(tzinfo=zone, fold=1)  # if the clocks show it twice, the later one
+        time = value.replace(tzinfo=zone, fold=1)  # if clocks show it twice, use the later time
         if time.astimezone(UTC).astimezone(zone).replace(tzinfo=None) == value:
             return time
         mistakes.add(path, f"{key} {value} does not exist: the clocks of {zone} go forward then")

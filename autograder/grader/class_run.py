@@ -48,7 +48,7 @@ class ClassRun:
         self.console = console
         self.anonymous = anonymous
         self.reused: list[str] = []
-        self.keeps_reports = True  # those of an earlier run that are still valid
+        self.keeps_reports = True  # whether to reuse reports of an earlier run
 
     def collect(
         self, submissions: list[Submission], arriving: Generator[StudentReport]
@@ -73,7 +73,7 @@ class ClassRun:
                     if not self.console.is_terminal:
                         line = f"{len(reports)}/{len(submissions)} {report.student}"
                         self.console.print(line, markup=False)
-            except BaseException:  # most often Ctrl-C: the reports that are written stay
+            except BaseException:  # most often Ctrl-C; reports that are already written stay
                 progress.stop()
                 line = f"Stopping: {len(reports)} of {len(submissions)} reports are complete. "
                 self.console.print(line + "Run the same command again to resume.")
@@ -113,7 +113,7 @@ class ClassRun:
         if report is None:
             report = replace(grade_submission(self.assignment, submission, self.once), run=self.key)
             if is_stopped():
-                raise GraderError("the run was stopped")  # before this grading ended
+                raise GraderError("the run was stopped")  # while this submission was being graded
         return self.save(report)
 
     def save(self, report: StudentReport) -> StudentReport:

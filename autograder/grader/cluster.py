@@ -122,7 +122,7 @@ def grade_over(
         future = client.submit(*call, pure=False)
         whose[future] = submission
     for future in as_completed(list(whose), loop=client.loop):
-        submission = whose[future]  # the future stays alive: its __del__ could swallow Ctrl-C
+        submission = whose[future]  # keeps the future alive, since its __del__ could swallow Ctrl-C
         try:
             report: StudentReport = future.result()
         except KilledWorker as error:
@@ -178,7 +178,7 @@ def check_worker(work: Work) -> None:
         raise ValueError(f"it has {'; '.join(differences)}")
 
 
-@cache  # testing the sandbox takes a moment
+@cache  # because testing the sandbox takes a moment
 def _level(*, unsafe: bool) -> Level:
     return choose_level(Path(), unsafe=unsafe)
 

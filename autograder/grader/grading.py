@@ -51,7 +51,7 @@ def grade_submission(
                 pairs = _all_results(assignment, once, engine, staged, box, Path(compiled))
         report = _report(assignment, once, submission.student, pairs, notes)
         report = replace(report, submission=staged.digest)
-    except Exception as error:  # the grader's own error: the rest of the class is still graded
+    except Exception as error:  # an error of the grader must not stop the rest of the class
         report = report_of_failure(assignment, submission.student, repr(error))
     return replace(report, seconds=round(time.monotonic() - start, 3))
 

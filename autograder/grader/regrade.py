@@ -19,7 +19,7 @@ from autograder.submissions.find import Submission, file_name
 
 LOG = "regrades.csv"
 COLUMNS = ["time", "student", "points before", "points after", "changed exercises", "why"]
-# These may differ from the class's run, for example because a check was corrected. It is noted.
+# These may differ from the class's run, for example because a check was corrected. A note says so.
 MAY_DIFFER = {
     "checks": "the checks or the reference",
     "grader": "the grader",

@@ -45,7 +45,7 @@ class Session:
         self.on_hang = on_hang
         self.how_it_ended = how_it_ended
         self.broken = broken or {}
-        self.dead = Message()  # the reason, once the worker is gone
+        self.dead = Message()  # once the worker is gone, this is the reason
         self._last = 0
         self._callbacks: list[Callable[..., Any]] = []
 

@@ -65,7 +65,7 @@ class InWorker:
             time_limit,
             fresh=worker.fresh,
         )
-        self.template.warm_up()  # while pytest collects the checks
+        self.template.warm_up()  # starts while pytest collects the checks
         self.modules: list[str] = []
         self.broken: dict[str, Message] = {}
 

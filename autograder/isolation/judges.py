@@ -37,7 +37,7 @@ class Judges:
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
                 pass_fds=[theirs.fileno()],
-                start_new_session=True,  # Ctrl-C is for the grader alone
+                start_new_session=True,  # so that Ctrl-C reaches only the grader
             )
 
     def ask(self, order: Order, descriptors: list[int]) -> int:
@@ -123,7 +123,7 @@ def main() -> None:
                 control.close()
                 _become(order, descriptors)
                 verdicts.run_and_exit()
-            with contextlib.suppress(OSError):  # it may have done so itself, and have ended
+            with contextlib.suppress(OSError):  # the judge may already have done so, or have ended
                 os.setpgid(answer, answer)  # the runner may now kill its group
         for descriptor in descriptors:
             os.close(descriptor)

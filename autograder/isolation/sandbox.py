@@ -82,7 +82,7 @@ def landlock_rules(readable: Sequence[str]) -> int:
     """
     version = landlock_version()
     rights = (1 << _RIGHTS.get(version, _RIGHTS_NOW)) - 1
-    # All rights to files; TCP since version 4; abstract sockets and signals since version 6.
+    # All file access rights. Version 4 adds TCP, and version 6 abstract sockets and signals.
     attributes = struct.pack("QQQ", rights, 0b11, 0b11)
     size = 24 if version >= 6 else 16 if version >= 4 else 8
     rules = _libc.syscall(_CREATE_RULESET, attributes, ctypes.c_size_t(size), 0)
@@ -92,7 +92,7 @@ def landlock_rules(readable: Sequence[str]) -> int:
         try:
             descriptor = os.open(path, os.O_PATH | os.O_CLOEXEC)
         except OSError:
-            continue  # does not exist on this system
+            continue  # this path does not exist on this system
         allowed = _READ_FILE | _READ_DIR if Path(path).is_dir() else _READ_FILE
         rule = struct.pack("=Qi", allowed, descriptor)
         if _libc.syscall(_ADD_RULE, rules, 1, rule, 0) < 0:
@@ -205,7 +205,7 @@ def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
         _lower(resource.RLIMIT_NPROC, 0, 0)
         _control(_SET_DEATH_SIGNAL, 9)
     if rules is not None:
-        _apply(rules)  # so that it is not in one domain with the template
+        _apply(rules)  # gives the worker a Landlock domain of its own
         os.close(rules)
     if allowed is not None:
         _control(_SET_SECCOMP, 2, allowed.program)

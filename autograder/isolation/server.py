@@ -105,7 +105,7 @@ class Server:
             self.wire.send({"callback": number, "with": packed})
             while True:
                 message = self.wire.receive()
-                if "id" in message:  # a request that the check's function makes
+                if "id" in message:  # the check's function makes a request itself
                     self.answer(message)
                 elif "error" in message:
                     raise _error(*message["error"])

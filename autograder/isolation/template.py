@@ -75,7 +75,7 @@ class Template:
         self.fresh = fresh or (not level.seccomp and level.is_sandbox)
         self._own = folder
         self._compiled: dict[str, bytes] = {}
-        self._log = self._new_file()  # of the template itself
+        self._log = self._new_file()  # output of the template itself
         self._process: subprocess.Popen[bytes] | None = None
         self._control: socket.socket | None = None
         self._answers: BinaryIO | None = None
@@ -125,7 +125,7 @@ class Template:
 
     def _new_file(self) -> int:
         """Return the descriptor of a new unnamed file, which is kept in memory if possible."""
-        if hasattr(os, "memfd_create"):  # a tenth of a worker's cost is saved
+        if hasattr(os, "memfd_create"):  # saves a tenth of the cost of a worker
             return os.memfd_create("output")
         descriptor, path = tempfile.mkstemp(dir=self._own)
         Path(path).unlink()
@@ -149,7 +149,7 @@ class Template:
         """
         self._compiled = dict(compiled)
         if self._process is not None:
-            self._discard_next()  # it was forked without this code
+            self._discard_next()  # because it was forked without this code
             self._send_code()
 
     def _send_code(self) -> None:
@@ -185,7 +185,7 @@ class Template:
             time.sleep(0.01)
             if os.pread(self._worker.stack, 1, 0):
                 break
-        time.sleep(0.01)  # until the rest is written
+        time.sleep(0.01)  # wait until the rest is written
         return os.pread(self._worker.stack, 8000, 0).decode("utf-8", errors="replace")
 
     def how_it_ended(self) -> str:

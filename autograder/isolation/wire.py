@@ -42,7 +42,7 @@ class UnsendableError(Exception):
     """Raised when a value is too large, or too deeply nested, to be sent."""
 
 
-_ENCODER = json.JSONEncoder(check_circular=False)  # messages are made by pack
+_ENCODER = json.JSONEncoder(check_circular=False)  # pack never makes circular messages
 _DECODER = json.JSONDecoder()
 
 

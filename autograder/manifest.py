@@ -100,7 +100,7 @@ def load_chapter(folder: Path) -> Chapter:
     return _read_chapter(path, path.read_text(encoding="utf-8"))
 
 
-@cache  # each run of the checks reads every manifest, and grading a class makes hundreds of runs
+@cache  # because each of the hundreds of runs in grading reads every manifest
 def _read_chapter(path: Path, text: str) -> Chapter:
     folder = path.parent
     match = FOLDER_NAME.fullmatch(folder.name)

@@ -9,7 +9,7 @@ from typing import Literal
 from autograder.checks.verdict import Point, Status, Verdict
 from autograder.manifest import Chapter, Exercise
 
-ExerciseStatus = Status | Literal["waiting", "marked"]  # "marked": by a person
+ExerciseStatus = Status | Literal["waiting", "marked"]  # "marked" means that a person gave points
 PHYSICS_SHARE = 0.85  # of an exercise's points, if it also has robust checks
 
 

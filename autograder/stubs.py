@@ -34,7 +34,7 @@ def make_stubs(root: Path = ROOT) -> dict[str, str]:
         solution = root / "solutions" / chapter.name
         for name in chapter.edited_files:
             stubs[f"chapters/{chapter.name}/{name}"] = stub_of(chapter, name, root)
-        for name in chapter.data_files:  # the first line has the column names
+        for name in chapter.data_files:  # only their first line, which has the column names
             lines = (solution / name).read_text(encoding="utf-8").splitlines(keepends=True)
             stubs[f"chapters/{chapter.name}/{name}"] = lines[0]
         answers = solution / "answers.md"
@@ -245,12 +245,12 @@ def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
             return node.with_changes(body=node.body.with_changes(body=members))
         if not isinstance(node, cst.FunctionDef):
             return node
-        name = next(iter(functions(ast.parse(cst.Module([node]).code))), "")  # "": it is async
+        name = next(iter(functions(ast.parse(cst.Module([node]).code))), "")  # "" if it is async
         if prefix + name not in bodies:
             return node
         body: list[Any] = [*cst.parse_module(bodies[prefix + name]).body]
         if node.get_docstring() is not None:
-            first = node.body.body[0]  # a separate line, or on the line of the def
+            first = node.body.body[0]  # on a line of its own, or on the line of the def
             line: Any = first if isinstance(first, cst.SimpleStatementLine) else node.body
             docstring = line.body[0].with_changes(semicolon=cst.MaybeSentinel.DEFAULT)
             body.insert(0, cst.SimpleStatementLine([docstring]))
@@ -264,7 +264,7 @@ def _tidied(source: str) -> str:
     one_line = "lint.isort.split-on-trailing-comma=false"  # if the remaining names fit
     unused = ["check", "--fix", "--select", "F401,I", "--config", one_line, "--quiet", "-"]
     for arguments in (unused, ["format", "-"]):
-        command = [find_ruff_bin(), *arguments]  # without a Python in between, as it runs 98 times
+        command = [find_ruff_bin(), *arguments]  # called directly, because it runs 98 times
         source = subprocess.run(
             command, input=source, capture_output=True, encoding="utf-8", check=True, cwd=ROOT
         ).stdout

@@ -68,8 +68,8 @@ class EngineProcess:
             with contextlib.suppress(ProcessLookupError):
                 process.kill()
             assert process.stdout is not None
-            # Until its output is read, the process does not count as ended. Another coroutine may
-            # be reading it already. A process that it has started may hold its pipes for long.
+            # The process does not count as ended until its output is read, and another coroutine
+            # may already be reading it. A child of the process may keep the pipes open for long.
             with contextlib.suppress(TimeoutError):
                 async with asyncio.timeout(GRACE):
                     with contextlib.suppress(RuntimeError):

@@ -94,7 +94,7 @@ class EngineSocket(WebSocketHandler):
 
     def prepare(self) -> None:
         self.lab.check_host(self.request)
-        origin = self.request.headers.get("Origin")  # only a browser sends it
+        origin = self.request.headers.get("Origin")  # only browsers send this header
         if origin is not None and not self.check_origin(origin):
             raise HTTPError(403)
 

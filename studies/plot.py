@@ -77,7 +77,7 @@ def draw(plot: Callable[[], Picture], folder: Path, limit: float = TIME_LIMIT) -
     for older in (png, table):
         older.unlink(missing_ok=True)
     faulthandler.dump_traceback_later(limit, exit=True)
-    print(f"{name}: ", end="", flush=True)  # first, so that a plot that never ends is named
+    print(f"{name}: ", end="", flush=True)  # printed first, so that a plot that never ends is named
     try:
         picture = plot()
         picture.figure.savefig(png, dpi=110)

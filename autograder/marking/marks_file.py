@@ -22,7 +22,7 @@ class MarksFile:
     """The marks.csv of a class. Several pages and several people may change it at the same time."""
 
     def __init__(self, path: Path, chapters: list[Chapter], students: list[str]) -> None:
-        self.path = path.resolve()  # where a link points
+        self.path = path.resolve()  # the file itself, if the path is a link
         self.chapters = chapters
         self.students = students
 
@@ -69,7 +69,7 @@ class MarksFile:
 
     def _line(self, student: str, exercise: str, mark: Mark, separator: str, newline: str) -> str:
         cells = row_of(student, exercise, mark, self.students)
-        if separator == ";":  # where 2.5 would be a day in May
+        if separator == ";":  # where a spreadsheet would read 2.5 as May 2
             cells[2] = cells[2].replace(".", ",")
         text = io.StringIO(newline="")
         csv.writer(text, delimiter=separator, lineterminator=newline).writerow(cells)

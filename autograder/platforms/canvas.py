@@ -14,7 +14,7 @@ from autograder.reports.texts import number, replace_file
 from autograder.submissions.class_list import ClassList, Member
 
 HEADER = ["Student", "ID", "SIS User ID", "SIS Login ID", "Section"]
-# Canvas ignores columns with such words in their titles.
+# Canvas ignores columns whose titles contain one of these words.
 NOT_IMPORTED = re.compile(r"(Current|Final) (Score|Points|Grade)|Override (Score|Grade|Status)")
 OTHER_COLUMNS = (*HEADER, "LastName", "FirstName", "Integration ID", "Root Account")
 

@@ -32,11 +32,11 @@ def main(folder: Path, root: Path = ROOT) -> None:
     """Print the results of ``folder``/submission. If grading fails, print results that say so."""
     try:
         results = gradescope_results(grade_one(folder, root))
-    except ValueError as error:  # its text is a sentence for people
+    except ValueError as error:  # its text is written for people to read
         print(error, file=sys.stderr)
         results = ungraded_results(str(error))
     except Exception as error:
-        traceback.print_exc()  # Gradescope shows it to the instructor
+        traceback.print_exc()  # Gradescope shows this output to the instructor
         results = ungraded_results(f"{type(error).__name__}: {error}")
     print(as_text(results), end="")
 

@@ -42,8 +42,8 @@ def make_gradescope(
     chapters, given = work.chapters, work.given
     below = {other.name: other for graded in chapters for other in chapters_below(graded, root)}
     own = [other for other in below.values() if other not in given]
-    # Grading a chapter does not need its own reference. The second run needs the reference of
-    # earlier chapters. Without a sandbox, student code could read it, so it is left out then.
+    # Grading a chapter does not need the reference of that chapter, but the second run needs the
+    # reference of earlier ones. Without a sandbox, student code could read it, so it is left out.
     reference = [*given] if unsafe else [*given, *own]
     there = {chapter.name: chapter for chapter in [*chapters, *given, *own]}
     files = [*_files(root, chapters, reference, list(there.values()))]
@@ -104,7 +104,7 @@ def _zipped(contents: dict[str, bytes]) -> bytes:
     with zipfile.ZipFile(memory, "w") as file:
         for name in sorted(contents):
             entry = zipfile.ZipInfo(name, FIRST_DATE)
-            entry.create_system = 3  # Unix, the only system whose modes are read
+            entry.create_system = 3  # Unix, because modes are read only for this system
             entry.external_attr = (0o100755 if name in SCRIPTS else 0o100644) << 16
             file.writestr(entry, contents[name], zipfile.ZIP_DEFLATED)
     return memory.getvalue()

@@ -14,7 +14,7 @@ from autograder.reports.report import StudentReport
 from autograder.scores import possible, shown
 from autograder.submissions.class_list import ClassList
 
-CANVAS_ID = re.compile(r" \([0-9]+\)$")  # of an assignment, at the end of its title
+CANVAS_ID = re.compile(r" \([0-9]+\)$")  # the id at the end of an assignment's title
 
 
 @dataclass(frozen=True)

@@ -18,8 +18,8 @@ MISSING = "nothing handed in"
 UNMATCHED = "not in the roster"
 COLUMNS = "student,status,score,score on given chapters,by hand,waiting"
 WITH_DUE_DATE = ["points", "late days", "penalty"]  # columns for an assignment with a due date
-# A character that begins a formula, also in full width, at the start of a cell or after spaces. A
-# spreadsheet that separates columns by semicolons begins a cell after each of them.
+# A character that begins a formula, even in full width, at the start of a cell or after spaces. If
+# a spreadsheet separates columns by semicolons, a cell also begins after each semicolon.
 FORMULA = re.compile(r"(^|;)(\s*)(?=[=+\-@＝＋－＠])")  # noqa: RUF001
 
 

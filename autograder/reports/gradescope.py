@@ -127,11 +127,11 @@ def _exercise_result(exercise: ExerciseReport) -> ExerciseResult:
     return ExerciseResult(
         number=clean_line(exercise.id),
         name=clean_line(exercise.title),
-        max_score=0 if exercise.extra else exercise.points,  # they add up to the points possible
+        max_score=0 if exercise.extra else exercise.points,  # they add up to the possible points
         output=_output(exercise),
         visibility="visible",
         score=exercise.score if has_score else None,
-        status=verdict if has_score and status != "marked" else None,  # people give only points
+        status=verdict if has_score and status != "marked" else None,  # people give no verdict
     )
 
 

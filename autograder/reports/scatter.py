@@ -25,7 +25,7 @@ class Dot:
     error: float
     x: float
     y: float
-    best: bool  # no work of the same or a lower cost has a smaller error
+    best: bool  # whether nothing at the same or a lower cost has a smaller error
 
 
 @dataclass(frozen=True)

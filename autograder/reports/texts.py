@@ -50,5 +50,5 @@ def check_title(name: str) -> str:
 
 def replace_file(path: Path, text: str) -> None:
     """Write a text to a file atomically, so that no file is ever half written."""
-    # Invalid characters in a student's message or name are written as escapes.
+    # Characters in a student's message or name that cannot be encoded are escaped.
     replace_bytes(path, text.encode("utf-8", errors="backslashreplace"))

@@ -54,7 +54,7 @@ def write_pages(
         (f"pairs/pair-{number:03}.html", pair, comparison.shared(pair))
         for number, pair in enumerate(shown, start=1)
     ]
-    # The index goes first: if this run is killed, an earlier index must not lead to other pairs.
+    # Delete the old index first. If this run is killed, it must not link to pages of other pairs.
     (out / "index.html").unlink(missing_ok=True)
     for old in (out / "pairs").glob("pair-*.html"):
         old.unlink()
@@ -95,7 +95,7 @@ def pieces_of(passage: Passage, kinds: dict[int, str]) -> list[Piece]:
             begin = token.start[1] if row == token.start[0] else 0
             end = token.end[1] if row == token.end[0] else len(lines[row - first])
             if previous[0] == row and previous[2] == kind:
-                begin = previous[1]  # what is between two marked tokens is marked too
+                begin = previous[1]  # text between two marked tokens is marked too
             line = marks[row - first]
             line[begin:end] = [kind] * len(line[begin:end])
             previous = (row, end, kind)

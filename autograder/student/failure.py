@@ -63,7 +63,7 @@ def failure_of(
     )
     message = failed.message
     inherited = failed.status == "inherited"
-    if inherited:  # the cause is not the one that a check of this chapter suggests
+    if inherited:  # then the cause that this chapter's check suggests is wrong
         message = replace(message, likely="", other="", read="")
     rows = [("check", failed.name), *message.rows(printed=False)]
     if failed.robust and exercise.robust:

@@ -115,7 +115,7 @@ def first_open(reports: list[Report], exercise: Exercise | None) -> tuple[Chapte
     open_ones = [pair for pair in everything if pair[1].status not in ("passed", "waiting")]
     if not exercise:
         open_ones = [(c, r) for c, r in open_ones if r.exercise.id in asked_for(c)]
-    if exercise:  # of the exercises that it builds on, only the physics counts
+    if exercise:  # for the exercises that it builds on, only the physics counts
         open_ones = [p for p in open_ones if p[1].exercise == exercise or not p[1].works]
     # All physics comes before any robust check.
     return min(

@@ -39,7 +39,7 @@ def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Ch
         board = Keyboard(session)
         if not session.has_keys:
             board.say("There is no terminal, so keys do not work. Press Ctrl-C to stop.")
-        # The first check comes after the first tick. From then on, no change is missed.
+        # The first check runs after the first tick. After that, no change can be missed.
         for changes in changes_in(engine[0], rust_timeout=TICK, yield_on_timeout=True):
             if (changes or not session.seen) and session.look():
                 board.asking = False

@@ -138,12 +138,12 @@ def _students_of(submission: Submission, by_key: _Index, by_name: _Index) -> lis
     """Return the students whose names match a submission. There should be one at most."""
     export = submission.export
     identity = submission.student
-    if export:  # Moodle's number is not the student's, but that of a participant in one assignment
+    if export:  # Moodle's number identifies a participant in one assignment, not a student
         identity = export.number if export.platform == "canvas" else ""
     alike = by_name[letters(export.name if export else submission.student)]
     same = by_key[key(identity)]
     if not same:
         return alike
     if export and alike and not any(student in alike for student in same):
-        return [*same, *alike]  # the id is that of another system
+        return [*same, *alike]  # the id comes from another system
     return same

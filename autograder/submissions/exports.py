@@ -11,8 +11,8 @@ CANVAS = re.compile(
     r"(?:(?P<late>LATE_)?anon_(?P<anonymous>[^_]+)|(?P<name>.+?)_(?P<too_late>LATE_)?(?P<id>[0-9]+))"
     r"_(?P<upload>[0-9]+)_(?P<file>.+)"
 )
-# Full Name_12345_assignsubmission_file, for a folder; older versions end in _. Without folders,
-# the name of the file follows.
+# A folder is called Full Name_12345_assignsubmission_file, with another _ in older versions. If
+# there are no folders, the name of the file follows.
 MOODLE = re.compile(
     r"(?P<name>.+)_(?P<id>[0-9]+)_assignsubmission_(?P<kind>[a-z]+)(?:_(?P<file>.*))?"
 )

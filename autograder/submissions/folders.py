@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-# Errors that are due to the machine, not to the submission: the grader's fault.
+# Errors that are caused by the machine rather than the submission. The grader is at fault.
 OURS = (errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.EIO, errno.ESTALE)
 DEEPEST = 3  # levels below the submission at which a chapter's folder is found
 MOST_ENTRIES = 5_000  # that are searched in one submission
@@ -55,7 +55,7 @@ def search_folder(
         deeper: list[tuple[str, ...]] = []
         for place in level:
             folder = submission.joinpath(*place)
-            # Looked up by name, so that a chapter is found among any number of other files.
+            # Look chapters up by name, so that they are found among any number of other files.
             for chapter, files in wanted.items():
                 found += _search_chapter(folder / chapter, (*place, chapter), files)
             if depth == DEEPEST or left < 0:

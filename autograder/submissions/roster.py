@@ -67,7 +67,7 @@ def read_roster(path: Path) -> list[Student]:
                 raise ValueError(f"{where}: the {name} is empty")
         for name in UNIQUE:
             value = values[name]
-            # A platform finds students by these cells, so nothing can be put before a formula.
+            # Platforms identify students by these cells, so a formula must not get a prefix.
             if FORMULA.search(value):
                 raise ValueError(
                     f"{where}: the {name} must not begin like a formula of a spreadsheet, "

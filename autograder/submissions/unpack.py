@@ -33,7 +33,7 @@ LARGEST_FILE = 50_000_000
 MOST_OF_ONE = 100_000_000  # of one student
 MOST_IN_ALL = 2_000_000_000
 MOST_FILES = 100_000
-# Errors that are due to a name in the zip, not to this machine.
+# Errors that are caused by a name in the zip rather than by this machine.
 NAMES = (errno.EEXIST, errno.ENOTDIR, errno.EISDIR, errno.ENAMETOOLONG, errno.EILSEQ, errno.EINVAL)
 
 
@@ -92,7 +92,7 @@ def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Co
         for one in there:
             if one.name in names and one.name not in before.names:
                 raise ValueError(f"{one} is not from {path.name}: move it away")
-        # A run that is killed starts again, also if the earlier zip has come back by then.
+        # If a run is killed, the next one starts over, even if the earlier zip is back by then.
         _write_marker(folder, Unpacked("", before.names, []))
         for one in there:
             if one.name in before.names:
@@ -135,7 +135,7 @@ def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[
         target = folder.joinpath(*one.parts)
         try:
             if len(one.parts) > 1 or one.entry.is_dir():
-                (folder / student).mkdir(exist_ok=True)  # however little was handed in
+                (folder / student).mkdir(exist_ok=True)  # even if nothing in it counts
             if one.entry.is_dir() or not target.name.lower().endswith(COUNTS):
                 continue
             content = read_entry(file, one.entry, LARGEST_FILE)
@@ -145,7 +145,7 @@ def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[
             if sizes.total() > MOST_IN_ALL:
                 raise ValueError(f"{file.filename} contains more than {MOST_IN_ALL:,} bytes")
             target.parent.mkdir(parents=True, exist_ok=True)
-            with target.open("xb") as out:  # never through a link, or over another file
+            with target.open("xb") as out:  # does not follow a link or overwrite another file
                 out.write(content)
         except NotTakenError as error:
             notes.append(f"{'/'.join(one.parts)} was left out: {error}")

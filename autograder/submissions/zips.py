@@ -26,13 +26,13 @@ from autograder.submissions.folders import (
     too_large,
 )
 
-# Bytes. A submission has well under 100,000. At this size, a zip that is crafted to keep zipfile
-# busy takes about 2 s, and a larger one takes proportionally longer.
+# Bytes. A normal submission is well below 100,000. A zip of this size that is crafted to keep
+# zipfile busy takes about 2 s, and a larger one would take proportionally longer.
 LARGEST_ZIP = 5_000_000
 MOST_ZIPS = 5  # that are opened in one folder
 ENCRYPTED = 1 << 0  # the flag of an encrypted entry
 DAMAGED = "the zip is damaged, or not an ordinary zip: zip the folder again"
-# The exceptions of zipfile for a zip that is damaged, or of an unknown kind.
+# The exceptions that zipfile raises if a zip is damaged or has an unknown format.
 UNREADABLE = (
     zipfile.BadZipFile,
     zlib.error,

@@ -62,7 +62,7 @@ def shots() -> Picture:
         kept[name] = 100.0 * whole[-1][6] if whole else math.nan
     k = -math.log(SHOT_TYPES["laser"].damping)
     times = [i * 0.1 for i in range(21)]
-    # Drag leaves the fraction d^2t of the kinetic energy, for the shot without gravity.
+    # For a shot without gravity, drag leaves the fraction d^2t of the kinetic energy.
     exact = [100.0 * math.exp(-2.0 * k * t) for t in times]
     energies.plot(times, exact, color=GRAY, lw=5, alpha=0.4, label="theory without gravity, d^2t")
     paths.axhline(0.0, color=GREEN, lw=1)
@@ -195,7 +195,7 @@ def _streaks(
             ys.append(y)
     for type, (xs, ys) in seen.items():
         color = SPARK_COLORS[(type - 1) % len(SPARK_COLORS)]
-        bursts = bool(show.rules[type].payloads)  # in gray, so that its sparks stand out
+        bursts = bool(show.rules[type].payloads)  # drawn in gray, so that its sparks stand out
         axes.plot(xs, ys, ".", ms=1.2, color=GRAY if bursts else color)
     axes.set(facecolor="black", xlim=(-16, 16), ylim=(0, 24), aspect="equal")
     axes.tick_params(labelsize=7)

@@ -147,7 +147,7 @@ def orbit() -> Picture:
             axes.plot(turns, values, color=color, lw=1.2, label=label)
             theory = [values[0] + drift * turn for turn in turns]
             axes.plot(turns, theory, color=color, lw=5, alpha=0.3)
-        # Compare the first turn only, between farthest points: later the orbit has changed.
+        # Compare only the first turn, between farthest points, because the orbit changes later.
         words.append(([values[40] - values[0] for values in (energy, momentum)], drifts))
         rows += [(frames, *row) for row in zip(turns, energy, momentum, strict=True)]
     path.plot([0], [0], "o", color=BLACK, ms=6)

@@ -199,7 +199,7 @@ def error_against_work() -> Picture:
                 work = pull.count or len(run.places) - 1  # one solution of a solver counts as one
                 error = math.inf if run.message else largest_error(run.places, chi, steps)
                 rows.append((k, name, steps, work, error))
-                # Until watched is written, an exploded run may have such an error.
+                # As long as watched is not written, an exploded run may have such an error.
                 if not error < 1e6:
                     axes.plot(steps * cost, 10.0 * 3.0**height, "x", color=color, ms=4)
                 else:

@@ -73,7 +73,7 @@ def bounce_heights() -> Picture:
     left.set_ylim(top=max([1.25 * HEIGHT, *_finite(found.values())]) * 1.15)
     left.legend(fontsize=8, ncols=3, loc="upper center")
     right.legend(fontsize=8)
-    # At restitution 0.5 time division is expected to report an end.
+    # With restitution 0.5, time division should report that the impacts end.
     _notes(figure, {key: run for key, run in found.items() if key != ("time division", 0.5)})
     return Picture(figure, ("method", "restitution", "time, s", "height, m"), rows)
 
@@ -162,7 +162,7 @@ def restitution_of_materials() -> Picture:
         dots = [value for name, value in singles if name == material]
         ratios = [b / a for name, a, b in drops if name == material and a]
         printed = statistics.fmean(ratios) if ratios else math.nan
-        # A ball dropped from 1 m should bounce to the square of its restitution.
+        # A ball dropped from 1 m should bounce to the square of its restitution, in m.
         off.append(abs(mean * mean - printed))
         printed_off.append(abs(printed * printed - printed))
         spread = [i + 0.05 * (j - 0.5 * (len(dots) - 1)) for j in range(len(dots))]

@@ -91,8 +91,8 @@ def mass_ratios() -> Picture:
 def hanging_rope() -> Picture:
     """Plot how far a rope between two nails sinks below its rest position, and the work for it."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
-    # A rope that starts at rest should stay there, and DirectChain's stays to 1e-8 m. So that rope
-    # also starts from a V.
+    # A rope that starts at rest should stay there, and DirectChain keeps it there to 1e-8 m. So
+    # DirectChain is also shown with a rope that starts in the shape of a V.
     scenes: dict[tuple[int, str], Callable[[], Hanging]] = {
         (links, f"rods, {substeps} substep{'s' * (substeps > 1)}"): partial(
             hang_by_rods, links, 60, substeps, 1.0

@@ -17,9 +17,9 @@ from itertools import pairwise
 
 Run = Sequence[Sequence[float]]  # what is measured, for each frame
 
-ROUNDING = 1e-12  # a difference, as a fraction of what is measured, that comes from rounding
+ROUNDING = 1e-12  # fraction of the measured values below which a difference is rounding
 NEAR = 0.3  # between orders that agree, and between an order and the expected one, as a fraction
-LEAST = 0.7  # an order below this is no convergence
+LEAST = 0.7  # below this order, a model does not converge
 
 
 @dataclass(frozen=True)

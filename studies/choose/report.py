@@ -18,8 +18,8 @@ from studies.choose.halving import distance
 from studies.choose.runs import Tried
 from studies.choose.scene import OwnScene, load
 
-LOW = 0.7  # of the expected order: a lower order is worth a warning
-APART = 3.0  # times their estimated errors: two models that differ by more contradict each other
+LOW = 0.7  # fraction of the expected order below which there is a warning
+APART = 3.0  # factor of the estimated errors beyond which two models contradict each other
 
 
 def choose(path: Path, tolerance: float, console: Console) -> int:
@@ -108,7 +108,7 @@ def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
         )
     for tried in found:
         name, order, seen = tried.model.name, tried.model.order, tried.halved.orders
-        # Leapfrog has order 1 if a force depends on the velocity, which is no surprise.
+        # It is expected that leapfrog has order 1 if a force depends on the velocity.
         if tried.halved.is_steady and seen and seen[-1] < LOW * order and name != "leapfrog":
             told.append(
                 f"{name} converges with order {seen[-1]:.1f} instead of {order}, as where a force "

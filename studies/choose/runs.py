@@ -16,8 +16,8 @@ from studies.choose.models import Model, models_of
 from studies.choose.scene import OwnScene, SceneError, why
 
 ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
-ORDERS = 3  # that are seen of a model before it is given up, which takes five runs
-STILL = 1e-12  # a displacement, as a fraction of what is measured, that is no motion
+ORDERS = 3  # orders to observe before a model is given up, for which five runs are needed
+STILL = 1e-12  # fraction of the measured values below which a displacement is not a motion
 
 
 @dataclass

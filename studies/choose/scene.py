@@ -17,7 +17,7 @@ from ch08_mass_aggregate.world import ParticleWorld
 from studies.accuracy.scene import RATE
 
 Values = tuple[float, ...]  # what is measured at the end of a frame
-NAME = "scene_file"  # of the module that a file becomes
+NAME = "scene_file"  # name of the module that is made from a file
 
 
 class SceneError(ValueError):
@@ -145,7 +145,7 @@ def _run(path: Path) -> ModuleType:
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
-    sys.modules[NAME] = module  # where a dataclass of the file looks itself up
+    sys.modules[NAME] = module  # because a dataclass in the file looks itself up there
     try:
         spec.loader.exec_module(module)
     except (Exception, SystemExit) as error:

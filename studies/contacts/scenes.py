@@ -120,7 +120,7 @@ def swinging(two_sided: bool = True) -> Bodies:
     lowest = mechanical_energy(rope(1.0).particles)
 
     def change(duration: float) -> float:
-        # A velocity is that between two positions, so it belongs to the point halfway.
+        # The velocity is the mean between two positions, so it is valid at the point halfway.
         halfway = sum(
             0.5 * duration * particle.mass * particle.acceleration.dot(particle.velocity)
             for particle in bodies.particles[1:]

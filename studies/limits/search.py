@@ -194,7 +194,7 @@ def drag_limits() -> list[Bound]:
     for name, (grows, turns) in DRAG_THEORY.items():
         kept = partial(drag_factor, name)
         rows.append(bound(name, "growth", lambda z, kept=kept: abs(kept(z)), grows))  # type: ignore[misc]
-        # The speed reverses where a step removes more than the whole speed.
+        # The speed reverses if a step removes more than the whole speed.
         turned = first(lambda z, kept=kept: 1.0 - kept(z))  # type: ignore[misc]
         rows.append(Bound(name, "reversal", turned, turns, math.nan))
     return rows

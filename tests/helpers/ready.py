@@ -102,7 +102,7 @@ class Ready:
             stdout=subprocess.PIPE,
             encoding="utf-8",
         )
-        atexit.register(process.stdin.close)  # it ends with its input
+        atexit.register(process.stdin.close)  # the process ends when its input is closed
         process.stdout.readline()  # it has imported the reference; top may now be filled
         return process
 
@@ -173,5 +173,5 @@ def main() -> None:
 
 if __name__ == "__main__":
     ANSWERS = os.dup(1)
-    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # output of checks is not an answer
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # checks may print, but not here
     main()

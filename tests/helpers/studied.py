@@ -57,7 +57,7 @@ def _waiting() -> subprocess.Popen[str]:
         stdout=subprocess.PIPE,
         encoding="utf-8",
     )
-    atexit.register(waiting.stdin.close)  # it ends with its input
+    atexit.register(waiting.stdin.close)  # the process ends when its input is closed
     return waiting
 
 

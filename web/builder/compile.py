@@ -15,7 +15,7 @@ SITE = f"/lib/python3.{sys.version_info.minor}/site-packages"
 LIBRARY = f"/lib/python3{sys.version_info.minor}.zip"
 COURSE = "/course"
 SOURCE = ("chapters", "tests", "scenes")  # folders
-MAGIC = importlib.util.MAGIC_NUMBER + (1).to_bytes(4, "little")  # without a check of the source
+MAGIC = importlib.util.MAGIC_NUMBER + (1).to_bytes(4, "little")  # 1: the source is not checked
 
 
 def packed(folder: Path, place: str, prefix: str = "") -> dict[str, bytes]:

@@ -79,7 +79,7 @@ def _files(chapters: Sequence[Chapter], bodies: Bodies) -> Files:
             found = functions(ast.parse(source))
             mine = [(found[n], body) for (path, n), body in bodies.items() if path == file]
             for function, body in sorted(mine, key=lambda pair: -pair[0].lineno):
-                first = function.body[0]  # the docstring, of which each stub has one
+                first = function.body[0]  # the docstring, which every stub has
                 indent = " " * first.col_offset
                 new = textwrap.indent(body, indent).split("\n")
                 lines[first.end_lineno : function.end_lineno] = new

@@ -41,7 +41,7 @@ def launched(*arguments: str) -> Iterator[Any]:
     from playwright.sync_api import sync_playwright
 
     with sync_playwright() as driver:
-        # Chromium's sandbox needs rights that containers do not give, and the pages are our own.
+        # Chromium's sandbox needs rights that containers lack. It is not needed for our own pages.
         command = ["--no-sandbox", *arguments]
         opened = driver.chromium.launch(executable_path=CHROMIUM, args=command)
         yield opened

@@ -86,7 +86,7 @@ class Link:
         code.change(*self.known)
         sys.setrecursionlimit(SHALLOW)
         path, sys.path = sys.path, [*sys.path, *map(str, self.engine)]
-        sys.dont_write_bytecode = True  # stale bytecode could hide a change made at once
+        sys.dont_write_bytecode = True  # stale bytecode could hide a quick change
         sys.modules.update(self.modules)
         try:
             yield

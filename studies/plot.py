@@ -1,4 +1,4 @@
-"""Draw a chapter's plots with an engine, as PNG and CSV files under build/plots/.
+"""Draw a chapter's plots with an engine, and write PNG and CSV files to build/plots/.
 
 Each chapter's module in lab/plots/ has a tuple PLOTS of functions that return a Picture. If a plot
 takes longer than TIME_LIMIT, the run ends and prints a stack trace.

@@ -74,7 +74,7 @@ def pymunk_step(
 
 
 def pymunk_damping(x: float, v: float, k: float, c: float, mass: float, duration: float) -> State:
-    """Step a pymunk body in a space with damping d = e^(-c / m), without a spring."""
+    """Step a pymunk body without a spring, in a space with damping d = e^(-c / m)."""
     del k
     space = pymunk.Space()
     space.damping = math.exp(-c / mass)
@@ -213,7 +213,10 @@ def drag_factor(name: str, z: float) -> float:
 
 
 def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
-    """Find where growth begins. Return it with the theoretical limit and the steps to diverge."""
+    """Find where growth begins.
+
+    Return it with the theoretical limit and the steps to divergence.
+    """
     found = first(growth)
     bears = 0.0 < found < math.inf
     steps = math.log(HUGE) / math.log(growth(OUTSIDE * found)) if bears else math.nan
@@ -250,8 +253,8 @@ def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
 def energies_after(matrix: tuple[float, float, float, float], swings: list[int]) -> list[float]:
     """Return the energy after these numbers of oscillations, relative to the initial energy.
 
-    Each value is the mean over an oscillation, because the energy of a symplectic method oscillates
-    around a constant mean. ``matrix`` is that of a step of (x, v h).
+    Each value is the mean over one oscillation, because the energy of a symplectic method
+    oscillates around a constant mean. ``matrix`` is the matrix of a step of (x, v h).
     """
     a, b, c, d = matrix
     length = 2.0 * math.pi / math.sqrt(STIFFNESS) / FRAME

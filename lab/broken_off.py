@@ -1,4 +1,4 @@
-"""Explain why an engine stopped while it was answering a message."""
+"""Explain why an engine stopped before it had answered a message."""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ from lab.pen import Pen
 
 
 class ContactView(ContactResolver):
-    """A resolver that calls another resolver and records the results of the last step."""
+    """A resolver that delegates to another resolver and records what it did in the last step."""
 
     def __init__(self, resolver: ContactResolver) -> None:
         self.resolver = resolver

@@ -1,4 +1,4 @@
-"""Start, query and stop the processes that run students' code, on behalf of the server."""
+"""Start, query and stop the processes that run students' code. The server uses this module."""
 
 from __future__ import annotations
 
@@ -34,10 +34,10 @@ class EngineProcess:
         self.stack = Path(self.folder.name) / "stack.txt"
 
     async def ask(self, message: str) -> AsyncIterator[str]:
-        """Send a message and yield its answers, each a line of JSON.
+        """Send a message to the process, and yield its answers as lines of JSON.
 
-        If the process exits or exceeds the time limit, it is killed. The last answer then
-        explains why.
+        If the process exits or takes too long, it is killed. The last answer then explains the
+        reason.
         """
         limit = TIME_LIMIT + GRACE
         if self.process is None:
@@ -101,10 +101,10 @@ class EngineProcess:
 
 
 async def recording(engine: str, given: str, scene: str, values: dict[str, str]) -> bytes:
-    """Record an animation of a scene and return it as a GIF.
+    """Record an animation of a scene, and return it as a GIF.
 
     Raises:
-        ValueError: If the recording fails. The message is the last line of its output.
+        ValueError: The recording fails. The message is the last line of its output.
     """
     settings = [f"--set={name}={value}" for name, value in values.items()]
     with tempfile.TemporaryDirectory(prefix="lab-") as folder:

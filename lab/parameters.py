@@ -1,4 +1,4 @@
-"""The parameters of a scene: numbers and choices that the reader can change."""
+"""The parameters of a scene, which are numbers and choices that the reader can change."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from typing import Any
 
 
 class Parameter:
-    """A value of a scene that the reader can change, defined as a class attribute of the scene.
+    """A value that the reader can change, defined as a class attribute of a scene.
 
-    On a scene instance the attribute is the current value: ``self.stiffness`` is a number. A
-    ``live`` parameter can change while the scene runs. Changing any other parameter rebuilds the
-    scene.
+    On an instance of the scene, the attribute holds the current value, so ``self.stiffness`` is a
+    number. A ``live`` parameter can change while the scene runs. If any other parameter changes,
+    the scene is built again.
     """
 
     def __init__(self, default: Any, label: str, unit: str, *, live: bool) -> None:
@@ -44,9 +44,9 @@ class Parameter:
 
 
 class Slider(Parameter):
-    """A number from ``low`` to ``high``.
+    """A number between ``low`` and ``high``, which the reader sets with a slider.
 
-    The slider moves in steps of ``step``. If ``log`` is true, it is logarithmic.
+    The slider moves in steps of ``step``. If ``log`` is true, its scale is logarithmic.
     """
 
     def __init__(
@@ -88,7 +88,7 @@ class Slider(Parameter):
 
 
 class Choice(Parameter):
-    """One of several options, which are numbers or texts."""
+    """A choice between several options, which are numbers or texts."""
 
     def __init__(
         self,

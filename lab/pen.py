@@ -71,7 +71,7 @@ class Pen:
         self._add("segments", color, _flat(end for pair in pairs for end in pair), width)
 
     def area(self, corners: Iterable[Point], color: str = "gray", *, solid: bool = False) -> None:
-        """Fill an area. It is translucent, like water, unless ``solid`` is true."""
+        """Fill an area. Unless ``solid`` is true, it is translucent, like water."""
         self._add("area", color, _flat(corners), solid)
 
     def spring(self, a: Point, b: Point, color: str = "gray") -> None:
@@ -79,7 +79,7 @@ class Pen:
         self._add("spring", color, *_xy(a), *_xy(b))
 
     def arrow(self, start: Point, vector: Point, color: str = "green", kind: str = "") -> None:
-        """Draw an arrow. The reader can show or hide the kinds listed in ARROWS."""
+        """Draw an arrow. If its kind is listed in ARROWS, the reader can show or hide it."""
         self._add("arrow", color, *_xy(start), *_xy(vector), kind)
 
     def text(self, at: Point, words: str, color: str = "black", size: float = 14.0) -> None:
@@ -87,7 +87,7 @@ class Pen:
         self._add("text", color, *_xy(at), words, size)
 
     def ground(self, height: float = 0.0) -> None:
-        """Draw level ground across the whole view."""
+        """Draw level ground that extends across the whole view."""
         self._add("ground", "gray", _short(height))
 
     def _add(self, kind: str, color: str, *values: Any) -> None:
@@ -106,5 +106,5 @@ def _flat(points: Iterable[Point]) -> list[float]:
 
 
 def _short(value: float) -> float:
-    """Round a number to the precision that a picture needs, to keep frames small."""
+    """Round a number to the precision that a picture needs, which keeps messages small."""
     return float(f"{value:.5g}")

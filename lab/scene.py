@@ -1,4 +1,4 @@
-"""The base class of all scenes in the lab: parameters, simulation steps and drawing."""
+"""The base class of all scenes in the lab, which provides parameters, steps and drawing."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ FRAME = 1.0 / 60.0  # s per frame
 class Question:
     """A question that the reader answers before the scene runs.
 
-    ``answer`` returns the index of the correct option for a scene with its current parameters.
-    ``why`` explains in a sentence or two what the reader has seen after ``seconds``.
+    ``answer`` is a function that returns the index of the correct option for the scene's current
+    parameters. ``why`` explains, in a sentence or two, what the reader has seen after ``seconds``.
     """
 
     words: str
@@ -29,11 +29,11 @@ class Question:
 
 
 class Scene:
-    """A scene in its own units, which are m unless the axes say otherwise.
+    """A scene in its own units, which are meters unless the axes say otherwise.
 
     A subclass sets the class attributes, defines parameters, and overrides ``build``, ``step``,
-    ``draw`` and any other methods that it needs. ``peers`` maps names, such as "exact" or
-    "pymunk", to subclasses that run the same scene by another method.
+    ``draw`` and any other methods that it needs. ``peers`` maps names, such as "exact" or "pymunk",
+    to subclasses that run the same scene by another method.
     """
 
     chapter: ClassVar[int]
@@ -74,11 +74,11 @@ class Scene:
         raise NotImplementedError
 
     def chart(self) -> dict[str, float]:
-        """Return the values to chart over time, keyed by name and unit, such as "energy, J"."""
+        """Return the values to plot over time, keyed by name and unit, such as "energy, J"."""
         return {}
 
     def state(self) -> list[float]:
-        """Return the coordinates to compare with the exact ones."""
+        """Return the coordinates that are compared with the exact ones."""
         return []
 
     def exact(self, time: float) -> list[float] | None:  # noqa: ARG002 - subclasses use it

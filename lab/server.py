@@ -23,7 +23,7 @@ REFERENCE = "solutions"
 
 
 class Lab(Site):
-    """The state that all handlers share: the available engines and the open sockets."""
+    """The data that all request handlers share: the available engines and the open sockets."""
 
     def __init__(self, engine: str, given: str = "") -> None:
         super().__init__()
@@ -55,7 +55,7 @@ class Lab(Site):
 
 
 class Scenes(Handler):
-    """The list of scenes and engines. It is available without importing an engine."""
+    """Serves the list of scenes and engines, for which no engine has to be imported."""
 
     site: Lab
 
@@ -65,7 +65,7 @@ class Scenes(Handler):
 
 
 class Recording(Handler):
-    """An animation of a scene with the parameters in the query."""
+    """Serves an animation of a scene with the parameters in the query."""
 
     site: Lab
 
@@ -122,7 +122,7 @@ class EngineSocket(WebSocketHandler):
                 pass
 
     async def saved(self, files: list[str]) -> None:
-        """Stop the old engine and notify the page, which then reloads its scene."""
+        """Stop the old engine, and notify the page so that it reloads its scene."""
         if self.engine is not None and self.get_query_argument("engine", "yours") == "yours":
             async with self.turn:
                 await self.engine.end()
@@ -136,7 +136,10 @@ class EngineSocket(WebSocketHandler):
 
 
 async def serve(lab: Lab, port: int, ready: Any) -> None:
-    """Serve until Ctrl-C. Calls ``ready`` with the address once the server is listening."""
+    """Serve until the user presses Ctrl-C. When the server is listening, call ``ready`` once.
+
+    ``ready`` receives the address.
+    """
     lab.listen(lab.application(), port)
     ready(lab.address)
     await lab.watch()

@@ -36,7 +36,7 @@ LONGEST = 600  # frames, enough for every shot to land and every firework to bur
 
 
 def shots() -> Picture:
-    """Draw the paths of the five shots and the fraction of its energy that each shot keeps."""
+    """Draw the paths of the five shots, and what fraction of its energy each shot keeps."""
     figure, (paths, energies) = pyplot.subplots(
         2, 1, figsize=(9, 7), height_ratios=(2, 1), layout="constrained"
     )
@@ -84,7 +84,7 @@ def shots() -> Picture:
 
 
 def fireworks() -> Picture:
-    """Draw every type of firework and the Catherine wheel, until all sparks have gone out."""
+    """Draw every type of firework, and the Catherine wheel, until all sparks have gone out."""
     rules = [*FIREWORK_TYPES, *(own_types() if is_written(own_types) else [])]
     figure, panels = pyplot.subplots(3, 4, figsize=(12, 7.4), layout="constrained")
     rows = []
@@ -157,7 +157,10 @@ PLOTS = (shots, fireworks, step_error)
 
 
 def _flight(name: str) -> Iterator[list[tuple[str, Numbers, Numbers]]]:
-    """Fire a shot and yield, after each frame, the type, position and velocity of its pieces."""
+    """Fire a shot.
+
+    After each frame, yield the type, the position and the velocity of each piece.
+    """
     at = BallisticRange()
     at.fire(name)
     for _ in range(LONGEST):
@@ -179,7 +182,10 @@ def _energy(name: str, velocity: Numbers, height: float) -> float:
 def _streaks(
     axes: Axes, show: FireworksShow, before: Callable[[], None], frames: int = LONGEST
 ) -> list[int]:
-    """Draw the fireworks of all frames into one picture, and return how many burned in each."""
+    """Draw all frames of a show into one picture.
+
+    Return the number of burning fireworks in each.
+    """
     seen: dict[int, tuple[list[float], list[float]]] = {}
     counts = []
     for _ in range(frames):

@@ -1,4 +1,4 @@
-"""A picture of chapter 5: the cost of each force generator."""
+"""A picture of chapter 5 that shows how much time each force generator costs."""
 
 from __future__ import annotations
 

@@ -85,7 +85,7 @@ def terminal_speeds() -> Picture:
 
 
 def fall_with_drag() -> Picture:
-    """Draw a fall with quadratic drag in long frames next to the closed form, and its errors."""
+    """Plot a fall with quadratic drag in long frames beside the closed form, and its errors."""
     k2, seconds, frame = 0.05, 4.0, 0.2
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.6), layout="constrained")
     count = round(seconds / frame)
@@ -180,7 +180,10 @@ PLOTS = (terminal_speeds, fall_with_drag, orbit, cost_of_a_generator)
 def _fall(
     mass: float, k1: float, k2: float, frame: float, frames: int
 ) -> list[tuple[float, float]]:
-    """Let a particle fall from rest with drag, and return its distance and speed per frame."""
+    """Let a particle fall from rest with drag.
+
+    Return its distance and its speed after each frame.
+    """
     particle = Particle(acceleration=Vector3(*DOWN), mass=mass)
     drag = Drag(k1, k2)
     seen = [(0.0, 0.0)]
@@ -192,7 +195,7 @@ def _fall(
 
 
 def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers]]:
-    """Move a particle around mu = 1 from its farthest point. Return every n-th state."""
+    """Move a particle around mu = 1, starting from its farthest point. Return every n-th state."""
     farthest = 1.0 + ECCENTRICITY
     slowest = math.sqrt((1.0 - ECCENTRICITY) / farthest)
     particle = Particle(Vector3(-farthest, 0.0, 0.0), Vector3(0.0, -slowest, 0.0))

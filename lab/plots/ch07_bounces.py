@@ -147,7 +147,7 @@ def resting_jitter() -> Picture:
 
 
 def restitution_of_materials() -> Picture:
-    """Draw the restitution of measured drops, with and without the square root (exercise 7.1)."""
+    """Plot the restitution of measured drops, with and without the square root (exercise 7.1)."""
     path, drops = _drops()
     table = table_of_drops(drops)
     singles = [(material, number(restitution_of_drop(a, b))) for material, a, b in drops]
@@ -210,7 +210,10 @@ def _bouncing(name: str, restitution: float, frames: int) -> Callable[[], Track]
 def _resting(
     name: str, restitution: float, rule: Resolve | None, generated: bool
 ) -> Callable[[], Track]:
-    """Return a run that starts above the ground, so that explicit Euler first has no contact."""
+    """Return a run that starts slightly above the ground.
+
+    With this start, explicit Euler has no contact at first.
+    """
     return lambda: ball(STEPS[name], 1e-6, restitution, 120, rule, generated)
 
 
@@ -219,7 +222,7 @@ def _falling(height: float, restitution: float, rule: Resolve | None) -> Callabl
 
 
 def _finite(runs: Iterable[Track]) -> list[float]:
-    """Return the heights that fit into a picture. A wrong engine may lose the ball."""
+    """Return those heights that fit into a picture. With a wrong engine, the ball may be lost."""
     return [height for run in runs for height in run.values if abs(height) < 10.0 * HEIGHT]
 
 

@@ -153,7 +153,7 @@ def pendulum_energy() -> Picture:
 def _hanging(
     link: Link, count: int, iterations: int | None, substeps: int
 ) -> Callable[[], tuple[float, str]]:
-    """Return a scene in which a chain hangs for 2 s. It returns the largest error of a rod."""
+    """Return a scene that lets a chain hang for 2 s, and returns the largest error of a rod."""
 
     def scene() -> tuple[float, str]:
         resolve = by_resolver(iterations, HeapResolver)

@@ -163,7 +163,7 @@ def hanging_rope() -> Picture:
 
 
 def _late(run: Track, since: float) -> float:
-    """Return the largest value from a time on, or infinity if the engine failed earlier."""
+    """Return the largest value after a time, or infinity if the engine failed before that time."""
     late = [value for time, value in run.points if time >= since]
     return max(late, default=math.inf) if not run.message else math.inf
 
@@ -171,7 +171,7 @@ def _late(run: Track, since: float) -> float:
 def _ended(
     scene: Callable[[], Hanging], key: tuple[int, str], notes: list[str]
 ) -> Callable[[], Hanging | None]:
-    """Return a scene that adds a note and returns None if the engine raises an error."""
+    """Return a scene that adds a note and returns None if the engine raises an error in it."""
 
     def run() -> Hanging | None:
         hung: list[Hanging] = []

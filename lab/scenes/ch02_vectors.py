@@ -20,7 +20,10 @@ def rotated(x: float, y: float, angle: float) -> tuple[float, float]:
 
 
 class Projection(Scene):
-    """The component of one vector along another: its scalar product with a unit vector."""
+    """A scene about the component of one vector along another vector.
+
+    The component is the scalar product with a unit vector.
+    """
 
     chapter = 2
     title = "Projection: how much of a points along b?"
@@ -86,7 +89,7 @@ class Projection(Scene):
 
 
 class CrossProduct(Scene):
-    """Two vectors on the ground and their vector product, which points up or down."""
+    """A scene with two vectors on the ground and their vector product, which points up or down."""
 
     chapter = 2
     title = "Cross product: a direction and an area"

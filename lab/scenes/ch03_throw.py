@@ -68,13 +68,13 @@ class Throw(Scene):
         return self.HOOPS[self.passed % len(self.HOOPS)]
 
     def flight(self) -> DragFlight:
-        """Return the current throw as plain numbers, together with its exact solution."""
+        """Return the current throw in plain numbers, together with its exact solution."""
         angle = math.radians(self.angle)
         velocity = (self.speed * math.cos(angle), self.speed * math.sin(angle), 0.0)
         return DragFlight("throw", State((*self.HAND, 0.0), velocity), GRAVITY, self.damping, 6.0)
 
     def new_ball(self) -> Particle:
-        """Return a particle that leaves the hand as the current throw does."""
+        """Return a particle with the position and velocity at the start of the current throw."""
         start = self.thrown.start
         return Particle(
             Vector3(*start.position),
@@ -120,7 +120,7 @@ class Throw(Scene):
                 self.land()
 
     def land(self) -> None:
-        """End the throw, and report where both paths pass the hoop."""
+        """End the throw, and report where the ball and the exact path passed the hoop."""
         yours, exact = self.past_hoop(self.path), self.past_hoop(self.truth)
         self.message = f"Your ball: {self.told(yours)}. The exact path: {self.told(exact)}."
         self.score += self.is_in(yours)

@@ -18,7 +18,7 @@ WHEEL_SPARK = FireworkRule(12, 0.5, 0.9, (-1.5, -1.5, -1.5), (1.5, 1.5, 1.5), da
 
 
 class Fireworks(Scene):
-    """A display that lasts as long as the player clicks on its rockets, and a Catherine wheel."""
+    """A display that lasts as long as the player clicks on its rockets, with a Catherine wheel."""
 
     chapter = 4
     title = "Keep the fireworks alive"
@@ -96,7 +96,7 @@ class Fireworks(Scene):
             click(self.display, x, y)
 
     def play(self, time: float) -> None:
-        """Click on each rocket just before it bursts, but let the display end in the last 3 s."""
+        """Click on each rocket just before it bursts. In the last 3 s, let the display end."""
         if time > self.seconds - 3.0:
             return
         if not self.plays:

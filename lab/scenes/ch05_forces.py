@@ -25,7 +25,7 @@ def lands_first(scene: FallInAir) -> int:
 
 
 class FallInAir(Scene):
-    """Two balls that fall from a tower with quadratic drag."""
+    """A scene in which two balls fall from a tower with quadratic drag."""
 
     chapter = 5
     title = "Which ball lands first?"
@@ -97,7 +97,10 @@ class FallInAir(Scene):
         return [ball.position.y for ball in self.fallers]
 
     def exact(self, time: float) -> list[float]:
-        """Return the exact heights. A ball that has landed no longer contributes to the error."""
+        """Return the exact heights.
+
+        Once a ball has landed, it no longer contributes to the error.
+        """
         heights = []
         for ball, landed, (mass, k2, _) in zip(
             self.fallers, self.landed, self.balls(), strict=True

@@ -23,7 +23,7 @@ def explodes(scene: OneSpring) -> int:
 
 
 class OneSpring(Stepped):
-    """A ball on a spring that moves along a line. Its exact motion is known."""
+    """A scene in which a ball on a spring moves along a line. Its exact motion is known."""
 
     chapter = 6
     title = "One spring, five integrators"
@@ -95,7 +95,7 @@ class OneSpring(Stepped):
         self.let_go(max(-2.0, min(2.0, x)), 0.0)
 
     def let_go(self, x: float, v: float) -> None:
-        """Set the ball's state, and restart the exact motion from it."""
+        """Set the ball's position and velocity, and restart the exact motion from there."""
         self.ball.position.x, self.ball.velocity.x = x, v
         self.since, self.x0, self.v0 = self.time, x, v
 

@@ -26,7 +26,10 @@ def lower_end(scene: Platform) -> int:
 
 
 class Platform(WorldScene):
-    """A weight on a platform that tilts on a pivot. The pivot can be freed (mini-project 8.1)."""
+    """A platform that tilts on a pivot, with a weight on it (mini-project 8.1).
+
+    The reader can free the pivot.
+    """
 
     chapter = 8
     title = "A platform that tips"
@@ -110,7 +113,10 @@ class Platform(WorldScene):
 
 
 class Blob(WorldScene):
-    """A blob of bonds that break and heal. It can be pushed around and held together by cables."""
+    """A blob of bonds that break and heal.
+
+    The reader can push it, and hold it together by cables.
+    """
 
     chapter = 8
     title = "A blob that tears"
@@ -170,7 +176,7 @@ class Blob(WorldScene):
         self.contacts.draw(pen, 2.0)
 
     def holding(self) -> int:
-        """Return the number of bonds that are not broken."""
+        """Return the number of bonds that are intact."""
         return sum(bond.holds for bond in self.blob.bonds)
 
     def chart(self) -> dict[str, float]:

@@ -62,7 +62,7 @@ class Pull:
 
 @dataclass(frozen=True)
 class Swing:
-    """Positions and velocities at the start and after each step, and any error at the end."""
+    """The positions and velocities before and after each step, and any error that ended the run."""
 
     places: list[float]
     velocities: list[float]

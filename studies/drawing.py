@@ -66,7 +66,7 @@ def tell(figure: Figure, notes: Sequence[str]) -> None:
 def arrow(
     axes: Axes, tip: Numbers, label: str, color: str, *, tail: Numbers = (0, 0, 0), style: str = "-"
 ) -> None:
-    """Draw an arrow in the X-Y plane with its label, or nothing if a number is NaN."""
+    """Draw an arrow in the X-Y plane with its label. If a number is NaN, draw nothing."""
     if not is_drawable(tip, tail):
         return
     arrowprops = {"arrowstyle": "-|>", "color": color, "linestyle": style, "lw": 2.0}
@@ -78,9 +78,9 @@ def arrow(
 def arrow_3d(
     axes: Any, tip: Numbers, label: str, color: str, style: str = "-", tail: Numbers = (0, 0, 0)
 ) -> None:
-    """Draw an arrow with +Y up on the paper, or nothing if a number is NaN.
+    """Draw an arrow in a view in which +Y points up. If a number is NaN, draw nothing.
 
-    The label is beyond the tip and may be empty.
+    The label is placed beyond the tip and may be empty.
     """
     if not is_drawable(tip, tail):
         return
@@ -94,7 +94,7 @@ def arrow_3d(
 
 
 def axes_3d(figure: Figure, place: Any, size: float) -> Any:
-    """Return axes for arrow_3d that reach from -size to size."""
+    """Return axes for ``arrow_3d`` that extend from -size to size."""
     axes: Any = figure.add_subplot(place, projection="3d")
     axes.set(xlim=(-size, size), ylim=(-size, size), zlim=(-size, size))
     axes.set(xlabel="z", ylabel="x", zlabel="y")
@@ -113,10 +113,10 @@ def slope(x: Sequence[float], y: Sequence[float]) -> float:
 def growth_map(
     axes: Axes, x: Sequence[float], y: Sequence[float], grown: Sequence[Sequence[float]]
 ) -> Any:
-    """Color each cell by the factor by which a step multiplies oscillations, one row per y.
+    """Color each cell of a map by the factor by which a step multiplies oscillations.
 
-    Values beyond the ends of the color scale get the color of the end. The result is for
-    growth_bar.
+    ``grown`` has one row per y. Values beyond an end of the color scale get the color of that end.
+    Pass the result to ``growth_bar``.
     """
     shades = [[_shade(value) for value in row] for row in grown]
     return axes.pcolormesh(x, y, shades, cmap=GROWTH, norm=LogNorm(0.25, 4.0))

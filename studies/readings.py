@@ -95,5 +95,5 @@ def angle_between(a: Numbers, b: Numbers) -> float:
 
 
 def is_drawable(*vectors: Numbers) -> bool:
-    """Return whether all components are finite numbers."""
+    """Return whether all components of these vectors are finite numbers."""
     return all(math.isfinite(value) for vector in vectors for value in vector)

@@ -40,7 +40,7 @@ COLUMNS = (
 
 
 def draw(points: Sequence[Point], counted: str, png: Path) -> None:
-    """Write the chart of one scene, and a table of its points."""
+    """Write the chart of one scene and a table of its points."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.5), layout="constrained")
     styles = styles_of(points)
     edge = front(points)
@@ -142,10 +142,10 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
 
 
 def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None:
-    """Draw the ratio of one row of the table as a mark, which is open if a time is extrapolated.
+    """Draw the ratio in one row of the table as a mark.
 
-    A bound is drawn as an open mark with an arrow. If one side can never reach the tolerance, the
-    word "never" is written at the edge instead.
+    The mark is open if a time is extrapolated. A bound is an open mark with an arrow. If one side
+    can never reach the tolerance, the word "never" is written at the edge instead of a mark.
     """
     if found.ratio:
         face = "none" if found.is_extrapolated else color
@@ -163,7 +163,7 @@ def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None
 
 
 def said(found: Row) -> str:
-    """Return a row of the table as a sentence."""
+    """Describe a row of the table in a sentence."""
     ours, theirs = found.ours, found.pymunk
     start = f"at an error of {found.tolerance:g} of the scale, "
     if ours.time is None or theirs.time is None:
@@ -178,9 +178,9 @@ def said(found: Row) -> str:
 
 
 def told(side: Side) -> str:
-    """Describe one side of a row: its model and time, or the reason why it has none.
+    """Describe one side of a row by its model and time, or by the reason why it has no time.
 
-    A time that is extrapolated is marked with its order of convergence.
+    If the time is extrapolated, the order of convergence is added.
     """
     if side.time is not None:
         time = f"{side.model}, {_number(1e3 * side.time)} ms"
@@ -202,7 +202,7 @@ def told_ratio(found: Row) -> str:
 
 
 def _number(value: float) -> str:
-    """Return a number with three digits, or all digits before the point: 0.0277, 5.51, 4,190."""
+    """Format a number with three digits, or all digits before the point: 0.0277, 5.51, 4,190."""
     return f"{value:.3g}" if value < 1000.0 else f"{float(f'{value:.3g}'):,.0f}"
 
 

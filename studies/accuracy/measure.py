@@ -36,10 +36,10 @@ LONG, FEW = 1.0, 2  # s, rounds: a run that takes longer is timed only in the fi
 
 @dataclass
 class Point:
-    """The results of a model with one choice of its steps.
+    """The results of a model for one choice of its steps.
 
-    ``steps`` is the number of steps per frame, or 1 / tolerance for a model that takes a tolerance.
-    ``times`` contains one time in s per round.
+    ``steps`` is the number of steps per frame. For a model that takes a tolerance, it is 1 /
+    tolerance. ``times`` contains one time in s per round.
     """
 
     scene: str
@@ -101,7 +101,7 @@ def run(model: Model, steps: int) -> Outcome | None:
 
 
 def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], None]) -> None:
-    """Add one round of times to all points, in random order."""
+    """Time all points once, in random order, and add these times as one round."""
     models = {(scene.name, model.name): model for scene in scenes for model in scene.models}
     for point in random.sample(measured.points, len(measured.points)):
         if len(point.times) < FEW or point.time < LONG:
@@ -111,7 +111,10 @@ def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], No
 
 
 def seconds_of(model: Model, steps: int) -> float:
-    """Return the processor time of a run in s. A short run is repeated and averaged."""
+    """Return the processor time of a run in s.
+
+    A short run is repeated, and its mean time returned.
+    """
     count = 0
     start = time.process_time()
     while (taken := time.process_time() - start) < LEAST or not count:
@@ -127,7 +130,7 @@ def save(measured: Measured, path: Path, sign: str) -> None:
 
 
 def load(path: Path, sign: str) -> Measured | None:
-    """Return the saved results, or None if there are none with this signature."""
+    """Return the saved results, or None if there are no results with this signature."""
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
         if data["sign"] != sign:
@@ -138,7 +141,7 @@ def load(path: Path, sign: str) -> Measured | None:
 
 
 def sign_of(names: Sequence[str], slowest: float, theirs: float) -> str:
-    """Return a signature of these scenes, of all code that they run, and of the versions."""
+    """Return a signature of these scenes, of all code that they run, and of the versions used."""
     digest = hashlib.sha256(f"{[*names]} {slowest} {theirs}".encode())
     for folder in ("solutions", "chapters", "studies"):
         for file in sorted((ROOT / folder).rglob("*.py")):

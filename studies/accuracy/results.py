@@ -60,7 +60,7 @@ class Row:
 
     @property
     def bounds(self) -> tuple[float, float]:
-        """The lowest and highest possible ratio, if a side did not reach the tolerance in time."""
+        """The smallest and largest possible ratio if a side did not meet the tolerance in time."""
         low = 0.0 if self.ours.time is None else self._of(self.pymunk) / self.ours.time
         high = math.inf if self.pymunk.time is None else self.pymunk.time / self._of(self.ours)
         return low, high
@@ -73,8 +73,8 @@ class Row:
 def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
     """Return the index of the first point from which on a model meets a tolerance, or None.
 
-    ``ordered`` is sorted by steps. All points with more steps must meet the tolerance as well,
-    because a single point may meet it by chance.
+    ``ordered`` is sorted by steps. A single point may meet the tolerance by chance. So all points
+    with more steps must meet it as well.
     """
     outside = [i for i, point in enumerate(ordered) if not point.error <= tolerance]
     first = outside[-1] + 1 if outside else 0
@@ -82,7 +82,7 @@ def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
 
 
 def time_to(points: Sequence[Point], tolerance: float) -> float | None:
-    """Return the time in s that one model needs for a tolerance, or None if it never reaches it.
+    """Return the time in s that a model needs to meet a tolerance, or None if it never meets it.
 
     The time is interpolated between two measured numbers of steps, on logarithmic scales.
     """
@@ -131,10 +131,11 @@ def order_of(points: Sequence[Point]) -> float | None:
 
 
 def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None:
-    """Return the time in s that a model would need for a tolerance, from its order of convergence.
+    """Return the time in s that a model would need to meet a tolerance, if it had enough steps.
 
-    Each step is assumed to take as long as in the run with the most steps. The result is None if
-    the model has no steady order, or if it is still too far from the tolerance.
+    The time follows from the model's order of convergence. Each step is assumed to take as long as
+    in the run with the most steps. The result is None if the model has no steady order, or if it is
+    too far from the tolerance.
     """
     finest = max(points, key=lambda point: point.steps)
     order = order_of(points)
@@ -144,7 +145,7 @@ def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None
 
 
 def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
-    """Return the points of each model by its name, in their original order."""
+    """Group points by the name of their model, and keep their order."""
     found: dict[str, list[Point]] = {}
     for point in points:
         found.setdefault(point.model, []).append(point)
@@ -152,7 +153,7 @@ def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
 
 
 def side_of(points: Sequence[Point], tolerance: float) -> Side:
-    """Return the side with the model that reaches a tolerance in the shortest time."""
+    """Return a side, with the model that meets a tolerance in the shortest time."""
     models = models_of(points)
     open_ones = [own for own in models.values() if not stalls(own)]
     times = {name: time for name, own in models.items() if (time := time_to(own, tolerance))}
@@ -162,10 +163,10 @@ def side_of(points: Sequence[Point], tolerance: float) -> Side:
 
 
 def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, Point | None]:
-    """Return the cheapest point that is reliably within a tolerance, and the next cheaper point.
+    """Return the cheapest point that reliably meets a tolerance, and the next cheaper point.
 
-    A point is reliable if its model stays within the tolerance with more steps. Each result is None
-    if there is no such point.
+    A point is reliable if its model still meets the tolerance with more steps. If there is no such
+    point, the result for it is None.
     """
     within = []
     for own in models_of(points).values():
@@ -178,13 +179,13 @@ def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, P
 
 
 def split(points: Sequence[Point]) -> tuple[list[Point], list[Point]]:
-    """Return our points, including the book's, and pymunk's points."""
+    """Return two lists: our points, which include the book's, and pymunk's points."""
     ours = [point for point in points if point.by != "pymunk"]
     return ours, [point for point in points if point.by == "pymunk"]
 
 
 def row(points: Sequence[Point], tolerance: float) -> Row:
-    """Return the results of one scene for a tolerance."""
+    """Return the results of one scene for one tolerance."""
     ours, theirs = split(points)
     side = side_of(theirs, tolerance)
     if side.time is None:

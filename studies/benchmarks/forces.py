@@ -73,7 +73,7 @@ def generator_steps(frames: list[float]) -> Numbers:
 
 
 def forced_arithmetic(frames: list[float]) -> Numbers:
-    """Step under one force in local variables, and return the final position.
+    """Make the same steps under one force in local variables, and return the final position.
 
     The force is added to a sum, which the step uses and then clears.
     """

@@ -83,7 +83,7 @@ def step(show: FireworksShow, frames: int, axes: str) -> list[list[float]]:
 
 
 def positions(speeds: list[list[float]], time: float, axes: str) -> list[list[float]]:
-    """Return the coordinates of the sparks along these axes after a time, by the closed form."""
+    """Return the coordinates of the sparks along these axes at a time, from the closed form."""
     return [
         burst_positions(START[axis], speeds[axis], GRAVITY[axis], DAMPING, time)
         for axis in range(len(axes))

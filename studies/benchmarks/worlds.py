@@ -1,4 +1,4 @@
-"""Measure the cost of a world, of a sleeping world, and of a rope of rods."""
+"""Measure the cost of a world, of a world in which particles sleep, and of a rope of rods."""
 
 from __future__ import annotations
 

@@ -50,7 +50,7 @@ def ratios(rows: Sequence[Row]) -> tuple[Axis, list[Ratio]]:
 
 
 def _mark(row: Row) -> tuple[float | None, str]:
-    """Return the ratio that a mark shows, or its bound, and the kind of the mark."""
+    """Return the ratio or bound at which a mark is drawn, and the kind of the mark."""
     if row.ratio:
         return row.ratio, "extrapolated" if row.is_extrapolated else "exact"
     low, high = row.bounds

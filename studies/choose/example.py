@@ -1,6 +1,7 @@
-"""A lamp of 2 kg that swings on a springy cord, with drag. It has no closed form.
+"""An example of a scene: a lamp of 2 kg that swings on a springy cord, with drag.
 
-Copy this file, describe your own scene, and run `make choose SCENE=my_scene.py TOLERANCE=1e-3`.
+There is no closed form for its motion. To use your own scene, copy this file, describe the scene,
+and run `make choose SCENE=my_scene.py TOLERANCE=1e-3`.
 """
 
 from ch02_vectors.vector import Vector3

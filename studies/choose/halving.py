@@ -24,10 +24,10 @@ LEAST = 0.7  # below this order, a model does not converge
 
 @dataclass(frozen=True)
 class Halved:
-    """The estimated error of each run, and the observed orders, from coarse steps to fine steps.
+    """The estimated error of each run, and the observed orders, from coarse to fine steps.
 
-    Without steady orders, the errors are only guesses. The runs are exact if they differ only by
-    rounding.
+    If the orders are not steady, the errors are only guesses. The runs are exact if they differ
+    only by rounding.
     """
 
     errors: list[float]
@@ -46,8 +46,8 @@ def halved(
     run is its distance from the finest run, plus the estimated error of the finest run.
 
     ``order`` is the highest order that the model can have. If a higher order is observed, it is a
-    coincidence and is not used. Normally two equal runs show that both are exact. If runs
-    ``may_repeat`` each other, they do not, because several tolerances can lead to the same steps.
+    coincidence and is not used. Two equal runs normally show that both are exact. This does not
+    hold if runs ``may_repeat`` each other, because several tolerances can lead to the same steps.
     """
     first = max((i + 1 for i, run in enumerate(runs) if run is None), default=0)
     good: list[Run] = [run for run in runs[first:] if run is not None]

@@ -23,10 +23,10 @@ APART = 3.0  # factor of the estimated errors beyond which two models contradict
 
 
 def choose(path: Path, tolerance: float, console: Console) -> int:
-    """Measure and report. Return 1 if no model is known to meet the tolerance.
+    """Measure the models and report. Return 1 if no model is known to meet the tolerance.
 
     Raises:
-        SceneError: If the file does not describe a scene.
+        SceneError: The file does not describe a scene.
     """
     scene = load(path)
     with console.status("measuring") as status:
@@ -63,7 +63,11 @@ def _told(found: list[Tried], point: Point) -> str:
 
 
 def _table(found: list[Tried], scene: OwnScene, tolerance: float) -> Table:
-    """Return a row for each model: what it needs for the tolerance, or its finest run."""
+    """Return a table with a row for each model.
+
+    The row shows what the model needs to meet the tolerance or, if it does not meet it, its finest
+    run.
+    """
     table = Table("model", "steps / frame", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("error", "ms", "order"):
         table.add_column(heading, justify="right")
@@ -92,7 +96,7 @@ def _order(tried: Tried) -> str:
 
 
 def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
-    """Return what a reader should know before trusting the estimated errors."""
+    """Return warnings that a reader should know before trusting the estimated errors."""
     told = []
     unsteady = [tried for tried in found if not tried.halved.is_steady]
     if unsteady:

@@ -75,10 +75,10 @@ class Tried:
 
 
 def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> list[Tried]:
-    """Run the scene with all of its models, until each is accurate enough or takes too long.
+    """Run the scene with each model until the model is accurate enough or takes too long.
 
     Raises:
-        SceneError: If the scene cannot be run, or if nothing that is measured changes.
+        SceneError: The scene cannot be run, or nothing that is measured changes.
     """
     start = scene.check()
     found = []
@@ -102,12 +102,13 @@ def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> l
 
 
 def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, float]:
-    """Run a scene once. Return what was measured, or why it failed, and the processor time in s.
+    """Run a scene once. Return the measured values or the reason of a failure, and the time in s.
 
-    A run fails if its steps are too long for its forces, or if its numbers are not finite.
+    The time is processor time. A run fails if its steps are too long for its forces, or if its
+    numbers are not finite.
 
     Raises:
-        SceneError: If the scene itself raises any other error.
+        SceneError: The scene itself raises any other error.
     """
     world, values = scene.built(), []
     start = time.process_time()
@@ -135,8 +136,8 @@ def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, flo
 def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
     """Time runs again in random order, so that other load does not affect only one model.
 
-    Only the runs that may be chosen are timed again. These are the runs of models whose error is
-    known, up to the first run that is within the tolerance.
+    Only runs that may be chosen are timed again. These are the runs of models whose error is known,
+    up to the first run that meets the tolerance.
     """
     every = []
     for tried in found:

@@ -60,7 +60,7 @@ class Bodies:
 
 
 class ColdStart(SequentialImpulses):
-    """Sequential impulses that start from zero instead of from the impulses of the last step."""
+    """Sequential impulses that start from zero, rather than from the impulses of the last step."""
 
     def step(self, duration: float) -> None:
         self.impulses.clear()
@@ -114,7 +114,10 @@ def rope(ratio: float, angle: float = 0.0, two_sided: bool = True) -> Bodies:
 
 
 def swinging(two_sided: bool = True) -> Bodies:
-    """Return the rope without a weight, released at an angle. Its error is one of energy."""
+    """Return the rope without a weight, released at an angle.
+
+    The measured error is that of energy.
+    """
     bodies = rope(1.0, ANGLE, two_sided)
     start = mechanical_energy(bodies.particles)
     lowest = mechanical_energy(rope(1.0).particles)
@@ -139,7 +142,7 @@ def run(make: Callable[[], Bodies], solver: str, steps: int) -> Outcome:
 
 
 def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> Scene:
-    """Return a scene with a model for each solver. Small steps need no two-sided rods."""
+    """Return a scene with one model per solver. With small steps, two-sided rods are not needed."""
     models = []
     for solver in solvers:
         one_sided = solver == SMALL and NET in solvers

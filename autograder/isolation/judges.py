@@ -1,8 +1,8 @@
 """Start check processes quickly, by forking them from a process that has already imported pytest.
 
-A process that runs checks is called a judge. Importing pytest takes a large part of its starting
-time. So one process imports pytest and then waits, and forks a judge for each run of checks. It
-never runs a check itself and knows nothing about submissions. It ends when the grader ends. A
+A process that runs checks is called a judge. So that not every judge has to import pytest, one
+process imports it and then waits. For each run of checks, it forks a judge. The waiting process
+never runs a check itself and knows nothing about submissions, and it ends when the grader ends. A
 forked judge behaves like a judge that was started as a new Python process.
 """
 

@@ -93,7 +93,7 @@ def run_check(arguments: argparse.Namespace) -> bool:
 
 def run_watch(arguments: argparse.Namespace) -> int:
     """Check the current exercise whenever a file is saved."""
-    from autograder.student.watch import watch  # imported here so that check starts fast
+    from autograder.student.watch import watch  # imported only here, so that check starts quickly
 
     engine = find_engine(arguments.engine)
     given, chapters = split_given(select_chapters(arguments.chapter), arguments.given)

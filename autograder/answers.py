@@ -17,7 +17,7 @@ PLACE = "_Write your answer here._"
 RUBRIC = "**Rubric**"
 FILE = "answers.md"
 WORD = re.compile(r"[^\W\d_]{2,}")
-ENOUGH = 2  # words that count as an answer
+ENOUGH = 2  # the fewest words that count as an answer
 
 
 @dataclass(frozen=True)
@@ -36,12 +36,12 @@ class Section:
 
     @property
     def places(self) -> list[str]:
-        """The line numbers at which the answer contains the placeholder, even a damaged one."""
+        """The numbers of the lines that contain the placeholder, even if it is damaged."""
         return [line.strip() for line in self.answer.splitlines() if _is_place(line)]
 
     @property
     def has_words(self) -> bool:
-        """Whether the student has written something, even if the placeholder is still there."""
+        """Whether the student has written an answer, even if the placeholder is still there."""
         return self.words >= ENOUGH
 
     @property
@@ -54,7 +54,7 @@ class Section:
 
 @dataclass(frozen=True)
 class Question:
-    """A written exercise, the student's section for it, and the problems found in that section."""
+    """A written exercise, with the student's section for it and the problems found there."""
 
     exercise: Exercise
     file: Path
@@ -63,17 +63,17 @@ class Question:
 
     @property
     def answered(self) -> bool:
-        """Whether there is an answer and no problem has to be corrected first."""
+        """Whether there is an answer, and no problem has to be corrected before it counts."""
         return self.section is not None and self.section.has_words and not self.problems
 
     @property
     def place(self) -> str:
-        """The position of the answer as path:line, or only the path if the section is missing."""
+        """Where the answer belongs, as path:line, or only the path if the section is missing."""
         return f"{self.file}:{self.section.line}" if self.section else str(self.file)
 
 
 def blank_answers(text: str) -> str:
-    """Keep the headings and the quoted questions, and put a placeholder in place of each answer."""
+    """Replace each answer with a placeholder, and keep the headings and the quoted questions."""
     title = text.partition("\n")[0]
     parts = [title]
     for section in sections_of(text):
@@ -82,10 +82,10 @@ def blank_answers(text: str) -> str:
 
 
 def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
-    """Return the sections of an answers.md, in order.
+    """Return the sections of an answers.md file in order.
 
-    A section begins with a heading of the second level. Any heading whose first word is one of the
-    ``ids`` begins a section too, because a student may have deleted a # or a space.
+    A section begins with a second-level heading. A student may accidentally delete a # or a space,
+    so any heading whose first word is one of the ``ids`` also begins a section.
     """
     known = {*ids}
     lines = text.splitlines()
@@ -95,7 +95,7 @@ def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
 
 
 def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
-    """Return the written exercises of a chapter with the answers found in an engine."""
+    """Return the written exercises of a chapter, each with the student's answer if there is one."""
     exercises = [exercise for exercise in chapter.exercises if exercise.kind == "written"]
     if not exercises:
         return []
@@ -103,7 +103,7 @@ def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
     files = [folder / chapter.name / FILE for folder in engine]
     file = next((file for file in files if file.is_file()), files[0])
     sections: dict[str, list[Section]] = {exercise_id: [] for exercise_id in ids}
-    strangers: dict[str, list[Section]] = {"": []}  # keyed by the question before them
+    strangers: dict[str, list[Section]] = {"": []}  # keyed by the preceding question
     last = ""
     if file.is_file():
         for section in sections_of(file.read_text(encoding="utf-8-sig", errors="replace"), ids):
@@ -124,7 +124,10 @@ def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
 
 
 def model_answer(chapter: Chapter, exercise: Exercise, root: Path = ROOT) -> Section | None:
-    """Return the model answer with its rubric, or None if there is none, as in a hand-out."""
+    """Return the section with the model answer and the rubric.
+
+    A hand-out has none, so return None.
+    """
     file = root / "solutions" / chapter.name / FILE
     if not file.is_file():
         return None
@@ -158,7 +161,7 @@ def _first_word(heading: str) -> str:
 
 
 def _is_place(line: str) -> bool:
-    """Return whether a line is the placeholder, or what is left of it after an edit."""
+    """Return whether a line is the placeholder, or what an edit has left of it."""
     words, wanted = (" ".join(re.findall(r"\w+", text)) for text in (line.lower(), PLACE.lower()))
     return SequenceMatcher(None, words.strip("_"), wanted.strip("_")).ratio() > 0.8
 
@@ -166,7 +169,7 @@ def _is_place(line: str) -> bool:
 def _problems(
     exercise: Exercise, own: list[Section], strangers: list[Section], file: Path
 ) -> list[str]:
-    """Return the problems to correct before the answer counts, as whole sentences."""
+    """Return the problems that the student must correct before the answer counts, as sentences."""
     heading = f"## {exercise.id}"
     if not file.is_file():
         return [f"{file} is missing. Create it again, with the line '{heading}' above your answer."]

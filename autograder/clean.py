@@ -1,6 +1,6 @@
 """Make untrusted text safe to show on a terminal or page, in a spreadsheet and in a JSON file.
 
-No other module decides which characters may be shown.
+This is the only module that decides which characters may be shown.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ LINE_ENDS = re.compile("\r\n?|[\x0b\x0c\x85\u2028\u2029]")
 def clean(text: str) -> str:
     """Return the text with every unprintable character replaced by an escape sequence.
 
-    Unprintable characters can repaint a screen, reverse the reading direction or fail to encode.
-    Line endings become newlines, tabs stay, and unusual spaces become ordinary spaces.
+    Unprintable characters could repaint the screen, reverse the reading direction or fail to
+    encode. Line endings become newlines, tabs are kept, and unusual spaces become ordinary spaces.
     """
     if text.isprintable():
         return text
@@ -22,12 +22,12 @@ def clean(text: str) -> str:
 
 
 def clean_line(text: str) -> str:
-    """Return the clean text on a single line."""
+    """Return the cleaned text on a single line."""
     return clean(text).replace("\n", " ").replace("\t", " ")
 
 
 def visible(character: str) -> str:
-    """Return a printable character unchanged, and any other one as an escape sequence."""
+    """Return a printable character unchanged, and any other character as an escape sequence."""
     return character if character.isprintable() else character.encode("unicode_escape").decode()
 
 

@@ -1,4 +1,4 @@
-"""Helpers for the command lines: start-up, finding an engine, and suggesting commands."""
+"""Helpers that all commands share: set-up, finding an engine, and suggesting the next command."""
 
 from __future__ import annotations
 
@@ -34,13 +34,14 @@ MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of
 def prepare() -> bool:
     """Set up the output streams, and return whether the required packages are installed.
 
-    If a package is missing, print how to install it. If the names of files are not in UTF-8, as
-    with LC_ALL=C and PYTHONUTF8=0, start the program again in Python's UTF-8 mode.
+    If a package is missing, print how to install it. If file names are not encoded in UTF-8,
+    restart the program in Python's UTF-8 mode. This happens, for example, with LC_ALL=C and
+    PYTHONUTF8=0.
     """
     if sys.getfilesystemencoding() != "utf-8" and os.environ.get("PYTHONUTF8") != "1":
-        os.environ["PYTHONUTF8"] = "1"  # also for the processes that it starts
+        os.environ["PYTHONUTF8"] = "1"  # also affects the processes that are started later
         os.execv(sys.executable, [sys.executable, *sys.orig_argv[1:]])
-    for stream in (sys.stdout, sys.stderr):  # show ? for what the console cannot encode
+    for stream in (sys.stdout, sys.stderr):  # show ? for characters that the console cannot encode
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
     if importlib.util.find_spec("pytest") is None:
@@ -54,19 +55,19 @@ def prepare() -> bool:
 
 
 def advice(error: BaseException) -> str:
-    """Return what to do about an error of the file system, or an empty text for other errors."""
+    """Return advice about an error of the file system, or an empty text for any other error."""
     number = error.errno if isinstance(error, OSError) else None
     return next((words for numbers, words in ADVICE.items() if number in numbers), "")
 
 
 def sentence(error: Exception) -> str:
-    """Return an error as people read it, with advice if there is any."""
+    """Return the text of an error for people to read, with advice if there is any."""
     what, words = clean(str(error)), advice(error)
     return f"{what}. {words}" if words else what
 
 
 def find_engine(folder: str) -> list[Path]:
-    """Return the folders that make up an engine. The first folder overlays the second.
+    """Return the folders that make up an engine. Files in the first folder take precedence.
 
     Raises:
         ValueError: The folder does not exist.
@@ -79,9 +80,10 @@ def find_engine(folder: str) -> list[Path]:
 
 
 def command(name: str, **variables: str) -> str:
-    """Return the line that runs a command: with make, or with Python if make is not installed.
+    """Return the command line that runs a command: with make, or with Python if make is missing.
 
-    In a browser there are no commands, but the page's buttons have the names of make's commands.
+    A browser has no command line, but the buttons on the page have the same names as the make
+    commands.
     """
     if sys.platform == "emscripten" or shutil.which("make"):
         return " ".join(["make", name, *(f"{key}={value}" for key, value in variables.items())])
@@ -95,7 +97,10 @@ def command(name: str, **variables: str) -> str:
 
 
 def engine_variables(engine: list[Path]) -> dict[str, str]:
-    """Return the make variables that select an engine. The student's own engine needs none."""
+    """Return the make variables that select an engine.
+
+    For the student's own engine, none are needed.
+    """
     if engine[0] == ROOT / "chapters":
         return {}
     inside = engine[0].is_relative_to(ROOT)
@@ -103,5 +108,5 @@ def engine_variables(engine: list[Path]) -> dict[str, str]:
 
 
 def check_command(engine: list[Path], **arguments: str) -> str:
-    """Return the command that checks this engine again, to print as a next step."""
+    """Return the command that checks this engine again, which is printed as a next step."""
     return command("check", **arguments, **engine_variables(engine))

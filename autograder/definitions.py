@@ -1,4 +1,4 @@
-"""Find the functions that a module defines, under the names that manifests use."""
+"""Find the functions that a module defines, and name them as manifests do."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pathlib import Path
 def functions(tree: ast.Module) -> dict[str, ast.FunctionDef]:
     """Return every top-level function and every method, keyed by its dotted name.
 
-    A property is named Particle.mass, and its setter Particle.mass.setter.
+    A property is called Particle.mass, and its setter is called Particle.mass.setter.
     """
     found = {}
     for node in tree.body:
@@ -23,7 +23,7 @@ def functions(tree: ast.Module) -> dict[str, ast.FunctionDef]:
 
 
 def read_definitions(file: Path) -> set[str] | None:
-    """Return the names that a module defines, or None if it is missing, empty or unreadable."""
+    """Return the names that a module defines. Return None if it is missing, empty or unreadable."""
     try:
         return bound_names(ast.parse(file.read_bytes())) or None
     except (OSError, SyntaxError, ValueError, MemoryError, RecursionError):
@@ -31,10 +31,10 @@ def read_definitions(file: Path) -> set[str] | None:
 
 
 def bound_names(tree: ast.Module) -> set[str]:
-    """Return all names that a module and its classes bind by def, class, = or import.
+    """Return all names that a module and its classes bind with def, class, = or import.
 
-    The names have the form that ``functions`` uses. A name bound by = may be a property, so its
-    setter counts as defined too.
+    The names have the same form as in ``functions``. A name that is bound with = may be a property,
+    so its setter is included too.
     """
     found = set(_bound(tree))
     for node in tree.body:
@@ -44,7 +44,7 @@ def bound_names(tree: ast.Module) -> set[str]:
 
 
 def _bound(scope: ast.AST) -> Iterator[str]:
-    """Yield the names that a module or a class binds itself, without the scopes nested in it."""
+    """Yield the names that a module or a class binds itself, but not those in nested scopes."""
     for node in ast.iter_child_nodes(scope):
         match node:
             case ast.FunctionDef():
@@ -60,7 +60,7 @@ def _bound(scope: ast.AST) -> Iterator[str]:
 
 
 def own_name(edited: str) -> str:
-    """Return a function's own name from a manifest entry, without its module and class."""
+    """Return the name of a function without its module and class, from its manifest entry."""
     return edited.split(".", 2)[-1]
 
 

@@ -1,4 +1,4 @@
-"""Write files in one step, so that no file is ever half written."""
+"""Write files atomically, so that no other program ever reads a half-written file."""
 
 from __future__ import annotations
 
@@ -9,9 +9,10 @@ LITTLE = 1_000_000  # bytes
 
 
 def replace_bytes(path: Path, content: bytes) -> None:
-    """Write a temporary file and move it into place.
+    """Write to a temporary file, and then move it to ``path``.
 
-    The old content stays if the program is killed or the disk is full. A link stays a link.
+    If the program is killed or the disk is full, the old content remains. If ``path`` is a link,
+    the file that it points to is replaced, and the link remains.
     """
     path = path.resolve()
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -22,22 +23,25 @@ def replace_bytes(path: Path, content: bytes) -> None:
             shutil.copymode(path, temporary)
         temporary.replace(path)
     except OSError as error:
-        error.filename = error.filename or str(path)  # it has none if the disk is full
+        error.filename = error.filename or str(path)  # the error lacks it if the disk is full
         if temporary.exists():
             temporary.unlink()
         raise
 
 
 def is_full(folder: Path) -> bool:
-    """Return whether the disk of a folder has so little space left that programs fail."""
+    """Return whether so little space is left on a folder's disk that programs may fail."""
     return shutil.disk_usage(folder).free < LITTLE
 
 
 def temporary_of(path: Path) -> Path:
-    """Return the path of the file that is written before it is moved into place."""
+    """Return the path of the temporary file that will be moved to ``path``."""
     return path.with_name(path.name + ".tmp")
 
 
 def is_new(folder: Path, first: Path) -> bool:
-    """Return whether a folder is missing or empty, or a run was killed while it wrote ``first``."""
+    """Return whether a folder is missing or empty.
+
+    A folder in which a run was killed while it wrote ``first`` counts as empty.
+    """
     return not folder.exists() or {*folder.iterdir()} <= {temporary_of(first)}

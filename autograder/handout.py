@@ -1,4 +1,4 @@
-"""Make a hand-out: stubs, given chapters, checks and the tools that students use."""
+"""Make a hand-out, which contains stubs, given chapters, checks and the students' tools."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ The original stubs, which `make reset` restores. Nothing in this folder is check
 
 
 def student_tools(root: Path = ROOT) -> Iterator[Path]:
-    """Yield the files of the tools that students receive."""
+    """Yield the files of the tools that a hand-out includes."""
     for folder, names in STUDENT_TOOLS.items():
         for name in names.split():
             yield from sorted((root / folder).glob(name))
@@ -65,11 +65,11 @@ def student_tools(root: Path = ROOT) -> Iterator[Path]:
 def make_handout(
     chapters: list[Chapter], given: list[Chapter], out: Path, root: Path = ROOT, *, about: str = ""
 ) -> None:
-    """Write a hand-out into a new folder and print what it contains.
+    """Write a hand-out into a new folder, and print a summary of its contents.
 
-    The hand-out has ``chapters`` as stubs with their checks, and ``given`` chapters complete and
-    without checks. If a chapter lacks some exercises of its manifest, these become optional.
-    ``about`` is a section about the assignment for the README.
+    The hand-out contains ``chapters`` as stubs with their checks. ``given`` chapters are complete
+    and have no checks. Exercises of the manifest that a chapter lacks become optional. ``about`` is
+    the section about the assignment in the README.
 
     Raises:
         ValueError: A chapter is in both lists, or the folder is not empty.
@@ -79,7 +79,7 @@ def make_handout(
     if out.exists() and any(out.iterdir()):
         raise ValueError(f"out must be a new or empty folder, but {out} is not empty")
     part = out.resolve().with_name(f".{out.resolve().name}.part")
-    shutil.rmtree(part, ignore_errors=True)  # of a run that was killed
+    shutil.rmtree(part, ignore_errors=True)  # left over from a run that was killed
     try:
         _fill(chapters, given, part, root, about)
         out.mkdir(parents=True, exist_ok=True)
@@ -97,7 +97,7 @@ def make_handout(
 
 
 def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, about: str) -> None:
-    """Write a hand-out into a folder."""
+    """Write the files of a hand-out into a folder."""
     for file in [*student_tools(root), *shared_by_checks(root)]:
         _copy([file], out / file.parent.relative_to(root))
     _copy_lab(root, out, [chapter.name for chapter in (*chapters, *given)])
@@ -135,7 +135,7 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
 
 
 def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:
-    """Write the manifest and the exercise table, with the points of the assigned exercises."""
+    """Write a chapter's manifest and exercise table with the points of the assigned exercises."""
     whole = for_students(load_chapter(source), chapter)
     text = (source / "chapter.toml").read_text(encoding="utf-8")
     if whole != load_chapter(source):
@@ -148,7 +148,7 @@ def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:
 
 
 def _copy_lab(root: Path, out: Path, chapters: Collection[str]) -> None:
-    """Copy the lab, but only the scenes of these chapters."""
+    """Copy the lab with the scenes of these chapters only."""
     for file in (root / "lab").rglob("*"):
         numbered = re.match(r"ch\d\d_", file.name)
         wanted = not numbered or any(name.startswith(numbered[0]) for name in chapters)

@@ -1,4 +1,4 @@
-"""The instructor's commands. A hand-out does not contain them."""
+"""The commands for instructors, which hand-outs do not contain."""
 
 from __future__ import annotations
 
@@ -13,9 +13,10 @@ from autograder.release import commands as release
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add the instructor's commands.
+    """Add the instructor's commands to the command line.
 
-    Each command imports its modules only when it runs, so that `check` starts quickly.
+    The module that a command needs is imported only when the command runs, so that `check` starts
+    quickly.
     """
     unsafe = "if there is no sandbox here, grade a class that you trust without one"
     command = commands.add_parser("grade", help="grade a folder of submissions")
@@ -111,7 +112,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
 
 
 def run_handout(arguments: argparse.Namespace) -> int:
-    """Make a hand-out and print what it contains."""
+    """Make a hand-out, and print a summary of its contents."""
     from autograder.course.handout import about
     from autograder.handout import make_handout
 
@@ -121,7 +122,7 @@ def run_handout(arguments: argparse.Namespace) -> int:
 
 
 def run_classroom(arguments: argparse.Namespace) -> int:
-    """Make a hand-out with a workflow for GitHub Classroom and print what it contains."""
+    """Make a hand-out with a workflow for GitHub Classroom, and print a summary of its contents."""
     from autograder.course.handout import about
     from autograder.platforms.classroom import make_classroom
 
@@ -131,7 +132,7 @@ def run_classroom(arguments: argparse.Namespace) -> int:
 
 
 def run_gradescope(arguments: argparse.Namespace) -> int:
-    """Make the zip for Gradescope and print what it contains."""
+    """Make the zip file for Gradescope, and print a summary of its contents."""
     from autograder.platforms.gradescope import make_gradescope
 
     make_gradescope(work_of(arguments), arguments.out, unsafe=arguments.unsafe_no_sandbox)
@@ -139,7 +140,7 @@ def run_gradescope(arguments: argparse.Namespace) -> int:
 
 
 def run_similarity(arguments: argparse.Namespace) -> int:
-    """Compare the submissions of a class, and report how many pairs stand out."""
+    """Compare the submissions of a class, and report how many pairs are unusually similar."""
     from autograder.similarity.run import similarity
     from autograder.submissions.unpack import class_folder
 
@@ -148,9 +149,9 @@ def run_similarity(arguments: argparse.Namespace) -> int:
 
 
 def run_mark(arguments: argparse.Namespace) -> int:
-    """Serve the page for marking until Ctrl-C."""
+    """Serve the page for marking written answers until the user presses Ctrl-C."""
     if sys.platform == "win32":
-        raise ValueError("mark takes Linux or macOS; on Windows run it under WSL")
+        raise ValueError("mark needs Linux or macOS; on Windows, run it under WSL")
     from autograder.marking.server import mark
     from autograder.submissions.unpack import class_folder
 

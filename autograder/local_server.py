@@ -1,8 +1,8 @@
-"""A base for the servers of local pages, which answer only their own page.
+"""A base for the servers of local pages, which answer requests only from their own page.
 
-A site listens on 127.0.0.1 only. Every address begins with a random token, so that no other page or
-user of the machine can guess it. A request for another host, or from a page of another origin, is
-refused.
+A site listens on 127.0.0.1 only. Its addresses begin with a random token that no other page and no
+other user of the machine can guess. Requests for another host name, or from a page of another
+origin, are refused.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from tornado.httputil import HTTPServerRequest
 from tornado.netutil import bind_sockets
 from tornado.web import Application, HTTPError, RequestHandler, StaticFileHandler
 
-# Nothing is loaded from elsewhere, and no other page may frame this one.
+# The page may load nothing from other hosts, and no other page may show it in a frame.
 POLICY = "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:"
 HEADERS = {
     "Content-Security-Policy": f"{POLICY}; frame-ancestors 'none'; base-uri 'none'",
@@ -26,7 +26,7 @@ HEADERS = {
 
 
 class Site:
-    """A page on this machine: its address, and the requests that it answers."""
+    """A page that is served on this machine, with its address and its request handlers."""
 
     def __init__(self) -> None:
         self.token = secrets.token_urlsafe(16)
@@ -37,19 +37,22 @@ class Site:
         return f"http://127.0.0.1:{self.port}/{self.token}/"
 
     def listen(self, application: Application, port: int = 0) -> None:
-        """Serve on this port, or on any free port. The caller must have a running event loop."""
+        """Start to serve on this port, or on any free port if it is 0.
+
+        The caller must have a running event loop.
+        """
         sockets = bind_sockets(port, "127.0.0.1")
         self.port = sockets[0].getsockname()[1]
         HTTPServer(application).add_sockets(sockets)
 
     def check_host(self, request: HTTPServerRequest) -> None:
-        """Refuse a request for another host name, because a foreign page may point a name at us."""
+        """Refuse a request for another host name. A foreign page may point its own name at us."""
         if request.host not in (f"127.0.0.1:{self.port}", f"localhost:{self.port}"):
             raise HTTPError(403)
 
 
 def is_own_page(request: HTTPServerRequest, origin: str) -> bool:
-    """Return whether a request comes from our own page, because only it may change anything."""
+    """Return whether a request comes from our own page, which alone may change data."""
     try:
         return urlsplit(origin).netloc == request.host
     except ValueError:  # no address at all, such as http://[
@@ -57,7 +60,7 @@ def is_own_page(request: HTTPServerRequest, origin: str) -> bool:
 
 
 class Handler(RequestHandler):
-    """A request handler that answers only requests for its site's own host."""
+    """A request handler that answers only requests for the host name of its site."""
 
     site: Site
 
@@ -73,7 +76,7 @@ class Handler(RequestHandler):
 
 
 class Files(StaticFileHandler):
-    """A handler for the page and its files."""
+    """A handler that serves the page and its static files."""
 
     def initialize(self, site: Site, path: str, default_filename: str = "index.html") -> None:  # type: ignore[override]
         self.site = site

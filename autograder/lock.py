@@ -1,4 +1,4 @@
-"""Read stubs.lock, which holds a hash of every file that students start from."""
+"""Read stubs.lock, which contains a hash of every file from which students start."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ LOCK_NAME = "stubs.lock"
 
 
 def stub_hash(text: str) -> str:
-    """Return the hash that stubs.lock stores for a file with this text."""
+    """Return the hash of a text, as it is stored in stubs.lock."""
     return hashlib.sha256(text.encode("utf-8")).hexdigest()
 
 
 def read_lock(root: Path = ROOT) -> dict[str, str]:
-    """Return the hashes in stubs.lock, keyed by path, or an empty dict if there is no lock."""
+    """Return the hashes in stubs.lock, keyed by path. If there is no lock, return an empty dict."""
     path = root / LOCK_NAME
     if not path.exists():
         return {}

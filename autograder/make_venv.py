@@ -1,8 +1,8 @@
-"""Create .venv and install the pinned packages of requirements.lock in it.
+"""Create .venv, and install the packages that requirements.lock pins.
 
-`make` runs this script before its first command. Without make: python3 autograder/make_venv.py The
-script uses only the syntax of Python 3.6, so that an old Python can run it far enough to report
-that it is too old.
+`make` runs this script before its first command. Without make, run it directly: python3
+autograder/make_venv.py. It uses only syntax that Python 3.6 understands. An old Python can
+therefore run it and report that it is too old, instead of failing with a syntax error.
 """
 
 import os
@@ -18,17 +18,17 @@ NETWORK_WORDS = ("connection broken", "name resolution", "read timed out", "is u
 
 
 def stop(sentence: str) -> None:
-    """Exit with one sentence. Without .venv/ready, the next run starts from the beginning."""
+    """Print a sentence and exit. Because .venv/ready is missing, the next run starts over."""
     sys.exit(f"Cannot set up: {sentence}")
 
 
 def python_of_venv() -> Path:
-    """Return the path of the Python in .venv. Needs Python 3.11."""
+    """Return the path of Python in .venv. Works only in Python 3.11 or later."""
     return Path(sysconfig.get_path("scripts", "venv", {"base": str(VENV)})) / "python"
 
 
 def shown_python() -> str:
-    """Return the Python of .venv for use in a command, from the working folder if possible."""
+    """Return the path of Python in .venv for use in a command, relative if possible."""
     try:
         return str(python_of_venv().relative_to(Path.cwd()))
     except ValueError:
@@ -36,7 +36,7 @@ def shown_python() -> str:
 
 
 def check_python() -> None:
-    """Exit with a message if this Python is too old or lacks the venv module."""
+    """Exit with a message if this Python is too old or has no venv module."""
     version = ".".join(str(part) for part in sys.version_info[:2])
     if sys.version_info < (3, 11):  # noqa: UP036 - an old Python ends here
         newer = "py -3.12" if os.name == "nt" else "python3.12"
@@ -56,7 +56,7 @@ def check_python() -> None:
 
 
 def install(python: str) -> str:
-    """Install the locked packages and show the progress. Return pip's output if it failed."""
+    """Install the locked packages, and show the progress. Return pip's output if it fails."""
     lock = LOCK.read_text(encoding="utf-8").splitlines()
     total = sum("==" in line and line[0].isalpha() for line in lock)
     command = [python, "-m", "pip", "install", "--disable-pip-version-check", "--retries", "1"]
@@ -76,7 +76,7 @@ def install(python: str) -> str:
 
 
 def main() -> None:
-    """Create the environment from scratch. The file .venv/ready marks it as complete."""
+    """Create the environment from scratch. At the end, write .venv/ready to mark it as complete."""
     check_python()
     print(f"Setting up .venv with {sys.executable}, once; this takes about a minute.", flush=True)
     made = subprocess.run(

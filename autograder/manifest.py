@@ -1,4 +1,4 @@
-"""Read chapter.toml, the manifest of a chapter. chapters/README.md explains its keys."""
+"""Read chapter.toml, the manifest of a chapter. Its keys are explained in chapters/README.md."""
 
 from __future__ import annotations
 
@@ -18,8 +18,9 @@ FOLDER_NAME = re.compile(r"ch(\d\d)_[a-z0-9_]+")
 class Exercise:
     """One exercise or build task of a chapter.
 
-    An assignment of a course can make it ``extra`` credit, which counts above the total. In the
-    hand-out of an assignment, the exercises that are not assigned are ``optional``.
+    In an assignment of a course, an exercise may be ``extra`` credit, whose points are added on top
+    of the total. In the hand-out of an assignment, exercises that are not assigned are
+    ``optional``.
     """
 
     id: str
@@ -32,9 +33,9 @@ class Exercise:
     edit: list[str] = field(default_factory=list)
     files: list[str] = field(default_factory=list)
     needs: list[str] = field(default_factory=list)
-    chart: list[str] = field(default_factory=list)  # of an open exercise: its axes, cost and error
-    robust: str = ""  # why an engine needs the robust checks, if the exercise has any
-    play: list[str] = field(default_factory=list)  # scenes of the lab that it makes playable
+    chart: list[str] = field(default_factory=list)  # axes of an open exercise: cost and error
+    robust: str = ""  # why an engine needs the robust checks, if there are any
+    play: list[str] = field(default_factory=list)  # scenes of the lab that become playable
     extra: bool = False
     optional: bool = False
 
@@ -44,9 +45,10 @@ class Chapter:
     """A chapter: its folder name (which is also its package), number, title and exercises.
 
     ``complete`` lists the modules that students use unchanged, such as cloth.py. ``builds_on``
-    lists the numbers of the chapters that its modules import; None means all earlier chapters.
-    ``summary`` says in a sentence what the chapter is about, ``you_can`` what students can do when
-    they have finished it, and ``picture`` names the plot that shows this best.
+    lists the numbers of the chapters that its modules import, and None stands for all earlier
+    chapters. ``summary`` describes the chapter in one sentence. ``you_can`` lists what students can
+    do when they have finished it. ``picture`` is the name of the plot that illustrates the chapter
+    best.
     """
 
     name: str
@@ -67,12 +69,12 @@ class Chapter:
 
     @property
     def data_files(self) -> list[str]:
-        """The files that students fill with their own data, such as drops.csv."""
+        """The files into which students enter their own data, such as drops.csv."""
         return [name for exercise in self.exercises for name in exercise.files]
 
     @property
     def handed_in(self) -> list[str]:
-        """All files that are taken from a submission: the edited modules and the data."""
+        """All files that are copied from a submission: the edited modules and the data files."""
         return [*self.edited_files, *self.data_files]
 
     def exercise(self, exercise_id: str) -> Exercise:
@@ -89,16 +91,16 @@ class Chapter:
 
 
 def load_chapter(folder: Path) -> Chapter:
-    """Read the manifest in a chapter's folder.
+    """Read the manifest in the folder of a chapter.
 
     Raises:
-        ValueError: The manifest is not valid. The message says why.
+        ValueError: The manifest is not valid. The message gives the reason.
     """
     path = folder / "chapter.toml"
     return _read_chapter(path, path.read_text(encoding="utf-8"))
 
 
-@cache  # each run of the checks reads every manifest, and grading a class makes hundreds of runs
+@cache  # because each of the hundreds of runs in grading reads every manifest
 def _read_chapter(path: Path, text: str) -> Chapter:
     folder = path.parent
     match = FOLDER_NAME.fullmatch(folder.name)
@@ -131,12 +133,12 @@ def load_chapters(root: Path = ROOT) -> list[Chapter]:
 
 
 def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], list[Chapter]]:
-    """Return the given chapters that a text names, and the other chapters.
+    """Split chapters into those that a text such as "2,4-6" names as given, and the others.
 
-    An empty text names none.
+    An empty text names no chapter.
 
     Raises:
-        ValueError: No other chapter is left, or ``select_chapters`` raises it.
+        ValueError: All chapters are given, or ``select_chapters`` rejects the text.
     """
     given = select_chapters(numbers) if numbers else []
     left = [chapter for chapter in chapters if chapter not in given]
@@ -146,7 +148,7 @@ def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], l
 
 
 def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
-    """Raise ValueError if the exercise's chapter is among the given ones, such as "2-5"."""
+    """Raise ValueError if the chapter of an exercise is among the given chapters, such as "2-5"."""
     if numbers and chapter in select_chapters(numbers):
         raise ValueError(
             f"exercise {exercise.id} is in chapter {chapter.number}, which is given. The "
@@ -155,7 +157,7 @@ def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
 
 
 def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
-    """Return the earlier chapters on which this one builds."""
+    """Return the earlier chapters on which a chapter builds."""
     below = [other for other in load_chapters(root) if other.number < chapter.number]
     if chapter.builds_on is None:
         return below
@@ -163,10 +165,10 @@ def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
 
 
 def select_chapters(numbers: str) -> list[Chapter]:
-    """Return the chapters that a text such as "2,4-6" names, or all chapters for an empty text.
+    """Return the chapters that a text such as "2,4-6" names. An empty text names all chapters.
 
     Raises:
-        ValueError: The text has another form, or names a chapter that does not exist.
+        ValueError: The text has another form, or it names a chapter that does not exist.
     """
     chapters = {chapter.number: chapter for chapter in load_chapters()}
     wanted: list[int] = []
@@ -218,7 +220,11 @@ def _are_words(value: object) -> bool:
 
 
 def _check_needs(path: Path, chapter: Chapter) -> None:
-    """Raise ValueError for a duplicate id, or a need that is not listed earlier in the manifest."""
+    """Check that ids are unique, and that exercises need only those listed before them.
+
+    Raises:
+        ValueError: An id appears twice, or an exercise needs one that is not listed before it.
+    """
     seen: set[str] = set()
     for exercise in chapter.exercises:
         if exercise.id in seen:

@@ -1,4 +1,4 @@
-"""The message of a check, as data. Each screen, page and file formats the data in its own way."""
+"""The message of a check as data, which screens, pages and files format in their own ways."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class Kind(Enum):
 
     FAILED = "failed"  # a result or an exception is wrong
     UNWRITTEN = "not written yet"
-    GONE = "no longer defined"  # a body that students write, whose stub they have removed
+    GONE = "no longer defined"  # a student removed a stub
     HUNG = "did not finish"
     BROKEN = "cannot be imported"
     LEFT = "left the process"
@@ -40,13 +40,13 @@ class Place:
 
 @dataclass(frozen=True)
 class Message:
-    """The message of a check to the student. Empty parts are not shown.
+    """The message in which a check reports its outcome to a student. Empty parts are not shown.
 
-    ``title`` is a sentence that does not fit under one of the labels. ``got`` must equal ``wanted``
-    to within ``tolerance``, or exactly if the tolerance is 0. ``where`` is a line of the student's
+    ``title`` is a sentence that fits under none of the labels. ``got`` must equal ``wanted`` to
+    within ``tolerance``, or exactly if the tolerance is 0. ``where`` is a line of the student's
     code. ``likely`` is the likely cause of the failure, and ``other`` is a second possible cause.
-    ``exercise`` names the exercise whose body is not written yet, and ``blocked_by`` lists the
-    exercises that must pass first.
+    ``exercise`` names the exercise that contains a function that is not written yet. ``blocked_by``
+    lists the exercises that must pass first.
     """
 
     title: str = ""
@@ -68,7 +68,7 @@ class Message:
         return self != NOTHING
 
     def changed(self, change: Callable[[str], str]) -> Message:
-        """Return a copy of the message in which a function has been applied to every text."""
+        """Return a copy of the message in which ``change`` has been applied to every text."""
         values: dict[str, Any] = {
             field.name: change(value)
             for field in fields(self)
@@ -82,7 +82,7 @@ class Message:
         return replace(self, **values)
 
     def rows(self, *, printed: bool = True) -> list[Row]:
-        """Return the labels and their texts, in the order in which people read them."""
+        """Return the labels with their texts, in the order in which they are shown."""
         rows = [("", self.blocked), ("", self.title)]
         rows += [("called", one_per_line(self.called)), ("got", self.got)]
         rows += [("wanted", self.wanted + self._how_close), ("where", str(self.where or ""))]
@@ -114,7 +114,7 @@ class Message:
 
 
 def one_per_line(call: str) -> str:
-    """Return a call with one statement per line if it is long. Brackets are kept together."""
+    """Put each statement of a long call on its own line. Text inside brackets is kept together."""
     if len(call) <= LONG_CALL:
         return call
     lines, depth = [""], 0
@@ -128,9 +128,9 @@ def one_per_line(call: str) -> str:
 
 
 def laid_out(rows: list[Row]) -> str:
-    """Format rows as text: each label, followed by its text from column 10 on.
+    """Format rows as text, with each label in front and its text beginning at column 10.
 
-    Continuation lines are indented too, so that no text can be mistaken for a label.
+    Continuation lines are indented too, so that their text cannot be mistaken for a label.
     """
     lines = []
     for label, words in rows:
@@ -143,7 +143,7 @@ NOTHING = Message()
 
 
 class ExpectationError(AssertionError):
-    """Raised when the code did not meet an expectation of a check. It carries the message."""
+    """Raised when a student's code does not meet an expectation. It carries the check's message."""
 
     def __init__(self, message: Message) -> None:
         super().__init__(message)

@@ -1,7 +1,8 @@
 """Convert frozen dataclasses to JSON data and back.
 
-The data may come from another process or from an older version of the program. Every value is
-therefore checked against the type of its field, and an error names the value that does not match.
+The data may come from another process or from an older version of the program, so it may not fit.
+Every value is therefore checked against the type of its field. If one does not match, the error
+names it.
 """
 
 from __future__ import annotations
@@ -18,11 +19,14 @@ Record = TypeVar("Record")
 
 
 class RecordError(ValueError):
-    """A value in the JSON data does not match the type of its field."""
+    """Raised when a value in the JSON data does not match the type of its field."""
 
 
 def to_json(value: Any) -> Any:
-    """Convert a record to plain data for json.dumps, without fields that equal their default."""
+    """Convert a record to plain data for json.dumps.
+
+    Fields that equal their default are left out.
+    """
     if is_dataclass(value) and not isinstance(value, type):
         data = {}
         for field, default in _fields(type(value)):
@@ -52,7 +56,10 @@ def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
 
 @cache
 def _fields(kind: type) -> list[tuple[str, Any]]:
-    """Return the fields of a dataclass, each with its default, or MISSING if it is required."""
+    """Return the fields of a dataclass with their defaults.
+
+    A required field has the default MISSING.
+    """
     found = []
     for field in fields(kind):
         made = field.default_factory
@@ -105,7 +112,10 @@ def _record_reader(kind: type) -> Callable[[Any, str], Any]:
 
 
 def _union_reader(kinds: tuple[Any, ...]) -> Callable[[Any, str], Any]:
-    """Return a function that reads any of several types and raises the error of the first one."""
+    """Return a function that reads any one of several types.
+
+    If none of them fits, the function raises the error of the first type.
+    """
     readers = [_reader(kind) for kind in kinds if kind is not type(None)]
 
     def read(data: Any, what: str) -> Any:
@@ -165,7 +175,10 @@ def _choice_reader(choices: Any) -> Callable[[Any, str], Any]:
 
 
 def _plain_reader(kind: Any) -> Callable[[Any, str], Any]:
-    """Return a function that reads a string, number or boolean. It accepts an int for a float."""
+    """Return a function that reads a string, number or boolean.
+
+    For a float, it also accepts an int.
+    """
     accepted = (int, float) if kind is float else (kind,)
 
     def read(data: Any, what: str) -> Any:

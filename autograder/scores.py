@@ -1,4 +1,4 @@
-"""Turn the verdicts of checks into the points of exercises."""
+"""Convert the verdicts on checks to the points of exercises."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from typing import Literal
 from autograder.checks.verdict import Point, Status, Verdict
 from autograder.manifest import Chapter, Exercise
 
-ExerciseStatus = Status | Literal["waiting", "marked"]  # "marked": by a person
-PHYSICS_SHARE = 0.85  # of an exercise's points, if it has robust checks as well
+ExerciseStatus = Status | Literal["waiting", "marked"]  # "marked" means that a person gave points
+PHYSICS_SHARE = 0.85  # of an exercise's points, if it also has robust checks
 
 
 @dataclass(frozen=True)
 class Result:
-    """The result of an exercise, with the verdicts of its checks.
+    """The result of an exercise, with the verdicts on its checks.
 
-    The score is None while it is unknown: a written answer waits for a person, or the grader has
-    failed.
+    The score is None while it is unknown. This is the case for a written answer that nobody has
+    marked yet, and for an exercise on which the grader failed.
     """
 
     exercise: Exercise
@@ -28,12 +28,12 @@ class Result:
 
     @property
     def physics(self) -> list[Verdict]:
-        """The verdicts of the physics tier, which alone can block later exercises."""
+        """The verdicts on the physics checks. Only these can block later exercises."""
         return [check for check in self.checks if not check.robust]
 
     @property
     def robust(self) -> list[Verdict]:
-        """The verdicts of the robust tier: bad arguments, overflow and NaN."""
+        """The verdicts on the robust checks, which test bad arguments, overflow and NaN."""
         return [check for check in self.checks if check.robust]
 
     @property
@@ -43,12 +43,12 @@ class Result:
 
     @property
     def on_chart(self) -> Point | None:
-        """The submission's position on the exercise's chart, or None if no check reported one."""
+        """The submission's position on the chart, or None if no check has reported one."""
         return next((check.on_chart for check in self.checks if check.on_chart), None)
 
 
 def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
-    """Return a result for each exercise of the chapter."""
+    """Return the result of each exercise in the chapter."""
     by_exercise: dict[str, list[Verdict]] = {}
     for verdict in verdicts:
         by_exercise.setdefault(verdict.exercise, []).append(verdict)
@@ -56,11 +56,11 @@ def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
 
 
 def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
-    """Return the result of one exercise: its points, scaled by the weight of the passing checks.
+    """Return the result of one exercise. It earns points by the weight of the checks that pass.
 
-    If the exercise has both tiers, the physics earns PHYSICS_SHARE of the points and the robust
-    checks earn the rest. The status is that of the physics until the physics passes. An exercise
-    without checks is an error of the grader, so it does not score zero.
+    If the exercise has both tiers, the physics checks earn PHYSICS_SHARE of the points and the
+    robust checks earn the rest. The status depends on the physics checks alone until all of them
+    pass. An exercise without checks is an error of the grader, so it does not score zero.
     """
     if exercise.kind == "written":
         return Result(exercise, "waiting", None, [])
@@ -87,10 +87,11 @@ def _passing(checks: Sequence[Verdict]) -> float:
 
 
 def total(results: Iterable[Result]) -> tuple[float | None, float]:
-    """Return the points earned and the points that checks can give, without written answers.
+    """Return the points earned, and the points that checks can give without written answers.
 
-    The points earned are None if the grader failed on an exercise, since they are then unknown.
-    Extra credit is earned above the points that checks can give. Optional exercises do not count.
+    If the grader failed on an exercise, the points earned are None, because they are unknown. Extra
+    credit adds to the points earned but not to the possible points. Optional exercises do not
+    count.
     """
     checked = [r for r in results if not (r.exercise.kind == "written" or r.exercise.optional)]
     points = possible(result.exercise for result in checked)
@@ -105,7 +106,7 @@ def possible(exercises: Iterable[Exercise]) -> float:
 
 
 def shown(score: float | None) -> str:
-    """Format a score for people to read: 2.5, or - if there is none."""
+    """Format a score for people to read, such as 2.5. If there is no score, return a dash."""
     return "-" if score is None else f"{score:.2f}".rstrip("0").rstrip(".")
 
 

@@ -1,8 +1,8 @@
-"""Generate the stubs in chapters/, from which students start, out of solutions/.
+"""Generate the stubs in chapters/, from which students start, from the solutions.
 
-The bodies that a manifest names become ``raise NotImplementedError``; signatures and docstrings
-stay. stubs.lock holds a hash of every stub, so that an edited stub is recognized and never
-overwritten.
+The bodies of the functions that a manifest names become ``raise NotImplementedError``. Their
+signatures and docstrings stay. stubs.lock contains a hash of every stub. The hash shows whether a
+stub has been edited, and an edited stub is never overwritten.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ def make_stubs(root: Path = ROOT) -> dict[str, str]:
         solution = root / "solutions" / chapter.name
         for name in chapter.edited_files:
             stubs[f"chapters/{chapter.name}/{name}"] = stub_of(chapter, name, root)
-        for name in chapter.data_files:  # the first line has the column names
+        for name in chapter.data_files:  # only their first line, which has the column names
             lines = (solution / name).read_text(encoding="utf-8").splitlines(keepends=True)
             stubs[f"chapters/{chapter.name}/{name}"] = lines[0]
         answers = solution / "answers.md"
@@ -45,7 +45,7 @@ def make_stubs(root: Path = ROOT) -> dict[str, str]:
 
 
 def stub_of(chapter: Chapter, file: str, root: Path = ROOT) -> str:
-    """Return the stub of one module, such as vector.py.
+    """Return the text of the stub for one module, such as vector.py.
 
     Raises:
         OSError: The solution cannot be read.
@@ -56,15 +56,15 @@ def stub_of(chapter: Chapter, file: str, root: Path = ROOT) -> str:
 
 @cache
 def _stub_of_text(source: str, messages: tuple[tuple[str, str], ...]) -> str:
-    """Return the stub of a source text. The result is cached, because libcst is slow."""
+    """Return the stub for a source text. The result is cached, because libcst is slow."""
     return stub_module(source, dict(messages))
 
 
 def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
     """Return the original stub of a module, or None if it is not available.
 
-    The stub is generated from the reference. A hand-out has no reference and keeps its stubs in a
-    folder instead.
+    The stub is generated from the reference. A hand-out does not contain the reference, so it keeps
+    its original stubs in a folder.
     """
     if (root / "solutions" / chapter.name / file).is_file():
         return stub_of(chapter, file, root)
@@ -73,7 +73,10 @@ def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
 
 
 def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
-    """Write the stubs and the lock. Return the paths written and the edited paths left alone."""
+    """Write the stubs and the lock. Return the paths that were written, and those left alone.
+
+    A stub that has been edited is left alone.
+    """
     locked = read_lock(root)
     written, left_alone = [], []
     stubs = make_stubs(root)
@@ -116,21 +119,21 @@ def complete_hashes(root: Path = ROOT) -> dict[str, str]:
 
 
 def _read(file: Path) -> str | None:
-    """Return the text of a file, or None if there is no file.
+    """Return the text of a file, or None if the file does not exist.
 
-    Invalid UTF-8 is replaced, so that a file with any counts as edited.
+    Invalid UTF-8 is replaced with other characters, so a file that contains any counts as edited.
     """
     return file.read_text(encoding="utf-8", errors="replace") if file.exists() else None
 
 
 def stub_module(source: str, messages: dict[str, str], kept: Collection[str] = ()) -> str:
-    """Return a module's source with the named bodies removed.
+    """Return the source of a module with the bodies of some functions removed.
 
-    ``messages`` maps each name, such as ``Vector3.dot``, to the message that its stub raises.
-    Private helpers, constants and imports that only the removed bodies use are removed too, because
-    they belong to the reference's way of solving the exercise. Public helpers lose their bodies but
-    stay, and public constants stay, because docstrings mention them. The functions in ``kept`` keep
-    their bodies, even if only removed bodies use them.
+    ``messages`` maps the name of each of these functions, such as ``Vector3.dot``, to the message
+    that its stub raises. If private helpers, constants and imports are used only by removed bodies,
+    they are removed as well, because they belong to the reference's solution. If public helpers are
+    used only by removed bodies, they lose their bodies but stay. Public constants stay, because
+    docstrings mention them. The functions in ``kept`` always keep their bodies.
 
     Raises:
         ValueError: The module does not define one of the names.
@@ -157,7 +160,7 @@ def stub_module(source: str, messages: dict[str, str], kept: Collection[str] = (
 
 
 def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
-    """Return the message that the stub of each edited name in the file raises."""
+    """Return the message that the stub of each edited function in a file raises, keyed by name."""
     prefix = file.removesuffix(".py") + "."
     return {
         name.removeprefix(prefix): f"Exercise {exercise.id}: {exercise.title}"
@@ -170,10 +173,10 @@ def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
 def _helpers_of(
     defined: dict[str, ast.FunctionDef], messages: dict[str, str], gone: set[str]
 ) -> dict[str, str]:
-    """Return the functions that only removed bodies use, each with its first user's message.
+    """Return the functions that only removed bodies use, each with the message of its first user.
 
-    If several functions share a short name, such as the methods of a Protocol, a use may refer to
-    any of them, so none is returned.
+    If several functions have the same short name, such as the methods of a Protocol, a use may
+    refer to any of them. Such functions are not returned.
     """
     short_names = [_short(name) for name in defined]
     return {
@@ -215,7 +218,7 @@ def _used_names(source: str) -> set[str]:
 
 
 def _private_constant(statement: cst.CSTNode) -> str | None:
-    """Return _NAME if the statement is ``_NAME = value``, and None otherwise."""
+    """Return _NAME if the statement has the form ``_NAME = value``, or else None."""
     match statement:
         case cst.SimpleStatementLine(
             body=[cst.Assign(targets=[cst.AssignTarget(target=cst.Name(value=name))])]
@@ -225,7 +228,7 @@ def _private_constant(statement: cst.CSTNode) -> str | None:
 
 
 def without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
-    """Return the module with a raise in place of each body that ``messages`` names."""
+    """Return the module with a raise statement in place of each body that ``messages`` names."""
     bodies = {
         name: f"raise NotImplementedError({json.dumps(message)})"
         for name, message in messages.items()
@@ -234,7 +237,7 @@ def without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
 
 
 def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
-    """Return the module with new bodies in the named functions. Docstrings are kept."""
+    """Return the module with new bodies for the named functions. Their docstrings are kept."""
 
     def changed(node: Any, prefix: str = "") -> Any:
         if isinstance(node, cst.ClassDef):
@@ -242,12 +245,12 @@ def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
             return node.with_changes(body=node.body.with_changes(body=members))
         if not isinstance(node, cst.FunctionDef):
             return node
-        name = next(iter(functions(ast.parse(cst.Module([node]).code))), "")  # "": it is async
+        name = next(iter(functions(ast.parse(cst.Module([node]).code))), "")  # "" if it is async
         if prefix + name not in bodies:
             return node
         body: list[Any] = [*cst.parse_module(bodies[prefix + name]).body]
         if node.get_docstring() is not None:
-            first = node.body.body[0]  # a separate line, or on the line of the def
+            first = node.body.body[0]  # on a line of its own, or on the line of the def
             line: Any = first if isinstance(first, cst.SimpleStatementLine) else node.body
             docstring = line.body[0].with_changes(semicolon=cst.MaybeSentinel.DEFAULT)
             body.insert(0, cst.SimpleStatementLine([docstring]))
@@ -257,11 +260,11 @@ def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
 
 
 def _tidied(source: str) -> str:
-    """Let ruff remove unused imports and superfluous blank lines."""
+    """Use ruff to remove unused imports and superfluous blank lines."""
     one_line = "lint.isort.split-on-trailing-comma=false"  # if the remaining names fit
     unused = ["check", "--fix", "--select", "F401,I", "--config", one_line, "--quiet", "-"]
     for arguments in (unused, ["format", "-"]):
-        command = [find_ruff_bin(), *arguments]  # without a Python in between, as it runs 98 times
+        command = [find_ruff_bin(), *arguments]  # called directly, because it runs 98 times
         source = subprocess.run(
             command, input=source, capture_output=True, encoding="utf-8", check=True, cwd=ROOT
         ).stdout

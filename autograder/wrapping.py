@@ -1,4 +1,4 @@
-"""Lay out text for a terminal: wrap lines between words, and shorten long output."""
+"""Lay out text for a terminal, by wrapping lines between words and shortening long output."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ MORE = re.compile(r"\.\.\. and (at least )?(\d+) more lines?")
 def plain_console(file: IO[str] | None = None, width: int | None = None) -> Console:
     """Return a console that prints every text as it is, by default to standard output.
 
-    Otherwise brackets and colons in a student's name could be taken for styles and emoji, and a
-    name such as "Ann [/]" would stop the program.
+    Without this setting, rich would interpret brackets and colons in a student's name as styles and
+    emoji, and a name such as "Ann [/]" would raise an error.
     """
     from rich.console import Console
 
@@ -29,9 +29,9 @@ def plain_console(file: IO[str] | None = None, width: int | None = None) -> Cons
 
 
 def wrapped(words: str, width: int, hanging: int = 0) -> list[str]:
-    """Wrap a text to the width of a terminal and return its lines.
+    """Wrap a text to the width of a terminal, and return its lines.
 
-    Continuation lines are indented by ``hanging`` columns. A word is split only if it is longer
+    Lines after the first are indented by ``hanging`` columns. A word is split only if it is longer
     than a line.
     """
     lines = []
@@ -46,32 +46,32 @@ def wrapped(words: str, width: int, hanging: int = 0) -> list[str]:
 
 
 def wrapped_rows(rows: list[Row], width: int) -> list[str]:
-    """Wrap the rows of a message to the width of a terminal, with the text beside its labels."""
+    """Wrap the rows of a message to the width of a terminal. The text stays beside its label."""
     return [
         line for row in rows for line in wrapped(laid_out([row]), width, INDENT if row[0] else 0)
     ]
 
 
 def print_wrapped(console: Console, words: str, style: str = "", hanging: int = 0) -> None:
-    """Print a text, wrapped if the output is a terminal.
+    """Print a text, which is wrapped if the output is a terminal.
 
-    Continuation lines are indented by ``hanging`` columns.
+    Lines after the first are indented by ``hanging`` columns.
     """
     lines = wrapped(words, console.width, hanging) if console.is_terminal else [words]
     console.print("\n".join(lines), style=style, markup=False, soft_wrap=True)
 
 
 def print_rows(console: Console, rows: list[Row]) -> None:
-    """Print the rows of a message, wrapped if the output is a terminal."""
+    """Print the rows of a message, which are wrapped if the output is a terminal."""
     lines = wrapped_rows(rows, console.width) if console.is_terminal else [laid_out(rows)]
     console.print("\n".join(lines), markup=False, soft_wrap=True)
 
 
 def few_lines(text: str, lines: int, characters: int) -> str:
-    """Return the beginning of a text and a note that says how many lines are left out.
+    """Return the beginning of a text, with a note on how many lines are left out.
 
-    The count includes lines that an earlier call left out. A text of LONGEST_PRINTED or more
-    characters was cut before, so its note says "at least".
+    The number includes lines that an earlier call has left out. A text of LONGEST_PRINTED or more
+    characters has already been cut when it was captured, so its note says "at least".
     """
     cut_before = len(text) >= LONGEST_PRINTED
     text = text[:LONGEST_PRINTED].strip("\n")
@@ -90,7 +90,7 @@ def few_lines(text: str, lines: int, characters: int) -> str:
 
 
 def cut(lines: list[str], room: int, note: str) -> list[str]:
-    """Shorten a list of lines to the given room by replacing its middle with a note."""
+    """Shorten a list of lines to at most ``room`` lines, by replacing its middle with a note."""
     if len(lines) <= room:
         return lines
     room = max(room - 1, 2)

@@ -1,1 +1,1 @@
-"""Interactive scenes that run on a student's own engine, in a browser, a window or a picture."""
+"""Interactive scenes that use a student's own engine, in a browser, in a window or as a picture."""

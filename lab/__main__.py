@@ -75,7 +75,10 @@ def _serve(options: argparse.Namespace) -> int:
 
 
 def _play(options: argparse.Namespace) -> int:
-    """Play a scene in a window. Record it to files if there is no display or on request."""
+    """Play a scene in a window.
+
+    If there is no display, or on request, record it to files instead.
+    """
     find(options.scene)
     if options.seconds is not None and not 0.0 < options.seconds < math.inf:
         raise ValueError(f"--seconds must be positive and finite, got {options.seconds!r}")
@@ -112,10 +115,10 @@ def settings_of(options: argparse.Namespace) -> dict[str, str]:
 
 
 def first_query(scene: str, chapter: int | None, settings: dict[str, str]) -> str:
-    """Return the query string of the page's first address.
+    """Return the query string of the address that the browser opens first.
 
     Raises:
-        ValueError: If the scene does not exist, or the chapter has no scenes.
+        ValueError: The scene does not exist, or the chapter has no scenes.
     """
     if scene:
         find(scene)

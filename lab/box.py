@@ -1,4 +1,4 @@
-"""Draw a box in 3D with one color per axis, leaving out the faces that point away."""
+"""Draw a box in 3D, with one color per axis. Faces that point away from the viewer are left out."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ def draw_box(
     turn: Callable[[Vector3], Vector3],
     center: tuple[float, float] = (0.0, 0.0),
 ) -> None:
-    """Draw a box with side lengths in m.
+    """Draw a box whose sides have these lengths in m.
 
-    ``turn`` rotates a vector from the box's axes to the world's axes. ``center`` is where the
-    center of the box is drawn.
+    ``turn`` is a function that rotates a vector from the box's axes to the world's axes. ``center``
+    is the point of the picture at which the center of the box is drawn.
     """
     x0, y0 = center
     for face, axis in _faces(sides):

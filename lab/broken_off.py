@@ -1,4 +1,4 @@
-"""Explain why an engine stopped while it was answering a message."""
+"""Explain why an engine stopped before it had answered a message."""
 
 from __future__ import annotations
 
@@ -10,9 +10,10 @@ TIME_LIMIT = 2.5  # s per message; a message normally takes a few milliseconds
 
 
 def why_it_broke_off(stack: str, engine: list[Path]) -> str:
-    """Explain why the engine stopped, from the stack that it wrote if its time was up.
+    """Return an explanation of why the engine stopped.
 
-    If the stack is empty, the process ended by itself.
+    If its time was up, ``stack`` is the stack trace that it wrote. If the stack is empty, the
+    process ended by itself.
     """
     if stack:
         return str(explain_hang(stack, TIME_LIMIT, engine))

@@ -1,4 +1,7 @@
-"""Project points in space onto the picture: x to the right, y up, z toward the lower left."""
+"""Project points in space onto the picture.
+
+In the picture, x points to the right, y points up, and z points toward the lower left.
+"""
 
 from __future__ import annotations
 
@@ -13,6 +16,6 @@ def flat(v: Vector3) -> tuple[float, float]:
 
 
 def on_the_ground(x: float, y: float) -> tuple[float, float]:
-    """Return the x and z of the point at height 0 that is drawn at (x, y)."""
+    """Return the x and z of the point on the ground (y = 0) that is drawn at (x, y)."""
     z = -y / TOWARD[1]
     return x + TOWARD[0] * z, z

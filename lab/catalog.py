@@ -1,4 +1,4 @@
-"""Find the scenes. Each module in lab/scenes/ lists its scene classes in a tuple SCENES."""
+"""Find the scenes of the lab. Each module in lab/scenes/ lists its scenes in a tuple SCENES."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ FOLDER = Path(__file__).parent / "scenes"
 
 @dataclass(frozen=True)
 class Entry:
-    """The name and location of a scene, which can be found without importing an engine."""
+    """Where a scene is defined. This information is available without importing an engine."""
 
     name: str
     title: str
@@ -26,7 +26,7 @@ class Entry:
 
 @cache  # the scenes are part of the program, so they do not change while it runs
 def entries() -> tuple[Entry, ...]:
-    """Return all scenes, chapter by chapter, in the order of their modules."""
+    """Return the entries of all scenes, sorted by chapter, in the order of their modules."""
     found = []
     for file in sorted(FOLDER.glob("ch??_*.py")):
         tree = ast.parse(file.read_text(encoding="utf-8"))
@@ -45,10 +45,10 @@ def entries() -> tuple[Entry, ...]:
 
 
 def find(name: str) -> Entry:
-    """Return the entry of a scene.
+    """Return the entry of the scene with this name.
 
     Raises:
-        ValueError: If there is no such scene. The message lists all scenes.
+        ValueError: There is no such scene. The message lists all scenes.
     """
     for entry in entries():
         if entry.name == name:
@@ -59,7 +59,7 @@ def find(name: str) -> Entry:
 
 
 def load(name: str) -> type[Scene]:
-    """Import a scene and the engine chapters that it uses."""
+    """Import a scene, together with the chapters of the engine that it uses."""
     entry = find(name)
     scene: type[Scene] = getattr(importlib.import_module(entry.module), entry.kind)
     return scene
@@ -74,7 +74,7 @@ def _listed(tree: ast.Module) -> list[str]:
 
 
 def _title(node: ast.ClassDef) -> str:
-    """Return a scene class's title, or the class name if it sets no title."""
+    """Return the title of a scene class. If it has no title, return the name of the class."""
     for line in node.body:
         if isinstance(line, ast.Assign) and ast.unparse(line.targets[0]) == "title":
             return str(ast.literal_eval(line.value))

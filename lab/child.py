@@ -1,7 +1,7 @@
-"""The process that runs the student's code and exchanges JSON messages, one per line.
+"""The process that runs a student's code and exchanges JSON messages, one per line.
 
-If a message takes longer than TIME_LIMIT, the process writes a stack trace to the file given by
-``--stack`` and exits.
+If the answer to a message takes longer than TIME_LIMIT, the process writes a stack trace to the
+file that ``--stack`` names, and exits.
 """
 
 from __future__ import annotations
@@ -45,7 +45,10 @@ def main() -> None:
 
 
 def answered(host: Host, line: bytes) -> list[str]:
-    """Return the answers to a message as lines of JSON. A line that is no message is refused."""
+    """Return the answers to a message as lines of JSON.
+
+    A line that is not a message is rejected.
+    """
     try:
         message = json.loads(line)
     except (ValueError, RecursionError):
@@ -57,7 +60,12 @@ def answered(host: Host, line: bytes) -> list[str]:
 
 
 def as_json(answer: Message) -> str:
-    """Return an answer as one line. Raises ValueError or TypeError if it is not plain data."""
+    """Return an answer as one line of JSON.
+
+    Raises:
+        ValueError: A number in it is infinite or NaN, which JSON does not allow.
+        TypeError: It contains something that is not plain data.
+    """
     return json.dumps(answer, separators=(",", ":"), allow_nan=False)
 
 

@@ -1,4 +1,4 @@
-"""Show what a contact resolver does: its contacts, impulses and iterations."""
+"""Show the work of a contact resolver: its contacts, its impulses and its iterations."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from lab.pen import Pen
 
 
 class ContactView(ContactResolver):
-    """A resolver that calls another resolver and records the results of the last step."""
+    """A resolver that delegates to another resolver and records what it did in the last step."""
 
     def __init__(self, resolver: ContactResolver) -> None:
         self.resolver = resolver
@@ -38,7 +38,10 @@ class ContactView(ContactResolver):
         ]
 
     def forget(self) -> None:
-        """Clear the record of the last step, because the next step may have no contacts."""
+        """Clear the record of the last step.
+
+        Call this before each step, which may have no contacts.
+        """
         self.impulses, self.pairs, self.iterations_used = [], [], 0
 
     def draw(self, pen: Pen, scale: float) -> None:

@@ -1,4 +1,4 @@
-"""Start, query and stop the processes that run students' code, on behalf of the server."""
+"""Start, query and stop the processes that run students' code. The server uses this module."""
 
 from __future__ import annotations
 
@@ -21,7 +21,10 @@ LONGEST_RECORDING = 120.0  # s
 
 
 class EngineProcess:
-    """The process that runs one engine for one page. The first message starts it."""
+    """The process that runs an engine for one open page.
+
+    It starts when the first message arrives.
+    """
 
     def __init__(self, engine: str, given: str = "") -> None:
         self.engine = engine
@@ -31,10 +34,10 @@ class EngineProcess:
         self.stack = Path(self.folder.name) / "stack.txt"
 
     async def ask(self, message: str) -> AsyncIterator[str]:
-        """Send a message and yield its answers, each a line of JSON.
+        """Send a message to the process, and yield its answers as lines of JSON.
 
-        If the process exits or exceeds the time limit, it is killed. The last answer then
-        explains why.
+        If the process exits or takes too long, it is killed. The last answer then explains the
+        reason.
         """
         limit = TIME_LIMIT + GRACE
         if self.process is None:
@@ -65,8 +68,8 @@ class EngineProcess:
             with contextlib.suppress(ProcessLookupError):
                 process.kill()
             assert process.stdout is not None
-            # Until its output is read, the process does not count as ended. Another coroutine may
-            # be reading it already. A process that it has started may hold its pipes for long.
+            # The process does not count as ended until its output is read, and another coroutine
+            # may already be reading it. A child of the process may keep the pipes open for long.
             with contextlib.suppress(TimeoutError):
                 async with asyncio.timeout(GRACE):
                     with contextlib.suppress(RuntimeError):
@@ -92,16 +95,16 @@ class EngineProcess:
         )
 
     def _why(self) -> str:
-        """Return an explanation of why the process stopped."""
+        """Return an explanation of why the process has stopped."""
         stack = self.stack.read_text(encoding="utf-8") if self.stack.exists() else ""
         return why_it_broke_off(stack, [ROOT / self.engine])
 
 
 async def recording(engine: str, given: str, scene: str, values: dict[str, str]) -> bytes:
-    """Record an animation of a scene and return it as a GIF.
+    """Record an animation of a scene, and return it as a GIF.
 
     Raises:
-        ValueError: If the recording fails. The message is the last line of its output.
+        ValueError: The recording fails. The message is the last line of its output.
     """
     settings = [f"--set={name}={value}" for name, value in values.items()]
     with tempfile.TemporaryDirectory(prefix="lab-") as folder:

@@ -1,8 +1,8 @@
-"""The engine host, which runs one scene on an engine and communicates by messages.
+"""The engine host, which runs one scene on an engine and is controlled by messages.
 
 The host does not depend on pages, sockets or processes, so the local server and the course's site
-can share it. A message is a dict with a ``kind``. It contains only numbers, texts, lists and dicts,
-so that it can be sent as JSON.
+can both use it. A message is a dict with a ``kind``. It contains only numbers, texts, lists and
+dicts, so that it can be sent as JSON.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ FAR = 1e12  # m, J and so on; a larger number means that the scene has exploded
 
 
 class Host:
-    """A host that answers messages about one scene.
+    """Answers messages about one scene.
 
-    ``explain`` takes an exception raised by the student's code and returns an explanation.
+    ``explain`` is a function that turns an exception in the student's code into an explanation.
     """
 
     def __init__(self, explain: Callable[[BaseException], str]) -> None:
@@ -73,7 +73,7 @@ class Host:
         return [self._frame()]
 
     def _load(self, name: str, values: dict[str, object], peer: str) -> list[Message]:
-        """Build a scene. Reject each invalid value and use the default in its place."""
+        """Build a scene. Any invalid value is rejected, and the default is used instead."""
         self.scene = None
         kind = load(name)
         if peer and peer not in kind.peers:
@@ -103,7 +103,7 @@ class Host:
         return [self._frame()]
 
     def _keep(self, name: str, value: object) -> list[Message]:
-        """Store the value of a parameter, or return a message that explains why it is invalid."""
+        """Store the value of a parameter. If it is invalid, return a message that explains why."""
         assert self.kind is not None
         parameter = parameters_of(self.kind).get(name)
         if parameter is None:
@@ -124,7 +124,7 @@ class Host:
         return [self._frame()]
 
     def _frame(self) -> Message:
-        """Return the current state: drawn items, charted values, cost and description."""
+        """Return the current state: drawn items, charted values, the cost and a description."""
         scene = self.scene
         assert scene is not None
         pen = Pen()

@@ -1,4 +1,4 @@
-"""The parameters of a scene: numbers and choices that the reader can change."""
+"""The parameters of a scene, which are numbers and choices that the reader can change."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from typing import Any
 
 
 class Parameter:
-    """A value of a scene that the reader can change, defined as a class attribute of the scene.
+    """A value that the reader can change, defined as a class attribute of a scene.
 
-    On a scene instance the attribute is the current value: ``self.stiffness`` is a number. A
-    ``live`` parameter can change while the scene runs. Changing any other parameter rebuilds the
-    scene.
+    On an instance of the scene, the attribute holds the current value, so ``self.stiffness`` is a
+    number. A ``live`` parameter can change while the scene runs. If any other parameter changes,
+    the scene is built again.
     """
 
     def __init__(self, default: Any, label: str, unit: str, *, live: bool) -> None:
@@ -29,7 +29,7 @@ class Parameter:
         return self if scene is None else scene.values[self.name]
 
     def checked(self, value: object) -> Any:
-        """Return the value, converted if necessary, or raise ValueError if it is not allowed."""
+        """Return the value, converted to the right type. Raise ValueError if it is not allowed."""
         raise NotImplementedError
 
     def described(self) -> dict[str, Any]:
@@ -44,9 +44,9 @@ class Parameter:
 
 
 class Slider(Parameter):
-    """A number from ``low`` to ``high``.
+    """A number between ``low`` and ``high``, which the reader sets with a slider.
 
-    The slider moves in steps of ``step``. If ``log`` is true, it is logarithmic.
+    The slider moves in steps of ``step``. If ``log`` is true, its scale is logarithmic.
     """
 
     def __init__(
@@ -88,7 +88,7 @@ class Slider(Parameter):
 
 
 class Choice(Parameter):
-    """One of several options, which are numbers or texts."""
+    """A choice between several options, which are numbers or texts."""
 
     def __init__(
         self,
@@ -103,13 +103,13 @@ class Choice(Parameter):
         self.options = list(options)
 
     def checked(self, value: object) -> Any:
-        """Return the option that the value names.
+        """Return the option with this name.
 
-        The value may use hyphens for spaces, and case does not matter. This makes it easy to type
-        on a command line.
+        To make options easy to type on a command line, the name may contain hyphens instead of
+        spaces, and case does not matter.
 
         Raises:
-            ValueError: If no option has that name.
+            ValueError: No option has this name.
         """
         for option in self.options:
             if value == option or _plain(value) == _plain(option):
@@ -123,6 +123,6 @@ class Choice(Parameter):
 
 
 def _plain(name: object) -> str:
-    """Return an option as it may be typed on a command line."""
+    """Return the name of an option in the form in which it is typed on a command line."""
     text = f"{name:g}" if isinstance(name, float) else str(name)
     return text.lower().replace(" ", "-")

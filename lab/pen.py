@@ -1,8 +1,8 @@
-"""A pen that records what a scene draws as plain data, for a page or matplotlib to draw later.
+"""A pen that records what a scene draws as plain data, which a page or matplotlib draws later.
 
-Coordinates are in the scene's own units, with +x to the right and +y up. A point is a Vector3 or a
-pair (x, y). Colors are given by name, so that each renderer can choose shades for a light or a dark
-page.
+Coordinates are in the scene's own units, with +x to the right and +y up. A point is either a
+Vector3 or a pair (x, y). Colors are given by name, so that a page can choose suitable shades for a
+light or a dark background.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ Item = list[Any]
 
 
 class Pen:
-    """A pen that records each drawn item as a list, which begins with its kind and color."""
+    """Records each drawn item as a list, which begins with the kind and the color of the item."""
 
     def __init__(self) -> None:
         self.items: list[Item] = []
@@ -43,11 +43,14 @@ class Pen:
         grab: str = "",
         fill: bool = True,
     ) -> None:
-        """Draw a circle. If ``grab`` is set, the reader can drag it: see ``Scene.drag``."""
+        """Draw a circle.
+
+        If ``grab`` is set, the reader can drag the circle, as in ``Scene.drag``.
+        """
         self._add("circle", color, *_xy(center), _short(radius), fill, grab)
 
     def dots(self, centers: Iterable[Point], color: str = "blue", size: float = 4.0) -> None:
-        """Draw dots of a fixed size in pixels, independent of the view's scale."""
+        """Draw dots with a size in pixels, which does not depend on the view's scale."""
         self._add("dots", color, _flat(centers), size)
 
     def line(
@@ -68,7 +71,7 @@ class Pen:
         self._add("segments", color, _flat(end for pair in pairs for end in pair), width)
 
     def area(self, corners: Iterable[Point], color: str = "gray", *, solid: bool = False) -> None:
-        """Fill an area. It is translucent, like water, unless ``solid`` is true."""
+        """Fill an area. Unless ``solid`` is true, it is translucent, like water."""
         self._add("area", color, _flat(corners), solid)
 
     def spring(self, a: Point, b: Point, color: str = "gray") -> None:
@@ -76,7 +79,7 @@ class Pen:
         self._add("spring", color, *_xy(a), *_xy(b))
 
     def arrow(self, start: Point, vector: Point, color: str = "green", kind: str = "") -> None:
-        """Draw an arrow. The reader can show or hide the kinds listed in ARROWS."""
+        """Draw an arrow. If its kind is listed in ARROWS, the reader can show or hide it."""
         self._add("arrow", color, *_xy(start), *_xy(vector), kind)
 
     def text(self, at: Point, words: str, color: str = "black", size: float = 14.0) -> None:
@@ -84,7 +87,7 @@ class Pen:
         self._add("text", color, *_xy(at), words, size)
 
     def ground(self, height: float = 0.0) -> None:
-        """Draw level ground across the whole view."""
+        """Draw level ground that extends across the whole view."""
         self._add("ground", "gray", _short(height))
 
     def _add(self, kind: str, color: str, *values: Any) -> None:
@@ -103,5 +106,5 @@ def _flat(points: Iterable[Point]) -> list[float]:
 
 
 def _short(value: float) -> float:
-    """Round a number to the precision that a picture needs, to keep frames small."""
+    """Round a number to the precision that a picture needs, which keeps messages small."""
     return float(f"{value:.5g}")

@@ -1,4 +1,4 @@
-"""Draw the items recorded by a scene's pen with matplotlib."""
+"""Draw the items that a scene's pen has recorded, using matplotlib."""
 
 from __future__ import annotations
 

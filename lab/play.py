@@ -1,6 +1,7 @@
-"""Play a scene in a window, or record a scripted run of it to files.
+"""Play a scene in a window, or record a scripted run of the scene to files.
 
-The files are an animation, a contact sheet of pictures from it, and a table of the charted values.
+The files are an animation, an overview of still pictures from it, and a table of the charted
+values.
 """
 
 from __future__ import annotations
@@ -29,10 +30,10 @@ SIZE = (8.0, 5.0)  # inches
 
 
 def record(scene: Scene, folder: Path, seconds: float | None = None) -> list[Path]:
-    """Record the scripted run and return the paths of the animation, the sheet and the table.
+    """Record the scripted run of a scene.
 
-    Older files of the same names are deleted first. If the scene fails, none of the three files
-    is left.
+    Return the paths of the animation, the overview and the table. Older files with the same names
+    are deleted first. If the scene fails, none of the three files remains.
     """
     name = name_of(type(scene))
     folder.mkdir(parents=True, exist_ok=True)
@@ -71,7 +72,7 @@ def record(scene: Scene, folder: Path, seconds: float | None = None) -> list[Pat
 
 
 def show(scene: Scene) -> None:
-    """Play a scene in a window until it is closed. Raises any exception of the engine."""
+    """Play a scene in a window until the window is closed. Exceptions of the engine are raised."""
     for setting in matplotlib.rcParams:
         if setting.startswith("keymap."):  # leave the keys to the scene
             matplotlib.rcParams[setting] = ["q"] if setting == "keymap.quit" else []
@@ -113,7 +114,7 @@ def show(scene: Scene) -> None:
 
 
 def _row(scene: Scene) -> dict[str, float | None]:
-    """Return a row of the table: the time, the charted values, and the error if it is known."""
+    """Return a row of the table: the time, the charted values, and the error if there is one."""
     error = scene.error()
     found: dict[str, float | None] = {"time, s": round(scene.time, 6), **scene.chart()}
     return found if error is None else found | {f"error, {scene.error_unit}": error}
@@ -127,7 +128,7 @@ def _image_of(figure: Figure) -> Any:
 
 
 def _sheet_of(tiles: list[Any]) -> Figure:
-    """Return a figure that shows these images in a grid."""
+    """Return a figure that shows these images as a grid."""
     columns = 3
     rows = -(-len(tiles) // columns)
     sheet, places = pyplot.subplots(rows, columns, figsize=(12, 2.6 * rows), layout="constrained")

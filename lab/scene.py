@@ -1,4 +1,4 @@
-"""The base class of all scenes in the lab: parameters, simulation steps and drawing."""
+"""The base class of all scenes in the lab, which provides parameters, steps and drawing."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ FRAME = 1.0 / 60.0  # s per frame
 class Question:
     """A question that the reader answers before the scene runs.
 
-    ``answer`` returns the index of the correct option for a scene with its current parameters.
-    ``why`` explains in a sentence or two what the reader has seen after ``seconds``.
+    ``answer`` is a function that returns the index of the correct option for the scene's current
+    parameters. ``why`` explains, in a sentence or two, what the reader has seen after ``seconds``.
     """
 
     words: str
@@ -29,11 +29,11 @@ class Question:
 
 
 class Scene:
-    """A scene in its own units, which are m unless the axes say otherwise.
+    """A scene in its own units, which are meters unless the axes say otherwise.
 
     A subclass sets the class attributes, defines parameters, and overrides ``build``, ``step``,
-    ``draw`` and any other methods that it needs. ``peers`` maps names, such as "exact" or
-    "pymunk", to subclasses that run the same scene by another method.
+    ``draw`` and any other methods that it needs. ``peers`` maps names, such as "exact" or "pymunk",
+    to subclasses that run the same scene by another method.
     """
 
     chapter: ClassVar[int]
@@ -74,15 +74,15 @@ class Scene:
         raise NotImplementedError
 
     def chart(self) -> dict[str, float]:
-        """Return the values to chart over time, keyed by name and unit, such as "energy, J"."""
+        """Return the values to plot over time, keyed by name and unit, such as "energy, J"."""
         return {}
 
     def state(self) -> list[float]:
-        """Return the coordinates to compare with the exact ones."""
+        """Return the coordinates that are compared with the exact ones."""
         return []
 
     def exact(self, time: float) -> list[float] | None:  # noqa: ARG002 - subclasses use it
-        """Return the exact coordinates at a time, or None if they are not known."""
+        """Return the exact coordinates at a time, or None if there is no exact solution."""
         return None
 
     def say(self) -> str:
@@ -103,7 +103,10 @@ class Scene:
         """Move the draggable circle with this name to a point."""
 
     def play(self, time: float) -> None:
-        """Act as a player would at this time. Recordings and tests call this before each frame."""
+        """Act as a player would at this time.
+
+        Recordings and tests call this method before each frame.
+        """
 
     def advance(self, duration: float = FRAME) -> None:
         """Advance the scene by one frame and update the time."""
@@ -111,7 +114,7 @@ class Scene:
         self.time += duration
 
     def error(self) -> float | None:
-        """Return the largest error of a coordinate, or None if the exact values are unknown."""
+        """Return the largest error of any coordinate, or None if there is no exact solution."""
         exact = self.exact(self.time)
         if exact is None:
             return None
@@ -120,7 +123,7 @@ class Scene:
 
 
 def parameters_of(scene: type[Scene]) -> dict[str, Parameter]:
-    """Return the parameters of a scene by name, those of its base classes last."""
+    """Return the parameters of a scene by name. Parameters of its base classes come last."""
     found: dict[str, Parameter] = {}
     for kind in scene.__mro__:
         for name, value in vars(kind).items():

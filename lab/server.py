@@ -23,7 +23,7 @@ REFERENCE = "solutions"
 
 
 class Lab(Site):
-    """The state that all handlers share: the available engines and the open sockets."""
+    """The data that all request handlers share: the available engines and the open sockets."""
 
     def __init__(self, engine: str, given: str = "") -> None:
         super().__init__()
@@ -47,7 +47,7 @@ class Lab(Site):
         )
 
     async def watch(self) -> None:
-        """Notify every page when a file of the student's engine is saved."""
+        """Notify every open page when a file of the student's engine is saved."""
         async for changes in awatch(find_engine(self.engines["yours"])[0]):
             files = sorted({Path(path).name for _, path in changes if path.endswith(".py")})
             for socket in list(self.sockets) if files else ():
@@ -55,7 +55,7 @@ class Lab(Site):
 
 
 class Scenes(Handler):
-    """The list of scenes and engines. It is available without importing an engine."""
+    """Serves the list of scenes and engines, for which no engine has to be imported."""
 
     site: Lab
 
@@ -65,7 +65,7 @@ class Scenes(Handler):
 
 
 class Recording(Handler):
-    """An animation of a scene with the parameters in the query."""
+    """Serves an animation of a scene with the parameters in the query."""
 
     site: Lab
 
@@ -85,7 +85,7 @@ class Recording(Handler):
 
 
 class EngineSocket(WebSocketHandler):
-    """A WebSocket with its own engine process."""
+    """A WebSocket for one open page, which has its own engine process."""
 
     def initialize(self, lab: Lab) -> None:
         self.lab = lab
@@ -94,12 +94,12 @@ class EngineSocket(WebSocketHandler):
 
     def prepare(self) -> None:
         self.lab.check_host(self.request)
-        origin = self.request.headers.get("Origin")  # only a browser sends it
+        origin = self.request.headers.get("Origin")  # only browsers send this header
         if origin is not None and not self.check_origin(origin):
             raise HTTPError(403)
 
     def check_origin(self, origin: str) -> bool:
-        """Accept only sockets that our own page opens."""
+        """Return whether a socket is opened by our own page. All others are refused."""
         return is_own_page(self.request, origin)
 
     def open(self) -> None:
@@ -122,7 +122,7 @@ class EngineSocket(WebSocketHandler):
                 pass
 
     async def saved(self, files: list[str]) -> None:
-        """Stop the old engine and notify the page, which then reloads its scene."""
+        """Stop the old engine, and notify the page so that it reloads its scene."""
         if self.engine is not None and self.get_query_argument("engine", "yours") == "yours":
             async with self.turn:
                 await self.engine.end()
@@ -136,7 +136,10 @@ class EngineSocket(WebSocketHandler):
 
 
 async def serve(lab: Lab, port: int, ready: Any) -> None:
-    """Serve until Ctrl-C. Calls ``ready`` with the address once the server is listening."""
+    """Serve until the user presses Ctrl-C. When the server is listening, call ``ready`` once.
+
+    ``ready`` receives the address.
+    """
     lab.listen(lab.application(), port)
     ready(lab.address)
     await lab.watch()

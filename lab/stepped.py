@@ -1,4 +1,4 @@
-"""Scenes in which the reader chooses the integrator and the number of steps per second."""
+"""A base class for scenes whose integrator and steps per second the reader can choose."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ RATES = (15.0, 30.0, 60.0, 120.0, 240.0, 480.0)
 
 
 class Stepped(Scene):
-    """A scene of particles and a force registry, both of which ``build`` must create."""
+    """A scene with particles and a force registry, which ``build`` must create."""
 
     integrator = Choice("semi-implicit Euler", "integrator", [*STEPS], live=True)
     rate = Choice(60.0, "steps per second", RATES, "Hz", live=True)
@@ -31,7 +31,10 @@ class Stepped(Scene):
     owed = 0.0  # s that have passed but have not been simulated yet
 
     def step(self, duration: float) -> None:
-        """Make as many steps as fit into the frame. The remaining time carries over."""
+        """Make as many steps as fit into the frame.
+
+        Any time left over is used in the next frame.
+        """
         length = 1.0 / self.rate
         self.owed += duration
         while self.owed > 0.5 * length:

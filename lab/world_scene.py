@@ -1,4 +1,7 @@
-"""Scenes of a particle world whose step rate and iteration limit can change while they run."""
+"""A base class for scenes of a particle world.
+
+The step rate and the iteration limit can change while such a scene runs.
+"""
 
 from __future__ import annotations
 
@@ -15,20 +18,23 @@ from studies.runs.links import ends_of
 
 
 class WorldScene(Scene):
-    """A scene that steps a particle world. ``build`` must call ``run``."""
+    """A scene that advances a particle world. ``build`` must call ``run``."""
 
     rate = Choice(60, "steps per second", [30, 60, 120, 240], "Hz", live=True)
     iterations = Choice(100, "most iterations per phase", [1, 3, 10, 30, 100, 300], live=True)
 
     def run(self, step: Callable[[float], object], world: ParticleWorld) -> None:
-        """Advance the world by ``step`` from now on, and record the world's contacts."""
+        """From now on, advance this world by calling ``step``, and record the world's contacts."""
         self.make_step = step
         self.owed = 0.0  # s that have passed but have not been simulated yet
         self.contacts = ContactView(world.resolver)
         world.resolver = self.contacts
 
     def step(self, duration: float) -> None:
-        """Make as many steps as fit into the frame. The remaining time carries over."""
+        """Make as many steps as fit into the frame.
+
+        Any time left over is used in the next frame.
+        """
         length = 1.0 / self.rate
         self.owed += duration
         while self.owed > 0.5 * length:
@@ -42,7 +48,7 @@ class WorldScene(Scene):
         self.make_step(duration)
 
     def used(self) -> dict[str, float]:
-        """Return the number of iterations in the last step, as a value to chart."""
+        """Return the number of iterations in the last step, as a value to plot over time."""
         return {"iterations used": float(self.contacts.iterations_used)}
 
 

@@ -1,1 +1,1 @@
-"""Studies of an engine: its plots, and measurements of speed, accuracy and stability."""
+"""Studies of an engine: plots of it, and measurements of its speed, accuracy and stability."""

@@ -1,4 +1,4 @@
-"""The commands of the studies, such as python -m studies plot."""
+"""The commands of the studies, which are run as in python -m studies plot."""
 
 from __future__ import annotations
 

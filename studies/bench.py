@@ -19,7 +19,10 @@ from studies.timing import Line, Measurement, measure
 
 
 def main(arguments: list[str]) -> int:
-    """Take all measurements, and print and write them. Return 0 even if targets are missed."""
+    """Take all measurements, print them, and write them to a file.
+
+    Return 0 even if some targets are missed.
+    """
     parser = argparse.ArgumentParser(prog="python -m studies bench", description=__doc__)
     parser.add_argument("--out", type=Path, default=FILE, help="file for the figures")
     options = parser.parse_args(arguments)
@@ -48,7 +51,7 @@ def main(arguments: list[str]) -> int:
 
 
 def every(console: Console) -> list[Measurement]:
-    """Return all measurements in order. Print which libraries are not installed."""
+    """Return all measurements in order, and print which libraries are not installed."""
     # These modules import chapters.
     from studies.benchmarks import (
         accuracy,
@@ -72,13 +75,13 @@ def every(console: Console) -> list[Measurement]:
 
 
 def told(line: Line) -> str:
-    """Return a line's median, quartiles and verdict in one phrase."""
+    """Format a line's median, quartiles and verdict."""
     spread = f"{number(line.median)} ({number(line.low)} to {number(line.high)})"
     return f"{spread}, target {line.target}: {line.verdict}" if line.target else spread
 
 
 def number(figure: float) -> str:
-    """Return a figure with at least three digits."""
+    """Format a figure with at least three digits."""
     return f"{figure:.2f}" if figure < 100.0 else f"{figure:,.0f}"
 
 

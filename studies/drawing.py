@@ -1,4 +1,4 @@
-"""Colors, labels and arrows that all plots share."""
+"""Colors, labels and arrows that are shared by all plots."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ GROWTH = ListedColormap(
 
 @dataclass(frozen=True)
 class Picture:
-    """A figure and the numbers that it shows, for the CSV beside it."""
+    """A figure and the numbers that it shows, which are written to a CSV file beside it."""
 
     figure: Figure
     columns: Sequence[str]
@@ -52,7 +52,10 @@ class Picture:
 
 
 def tell(figure: Figure, notes: Sequence[str]) -> None:
-    """Write below a picture why its scenes ended early, with at most three notes in full."""
+    """Write below a picture why some of its scenes ended early.
+
+    At most three notes are shown in full.
+    """
     lines = [line for note in notes[:3] for line in textwrap.wrap(note, 150)[:2]]
     if len(notes) > 3:
         lines.append(f"and {len(notes) - 3} more like these")
@@ -63,7 +66,7 @@ def tell(figure: Figure, notes: Sequence[str]) -> None:
 def arrow(
     axes: Axes, tip: Numbers, label: str, color: str, *, tail: Numbers = (0, 0, 0), style: str = "-"
 ) -> None:
-    """Draw an arrow in the X-Y plane with its label, or nothing if a number is NaN."""
+    """Draw an arrow in the X-Y plane with its label. If a number is NaN, draw nothing."""
     if not is_drawable(tip, tail):
         return
     arrowprops = {"arrowstyle": "-|>", "color": color, "linestyle": style, "lw": 2.0}
@@ -75,9 +78,9 @@ def arrow(
 def arrow_3d(
     axes: Any, tip: Numbers, label: str, color: str, style: str = "-", tail: Numbers = (0, 0, 0)
 ) -> None:
-    """Draw an arrow with +Y up on the paper, or nothing if a number is NaN.
+    """Draw an arrow in a view in which +Y points up. If a number is NaN, draw nothing.
 
-    The label is beyond the tip and may be empty.
+    The label is placed beyond the tip and may be empty.
     """
     if not is_drawable(tip, tail):
         return
@@ -91,7 +94,7 @@ def arrow_3d(
 
 
 def axes_3d(figure: Figure, place: Any, size: float) -> Any:
-    """Return axes for arrow_3d that reach from -size to size."""
+    """Return axes for ``arrow_3d`` that extend from -size to size."""
     axes: Any = figure.add_subplot(place, projection="3d")
     axes.set(xlim=(-size, size), ylim=(-size, size), zlim=(-size, size))
     axes.set(xlabel="z", ylabel="x", zlabel="y")
@@ -110,10 +113,10 @@ def slope(x: Sequence[float], y: Sequence[float]) -> float:
 def growth_map(
     axes: Axes, x: Sequence[float], y: Sequence[float], grown: Sequence[Sequence[float]]
 ) -> Any:
-    """Color each cell by the factor by which a step multiplies oscillations, one row per y.
+    """Color each cell of a map by the factor by which a step multiplies oscillations.
 
-    Values beyond the ends of the color scale get the color of the end. The result is for
-    growth_bar.
+    ``grown`` has one row per y. Values beyond an end of the color scale get the color of that end.
+    Pass the result to ``growth_bar``.
     """
     shades = [[_shade(value) for value in row] for row in grown]
     return axes.pcolormesh(x, y, shades, cmap=GROWTH, norm=LogNorm(0.25, 4.0))

@@ -1,8 +1,8 @@
-"""Measure the cost of parts of a model that its scene does not need, and draw it as bars.
+"""Measure the cost of those parts of a model that its scene does not need, and draw it as bars.
 
 In the scene, two hundred particles fall, and nothing else happens. Each bar shows the time per
-frame with one unnecessary part, divided by the time of the same frame without it. The two times are
-measured one after the other.
+frame with one unnecessary part, divided by the time of the same frame without this part. The two
+times are measured one after the other.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ def draw(lines: list[Line], png: Path) -> None:
 
 
 def parts() -> list[tuple[str, Move, Move]]:
-    """Return the name of each part, a frame with it, and a frame without it."""
+    """Return the name of each part, with a frame that uses it and a frame that does not."""
     # These modules import chapters.
     from ch02_vectors.vector import Vector3
     from ch05_forces.forces import ForceRegistry, Gravity
@@ -99,7 +99,7 @@ def parts() -> list[tuple[str, Move, Move]]:
     )
 
     def falling(acceleration: bool = True) -> list[Particle]:
-        """Return two hundred falling particles, far above the ground and far from each other."""
+        """Return two hundred falling particles that are far from the ground and from each other."""
         return [
             Particle(Vector3(10.0 * i, 1e7), acceleration=DOWN if acceleration else None)
             for i in range(COUNT)
@@ -165,7 +165,7 @@ def parts() -> list[tuple[str, Move, Move]]:
 
 
 def plain(dimensions: int) -> Move:
-    """Return a frame of as many particles in plain numbers, in two or three dimensions."""
+    """Return a frame of the same particles in plain numbers, in two or three dimensions."""
     x, y, z, vx, vy, vz = ([1.0] * COUNT for _ in range(6))
 
     def two() -> None:

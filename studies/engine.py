@@ -1,4 +1,4 @@
-"""Choose the engine whose chapters plots, scenes and measurements import."""
+"""Choose the engine from which plots, scenes and measurements import their chapters."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ def add_engine_options(parser: argparse.ArgumentParser) -> None:
 
 
 def use_engine(parser: argparse.ArgumentParser, engine: str, given: str = "") -> None:
-    """Import chapters from this folder from now on, and given chapters from the reference.
+    """From now on, import chapters from this folder, and given chapters from the reference.
 
     The code in the folder has the same restrictions as in grading. If a folder or a chapter does
-    not exist, the command line reports an error.
+    not exist, this is reported as an error in the command line.
     """
     try:
         chapters = select_chapters(given) if given else []

@@ -95,7 +95,7 @@ def main(arguments: list[str]) -> int:
 
 
 def _shrunk(animation: Path) -> list[Image.Image]:
-    """Return the pictures of an animation, one per PICTURE_TIME and WIDTH px wide."""
+    """Return the pictures of an animation, one per PICTURE_TIME, reduced to a width of WIDTH px."""
     pictures: list[Image.Image] = []
     time = 0.0
     with Image.open(animation) as frames:
@@ -129,7 +129,7 @@ def _still(animation: Path, seconds: float) -> Image.Image:
 
 
 def _palette(picture: Image.Image, count: int) -> Image.Image:
-    """Return a picture in this number of colors, chosen to cover the widest range.
+    """Return a picture reduced to this number of colors, chosen to cover the widest range.
 
     If the most frequent colors were chosen, the many grays at the edges of letters would take most
     of the palette, and the few colored lines would lose their colors.

@@ -1,4 +1,4 @@
-"""Draw a chapter's plots with an engine, as PNG and CSV files under build/plots/.
+"""Draw a chapter's plots with an engine, and write PNG and CSV files to build/plots/.
 
 Each chapter's module in lab/plots/ has a tuple PLOTS of functions that return a Picture. If a plot
 takes longer than TIME_LIMIT, the run ends and prints a stack trace.
@@ -77,7 +77,7 @@ def draw(plot: Callable[[], Picture], folder: Path, limit: float = TIME_LIMIT) -
     for older in (png, table):
         older.unlink(missing_ok=True)
     faulthandler.dump_traceback_later(limit, exit=True)
-    print(f"{name}: ", end="", flush=True)  # first, so that a plot that never ends is named
+    print(f"{name}: ", end="", flush=True)  # printed first, so that a plot that never ends is named
     try:
         picture = plot()
         picture.figure.savefig(png, dpi=110)

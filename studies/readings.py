@@ -1,4 +1,7 @@
-"""Read numbers from an engine that may be wrong or unfinished, and vectors as plain numbers."""
+"""Read numbers and vectors from an engine that may be wrong or unfinished.
+
+Vectors are returned as plain numbers.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,10 @@ def is_written(call: Callable[[], object]) -> bool:
 
 
 def stopped(act: Callable[[], object]) -> str:
-    """Call a function. Return the error with which the engine stopped, or an empty text."""
+    """Call a function.
+
+    Return the error that the engine raised, or an empty text if there was none.
+    """
     try:
         act()
     except (ArithmeticError, ValueError) as error:
@@ -89,5 +95,5 @@ def angle_between(a: Numbers, b: Numbers) -> float:
 
 
 def is_drawable(*vectors: Numbers) -> bool:
-    """Return whether all components are finite numbers."""
+    """Return whether all components of these vectors are finite numbers."""
     return all(math.isfinite(value) for vector in vectors for value in vector)

@@ -1,4 +1,4 @@
-"""Explain in pictures and scenes why the student's code could not be run."""
+"""Explain in pictures and scenes why a student's code could not be run."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from autograder.manifest import ROOT
 
 
 def reason(error: BaseException) -> str:
-    """Return the exception, the line that raised it, and its most likely cause."""
+    """Return the text of an exception, the line that raised it, and its most likely cause."""
     if isinstance(error, NotImplementedError):
         return f"not written yet: {error}"
     if isinstance(error, SyntaxError) and error.filename:

@@ -1,7 +1,7 @@
 """Run the bridge and the platform of chapter 8 for ten minutes each, and check their energy.
 
-Each runs at 30, 60 and 120 steps per second. All numbers must stay finite, the energy must never
-rise above its initial value, and it must change by less than 0.1 % over the last minute.
+Each of them runs at 30, 60 and 120 steps per second. All numbers must remain finite, the energy
+must never exceed its initial value, and it must change by less than 0.1 % during the last minute.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Measure times as ratios, which are similar on all machines although seconds are not.
+"""Measure times as ratios, because ratios are similar on all machines while seconds are not.
 
 The two times of a ratio are measured directly one after the other, in one run on one machine. The
-rounds of all lines are mixed. If the machine is slow for a minute, this affects all lines a little
-instead of one line a lot. A line reports the median and the quartiles of its rounds.
+rounds of all lines are mixed. If the machine is slow for a minute, all lines are affected a little,
+rather than one line a lot. A line reports the median and the quartiles of its rounds.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ LEAST = 5e-3  # s; a shorter time is measured several times per round
 
 @dataclass(frozen=True)
 class Target:
-    """A bound for a figure: the figure must be at least, or at most, this large."""
+    """A bound for a figure, which must be at least, or at most, this large."""
 
     side: Literal["at least", "at most"]
     bound: float
@@ -41,7 +41,7 @@ class Target:
         return f"{self.side} {self.bound:,g}"
 
     def is_met(self, figure: float) -> bool:
-        """Return whether a figure is on the right side of the bound, or equal to it."""
+        """Return whether a figure meets the bound. A figure equal to the bound meets it."""
         return figure >= self.bound if self.side == "at least" else figure <= self.bound
 
 
@@ -57,7 +57,7 @@ class Measurement:
 
 @dataclass(frozen=True)
 class Line:
-    """A measured line: the median and the quartiles of its rounds."""
+    """A measured line, with the median and the quartiles of its rounds."""
 
     what: str
     median: float
@@ -94,9 +94,9 @@ def both(first: Timer, second: Timer) -> tuple[float, float]:
 
 
 def warm(timed: Timer) -> float:
-    """Return a time. If it is below LEAST, return the mean of several further runs instead.
+    """Return a time. If it is shorter than LEAST, return the mean of several further runs instead.
 
-    In the first run, the caches still contain other data. This would dominate a short time.
+    In the first run, the caches still contain other data, which would dominate a short time.
     """
     taken = timed()
     if taken >= LEAST:
@@ -109,7 +109,7 @@ def warm(timed: Timer) -> float:
 
 
 def versus(first: Timer, second: Timer) -> Figure:
-    """Return a figure that is the ratio of two times, first / second."""
+    """Return a figure for the ratio of two times, first / second."""
 
     def once() -> float:
         a, b = both(first, second)
@@ -160,7 +160,7 @@ def mixed(rounds: Sequence[int]) -> list[int]:
 
 
 def quartiles(values: Sequence[float]) -> tuple[float, float]:
-    """Return the lower and the upper quartile. Both are taken from the values."""
+    """Return the lower and the upper quartile, which are both elements of the values."""
     ordered = sorted(values)
     return ordered[len(ordered) // 4], ordered[(3 * len(ordered)) // 4]
 

@@ -43,13 +43,13 @@ def main() -> int:
 
 
 def build(out: Path, *, with_solutions: bool) -> None:
-    """Build the site into a folder that is new, empty, or contains an earlier build.
+    """Build the site in a folder that is new, empty, or contains an earlier build.
 
     Raises:
-        ValueError: if the folder contains anything else.
+        ValueError: The folder contains anything else.
     """
     if out.exists() and any(out.iterdir()) and not (out / "sw.js").is_file():
-        raise ValueError(f"{out} is not empty, and is no earlier build of the site")
+        raise ValueError(f"{out} is neither empty nor an earlier build of the site")
     prepare()
     shutil.rmtree(PARTS, ignore_errors=True)
     PARTS.mkdir(parents=True)
@@ -68,7 +68,10 @@ def build(out: Path, *, with_solutions: bool) -> None:
 
 
 def put_in_place(site: Path, out: Path) -> None:
-    """Move a new site to where an earlier one may be. If killed, it leaves no half of a site."""
+    """Move a new site to ``out``, replacing an earlier one.
+
+    If the command is killed meanwhile, ``out`` never contains a half-finished site.
+    """
     new, old = (out.with_name(f".{out.name}.{what}") for what in ("new", "old"))
     for folder in (new, old):
         shutil.rmtree(folder, ignore_errors=True)
@@ -81,7 +84,7 @@ def put_in_place(site: Path, out: Path) -> None:
 
 
 def repository() -> str:
-    """Return the address of the repository in a GitHub workflow, or an empty text anywhere else."""
+    """Return the address of the repository in a GitHub workflow, or an empty text elsewhere."""
     server, name = os.environ.get("GITHUB_SERVER_URL"), os.environ.get("GITHUB_REPOSITORY")
     return f"{server}/{name}" if server and name else ""
 
@@ -95,7 +98,7 @@ def _say(words: str) -> None:
 
 
 def _sizes(out: Path) -> str:
-    """Describe how large the site is, with and without the parts that come from other projects."""
+    """Describe the size of the site, with and without the parts that come from other projects."""
     sizes = {file: file.stat().st_size for file in out.rglob("*") if file.is_file()}
     other = sum(size for file, size in sizes.items() if file.relative_to(out).parts[0] in NOT_OURS)
     total = sum(sizes.values())

@@ -1,4 +1,4 @@
-"""Collect the course's data for the pages: chapters, exercises, stubs and questions."""
+"""Collect the data about the course that the pages show: chapters, exercises, stubs, questions."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from autograder.stubs import make_stubs
 
 
 def course() -> dict[str, Any]:
-    """Return the course as plain data, without any solution or model answer."""
+    """Return the data about the course, which contains no solution and no model answer."""
     stubs = {path.removeprefix("chapters/"): text for path, text in make_stubs().items()}
     return {"chapters": [_chapter(chapter, stubs) for chapter in load_chapters()]}
 
 
 def _chapter(chapter: Chapter, stubs: dict[str, str]) -> dict[str, Any]:
-    """Return a chapter: ``files`` are the stubs to edit, ``complete`` the given modules."""
+    """Return a chapter. ``files`` are the stubs to edit, and ``complete`` are the given modules."""
     files = {path: text for path, text in stubs.items() if path.startswith(f"{chapter.name}/")}
     answers = files.get(f"{chapter.name}/{FILE}")
     folder = ROOT / "chapters" / chapter.name

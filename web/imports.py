@@ -1,4 +1,4 @@
-"""Find the modules that files import, directly or indirectly, without importing them."""
+"""Find out which modules some files import, directly or indirectly, without importing them."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from pathlib import Path
 def imported_by(
     roots: Iterable[Path], folders: Iterable[Path], packages: Collection[str]
 ) -> list[Path]:
-    """Return the files of these packages that the roots import anywhere in their code.
+    """Return the files in these packages that the roots import anywhere in their code.
 
-    ``folders`` contain the packages. A root that is itself in one of the packages is included.
+    ``folders`` contain the packages. A root that is inside one of the packages is included too.
     """
     folders = list(folders)
     found: set[Path] = set()
@@ -33,7 +33,8 @@ def imported_by(
 def _names(file: Path, folders: Iterable[Path]) -> Iterator[str]:
     """Yield the names of all modules that a file may import.
 
-    In `from a import b`, `b` may be a module or anything else, so `a.b` is yielded too.
+    In `from a import b`, `b` may be a module or any other object. The name `a.b` is therefore
+    yielded as well.
     """
     for node in ast.walk(ast.parse(file.read_bytes())):
         if isinstance(node, ast.Import):
@@ -52,7 +53,7 @@ def _home(file: Path, folders: Iterable[Path]) -> Path | None:
 
 
 def _files(name: str, folders: Iterable[Path]) -> Iterator[Path]:
-    """Yield the file of a module and the files of the packages that contain it."""
+    """Yield the file of a module, and the files of the packages that contain the module."""
     parts = name.split(".")
     for count in range(1, len(parts) + 1):
         for folder in folders:

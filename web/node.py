@@ -1,4 +1,4 @@
-"""Run Node with the packages that package-lock.json pins, which only the site's build needs."""
+"""Run Node with the pinned packages of package-lock.json, which only building the site needs."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ PACKAGES = WEB / "node_modules"
 
 
 def missing() -> str:
-    """Describe what is missing to run Node, or return an empty text if it can run."""
+    """Return what is missing to run Node, or an empty text if nothing is."""
     node = shutil.which("node")
     if node is None or shutil.which("npm") is None:
         what = "node" if node is None else "npm"
@@ -28,10 +28,10 @@ def missing() -> str:
 
 
 def run_node(script: str, *arguments: str) -> None:
-    """Run a script of this folder with Node.
+    """Run one of the scripts in this folder with Node.
 
     Raises:
-        ValueError: with advice on what to do, if the script cannot be run or fails.
+        ValueError: The script cannot be run, or it fails. The message says what to do.
     """
     prepare()
     done = subprocess.run(["node", script, *arguments], cwd=WEB, check=False)
@@ -40,10 +40,10 @@ def run_node(script: str, *arguments: str) -> None:
 
 
 def prepare() -> None:
-    """Install the pinned packages, unless they are installed already.
+    """Install the pinned packages, unless they are already installed.
 
     Raises:
-        ValueError: with advice on what to do, if Node is missing or cannot install them.
+        ValueError: Node is missing, or it cannot install them. The message says what to do.
     """
     if why := missing():
         raise ValueError(why)

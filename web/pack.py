@@ -1,7 +1,7 @@
-"""Pack the files for Pyodide: course.zip and Python's own library, compiled where that helps.
+"""Pack the files for Pyodide: course.zip and Python's library, compiled where that saves time.
 
-The course is a hand-out of all chapters, with the parts of pytest and of the tools that a check or
-a scene imports. Two builds of the same sources give the same bytes.
+The course is a hand-out of all chapters, together with those parts of pytest and of the tools that
+a check or a scene imports. Two builds from the same sources produce identical files.
 """
 
 from __future__ import annotations
@@ -36,8 +36,8 @@ LEFT_OUT += " smtplib. ftplib. poplib."
 def pack(out: Path, *, with_solutions: bool = False) -> None:
     """Write ``course.zip`` and ``pyodide/python_stdlib.zip`` into a folder.
 
-    ``with_solutions`` adds the reference's modules, compiled, for students who skip a chapter. The
-    library is kept in build/, because compiling it takes most of the time and it never changes.
+    ``with_solutions`` adds the compiled modules of the reference, for students who skip a chapter.
+    The compiled library is kept in build/ and reused, because compiling it takes most of the time.
     """
     library = out / "pyodide" / "python_stdlib.zip"
     library.parent.mkdir(parents=True, exist_ok=True)
@@ -59,7 +59,7 @@ def pack(out: Path, *, with_solutions: bool = False) -> None:
 
 
 def _stage_course(folder: Path, *, with_solutions: bool) -> None:
-    """Put the course into a folder: the students' files and our Python code for browsers."""
+    """Copy the course into a folder: the students' files, and our Python code for browsers."""
     with tempfile.TemporaryDirectory(prefix="handout-") as place:
         handout = Path(place) / "handout"
         with contextlib.redirect_stdout(io.StringIO()):  # its output is meant for an instructor
@@ -88,7 +88,7 @@ def _stage_course(folder: Path, *, with_solutions: bool) -> None:
 
 
 def _stage_packages(folder: Path, course: Path) -> None:
-    """Put pytest and its dependencies into a folder, and their licenses into the course."""
+    """Copy pytest and its dependencies into a folder, and copy their licenses into the course."""
     site = Path(get_path("purelib"))
     for name in WHOLE:
         _copy_tree(site / name, folder / name, "*.py")
@@ -102,7 +102,7 @@ def _stage_packages(folder: Path, course: Path) -> None:
 
 
 def _stage_library(folder: Path) -> None:
-    """Put the standard library that comes with Pyodide into a folder, without unusable parts."""
+    """Copy Pyodide's standard library into a folder, without the parts that browsers cannot use."""
     left_out = tuple(LEFT_OUT.split())
     with zipfile.ZipFile(PACKAGES / "pyodide" / "python_stdlib.zip") as archive:
         wanted = [name for name in archive.namelist() if not name.startswith(left_out)]
@@ -110,7 +110,7 @@ def _stage_library(folder: Path) -> None:
 
 
 def _state_of_library() -> str:
-    """Return a hash of everything that the compiled library depends on."""
+    """Return a hash of everything on which the compiled library depends."""
     state = hashlib.sha256(LEFT_OUT.encode())
     for file in (PACKAGES / "pyodide" / "python_stdlib.zip", WEB / "builder" / "compile.py"):
         state.update(file.read_bytes())

@@ -1,4 +1,4 @@
-"""Copy the pictures of the pages as smaller files that look the same, and record their sizes."""
+"""Copy the pages' pictures as smaller files that look the same, and return their sizes."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from PIL import Image, ImageChops, ImageStat
 from autograder.manifest import ROOT
 
 PALETTES = (64, 128)  # numbers of colors to try before the full picture is kept
-UNSEEN = 2.5  # of 255, root mean square
+UNSEEN = 2.5  # root-mean-square difference, out of 255, that nobody sees
 
 
 def copy_pictures(out: Path) -> dict[str, dict[str, object]]:
-    """Copy all still pictures into a folder, and return name, width and height for each path.
+    """Copy all still pictures into a folder. Return a name, a width and a height for each path.
 
-    Animations are left out, because a scene that runs on the page replaces each of them.
+    Animations are not copied, because the page runs the scene itself instead.
     """
     out.mkdir(parents=True, exist_ok=True)
     found = {}
@@ -31,7 +31,7 @@ def copy_pictures(out: Path) -> dict[str, dict[str, object]]:
 
 
 def _packed(picture: Image.Image) -> bytes:
-    """Return a picture as WebP, with fewer colors if the difference is invisible."""
+    """Return a picture in WebP format. It has fewer colors if the difference is invisible."""
     full = picture.convert("RGB")
     for colors in PALETTES:
         less = full.quantize(

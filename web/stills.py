@@ -25,7 +25,7 @@ MOMENT = 0.4  # s
 
 
 def main() -> None:
-    """Draw all stills into a folder, with a list of the scenes."""
+    """Draw all pictures into a folder, with a list of the scenes."""
     parser = argparse.ArgumentParser(prog="python -m web.stills", description=__doc__)
     parser.add_argument("folder", type=Path)
     folder: Path = parser.parse_args().folder
@@ -43,12 +43,12 @@ def main() -> None:
 
 
 def scenes_of_students() -> list[Entry]:
-    """Return the scenes that a student's own engine plays."""
+    """Return the scenes that students can run on their own engine."""
     return [e for e in entries() if e.module.rpartition(".")[2] != Path(CHARTS).stem]
 
 
 def wanted() -> list[tuple[str, str]]:
-    """Return the scenes and settings that pages show: every scene, and the settings of lessons."""
+    """Return the scenes and settings to draw: every scene, and the settings used in lessons."""
     found = [(entry.name, "") for entry in scenes_of_students()]
     for lesson in sorted(ROOT.glob("chapters/*/README.md")):
         found += COMMAND.findall(lesson.read_text(encoding="utf-8").replace("\n> ", " "))
@@ -56,12 +56,12 @@ def wanted() -> list[tuple[str, str]]:
 
 
 def still_name(scene: str, settings: str) -> str:
-    """Return the name of a picture's file, such as one-spring_stiffness-36."""
+    """Return the name of the file for a picture, such as one-spring_stiffness-36."""
     return "_".join([scene, *settings.replace("=", "-").split()])
 
 
 def still(name: str, settings: str) -> str:
-    """Return a picture of a scene with settings such as "rate=30 mass=1"."""
+    """Return a picture of a scene with settings such as "rate=30 mass=1", as SVG."""
     values = dict(word.split("=", 1) for word in settings.split())
     scene = load(name)(**values)
     while not settings and scene.time < MOMENT:

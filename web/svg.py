@@ -1,4 +1,4 @@
-"""Draw the items that a scene's pen has recorded as an SVG, in the page's light and dark colors."""
+"""Draw the items that a scene's pen has recorded as an SVG in the page's light and dark colors."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ HIDDEN = ("force", "contact")  # arrows that a page shows only on request
 
 
 class View:
-    """Convert coordinates of a scene (its own units, +y up) to pixels, as the page does."""
+    """Converts coordinates of a scene (in its own units, +y up) to pixels, as the page does."""
 
     def __init__(self, view: tuple[float, float, float, float]) -> None:
         left, right, bottom, top = view
@@ -38,7 +38,7 @@ class View:
 
 
 def svg(items: list[Item], view: tuple[float, float, float, float]) -> str:
-    """Return an SVG of the items that a pen has recorded, seen in a scene's view."""
+    """Return an SVG of the items that a pen has recorded, as seen in a scene's view."""
     place = View(view)
     shapes = "\n".join(shape for kind, *values in items if (shape := DRAW[kind](place, *values)))
     width, height = f"{WIDTH:g}", f"{HEIGHT:g}"

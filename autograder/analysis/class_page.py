@@ -1,6 +1,7 @@
-"""Write class.html, the class at a glance: its scores, its mistakes, and how each exercise works.
+"""Write class.html, a page that shows an instructor at a glance how a class did.
 
-The page names no student, so an instructor can show it in a lecture.
+The page shows the distribution of the scores, the most common mistakes, and how well each exercise
+worked. It names no student, so an instructor can show it in a lecture.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ TEMPLATES = Path(__file__).parent / "templates"
 
 @dataclass(frozen=True)
 class ShownMistake:
-    """A mistake as the page shows it, with the places to read about it."""
+    """A mistake as the page shows it, with links to the sections that explain the topic."""
 
     mistake: Mistake
     count: int

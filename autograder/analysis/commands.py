@@ -1,4 +1,4 @@
-"""The command that compares the graded assignments of a class."""
+"""The command `progress`, which compares the graded assignments of a class."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add progress."""
+    """Add the command `progress` to the command line."""
     command = commands.add_parser("progress", help="compare several graded assignments of a class")
     command.add_argument("runs", nargs="+", type=Path, help="folders that grade has written")
     command.add_argument("--out", type=Path, required=True, help="folder for the page")
@@ -15,7 +15,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_progress(arguments: argparse.Namespace) -> int:
-    """Write the page about the progress of a class, and print where it is."""
+    """Write the page about the progress of a class, and print its path."""
     from autograder.analysis.progress import write_progress
 
     page = write_progress(arguments.runs, arguments.out)

@@ -1,8 +1,8 @@
 """Measure how well an exercise separates stronger students from weaker students.
 
-The measure is the item-rest correlation. This is Pearson's correlation between the scores for the
-exercise and the scores for all other exercises. If every student earns either all points of the
-exercise or none, it equals the point-biserial correlation.
+The measure is the item-rest correlation: Pearson's correlation between the scores for the exercise
+and the scores for all other exercises. If every student earns either all points of the exercise or
+none, it equals the point-biserial correlation.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-FEWEST = 20  # students: with so few, an exercise at 0.5 seems to be below LOW 8 times in 100
-FEWEST_APART = 3  # students with another score than most, who alone would decide the number
+FEWEST = 20  # students; even then a true 0.5 is measured below LOW in 8 % of classes
+FEWEST_APART = 3  # students who differ from the most common score
 LOW = (
     0.2  # a usual limit in item analysis (Ebel and Frisbie, Essentials of Educational Measurement)
 )
@@ -22,7 +22,7 @@ LOW = (
 
 @dataclass(frozen=True)
 class Discrimination:
-    """The item-rest correlation over a number of students, or the reason why there is none.
+    """The item-rest correlation of an exercise, or the reason why it could not be computed.
 
     ``interval`` is the 95 % confidence interval of the correlation.
     """
@@ -39,14 +39,17 @@ class Discrimination:
 
 
 def discrimination(own: Sequence[float], rest: Sequence[float]) -> Discrimination:
-    """Return the correlation of the scores for an exercise with those for the rest, by student."""
+    """Return the correlation between the scores for one exercise and for all other exercises.
+
+    Both sequences list one score per student, in the same order.
+    """
     count = len(own)
     if count < FEWEST:
         return Discrimination(count, reason=f"{count} students: fewer than {FEWEST} are too few")
     apart = count - Counter(own).most_common(1)[0][1]
     if apart < FEWEST_APART:
         have = "student has" if apart == 1 else "students have"
-        return Discrimination(count, reason=f"{apart or 'no'} {have} another score than the others")
+        return Discrimination(count, reason=f"{apart or 'no'} {have} a different score than most")
     if len({*rest}) == 1:
         return Discrimination(count, reason="all students have the same score for the rest")
     value = max(-1.0, min(1.0, statistics.correlation(own, rest)))
@@ -54,7 +57,7 @@ def discrimination(own: Sequence[float], rest: Sequence[float]) -> Discriminatio
 
 
 def _interval(value: float, count: int) -> tuple[float, float]:
-    """Return the interval that Fisher's transformation of a correlation gives."""
+    """Return the confidence interval of a correlation, computed with Fisher's transformation."""
     if abs(value) == 1.0:
         return value, value
     half = statistics.NormalDist().inv_cdf(0.975) / math.sqrt(count - 3)

@@ -1,7 +1,7 @@
 """Count how well a class did in each exercise and in each of its checks.
 
-The scores are based on given earlier chapters, so a mistake in an earlier chapter is not counted
-again.
+To keep one mistake from being counted twice, the scores come from runs in which all earlier
+chapters were taken from the reference.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ HIDDEN = "a hidden check"
 
 @dataclass(frozen=True)
 class CheckItem:
-    """A check, and the number of students for each of the states in which it ended."""
+    """A check, with the number of students for whom it passed, failed or ended in another state."""
 
     name: str
     robust: bool
@@ -33,9 +33,9 @@ class CheckItem:
 
 @dataclass(frozen=True)
 class ExerciseItem:
-    """An exercise, and the number of students with all of its points, some of them, or none.
+    """An exercise, with the number of students who earned all, some or none of its points.
 
-    ``mean`` is the mean score as a fraction of the points, and None without a score.
+    ``mean`` is the mean score as a fraction of the points. It is None if no student has a score.
     """
 
     exercise: Exercise
@@ -48,12 +48,12 @@ class ExerciseItem:
 
     @property
     def counted(self) -> int:
-        """The number of students with a score for the exercise."""
+        """The number of students who have a score for the exercise."""
         return self.full + self.part + self.none
 
 
 def items_of(chapter: Chapter, reports: Sequence[StudentReport]) -> list[ExerciseItem]:
-    """Return an item for each exercise of a chapter, in the order of its manifest."""
+    """Return the statistics of each exercise of a chapter, in the order of its manifest."""
     return [_item(exercise, reports) for exercise in chapter.exercises]
 
 
@@ -85,7 +85,7 @@ def _item(exercise: Exercise, reports: Sequence[StudentReport]) -> ExerciseItem:
 
 
 def _checks(results: Sequence[ExerciseReport]) -> list[CheckItem]:
-    """Return the checks of an exercise, the physics first, in the order of the reports."""
+    """Return the statistics of an exercise's checks: first the physics checks, then the others."""
     items: dict[tuple[str, bool], CheckItem] = {}
     for result in results:
         for check in result.checks:

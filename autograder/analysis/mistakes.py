@@ -1,4 +1,4 @@
-"""Collect the mistakes of a class: the likely causes in the messages of its failed checks."""
+"""Collect the mistakes of a class from the messages of its failed checks."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from autograder.message import Kind
 from autograder.reports.report import CheckReport, StudentReport
 
 MOST = 5  # misconceptions for one lecture
-SHARED_BY = 2  # students; a mistake of one student alone is for the student's own page
+SHARED_BY = 2  # students; a mistake that only one student made is shown on that student's page
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 
 
 @dataclass
 class Mistake:
-    """A likely cause, with the students and the exercises in which it was found.
+    """A likely cause of failures, with the students and the exercises in which it was found.
 
-    ``read`` lists the places where students can read about it. If only robust checks have found the
-    mistake, it is ``robust``. It is ``in_values`` if the code runs but computes a wrong value, in
-    contrast to code that is missing or raises an error.
+    ``read`` lists the sections in which students can read about it. A mistake is ``robust`` if only
+    robust checks found it. It is ``in_values`` if the code runs but computes a wrong value, rather
+    than being incomplete or raising an error.
     """
 
     words: str
@@ -34,10 +34,10 @@ class Mistake:
 
 @dataclass(frozen=True)
 class Mistakes:
-    """The mistakes of a class. The mistake that most students share comes first.
+    """The mistakes of a class, ordered by the number of students who made them.
 
-    ``unexplained`` counts the failed checks whose message names no likely cause. The message of a
-    hidden check never names one.
+    ``unexplained`` counts the failed checks whose message names no likely cause. This includes all
+    hidden checks, because their messages never name a cause.
     """
 
     found: list[Mistake]
@@ -45,17 +45,17 @@ class Mistakes:
 
     @property
     def misconceptions(self) -> list[Mistake]:
-        """The mistakes in the physics that most students share, for the next lecture."""
+        """The most common mistakes in the physics, as topics for the next lecture."""
         physics = [one for one in self.found if one.in_values and not one.robust]
         return [one for one in physics if len(one.students) >= SHARED_BY][:MOST]
 
 
 def mistakes_of(reports: Sequence[StudentReport]) -> Mistakes:
-    """Return the mistakes in these reports.
+    """Return the mistakes found in these reports.
 
-    Only failed checks count, because the mistake behind a blocked or inherited check is somewhere
-    else. Messages that differ only in their numbers count as the same mistake, since the numbers
-    depend on the seed.
+    Only failed checks count. A blocked or inherited check fails because of a mistake elsewhere,
+    which is counted there. The numbers in a message depend on the seed, so two messages that differ
+    only in their numbers count as the same mistake.
     """
     found: dict[str, Mistake] = {}
     wordings: dict[str, Counter[str]] = {}

@@ -1,4 +1,4 @@
-"""Compare several graded assignments of one class: scores, students, and mistakes that return."""
+"""Compare several graded assignments of one class: scores, students, and repeated mistakes."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ FEWEST = 2  # assignments
 
 @dataclass(frozen=True)
 class Run:
-    """A graded assignment, and each student's percentage of the points that checks can give.
+    """A graded assignment, with the percentage of the checks' points that each student earned.
 
-    The percentage is None if the grader failed.
+    The percentage is None if the grader failed on that student's submission.
     """
 
     name: str
@@ -31,12 +31,12 @@ class Run:
 
     @property
     def known(self) -> list[float]:
-        """The percentages that are known."""
+        """All percentages except those that are None."""
         return [value for value in self.percent.values() if value is not None]
 
     @property
     def five(self) -> list[float]:
-        """The lowest percentage, the quartiles and the highest; empty without a percentage."""
+        """The minimum, the quartiles and the maximum, or an empty list if nothing is known."""
         values = self.known
         if len(values) < 2:
             return values * 5
@@ -46,7 +46,7 @@ class Run:
 
 @dataclass(frozen=True)
 class Returning:
-    """A mistake in more than one assignment: the students in each, and those who repeated it."""
+    """A mistake that occurred in several assignments, with the students who made it in each."""
 
     words: str
     counts: list[int]
@@ -54,10 +54,12 @@ class Returning:
 
 
 def write_progress(folders: Sequence[Path], out: Path) -> Path:
-    """Write progress.html about several graded folders, in their order, and return its path.
+    """Write progress.html, which compares several graded folders, and return its path.
+
+    The page shows the assignments in the order of the folders.
 
     Raises:
-        ValueError: There are fewer than two folders, or one of them has no results.
+        ValueError: There are fewer than two folders, or one of them contains no results.
     """
     if len(folders) < FEWEST:
         raise ValueError(f"progress needs at least {FEWEST} graded folders, got {len(folders)}")
@@ -77,7 +79,7 @@ def write_progress(folders: Sequence[Path], out: Path) -> Path:
 
 
 def _run(folder: Path, folders: Sequence[Path]) -> Run:
-    """Read a graded folder. It is named by its last part, if no other folder has the same one."""
+    """Read a graded folder. It is called by its last path component if that name is unique."""
     reports = [clean_all(report) for report in read_results(folder)]
     same = [other for other in folders if other.resolve().name == folder.resolve().name]
     percent = {
@@ -89,7 +91,7 @@ def _run(folder: Path, folders: Sequence[Path]) -> Run:
 
 
 def returning(runs: Sequence[Run]) -> list[Returning]:
-    """Return the mistakes that were found in more than one assignment, the most repeated first."""
+    """Return the mistakes that occurred in several assignments, the most repeated first."""
     words: dict[str, str] = {}
     students: dict[str, list[list[str]]] = {}
     for number, run in enumerate(runs):

@@ -1,1 +1,1 @@
-"""Run the graded checks, and explain what went wrong."""
+"""Run the checks of a chapter on a student's code, and explain to the student what went wrong."""

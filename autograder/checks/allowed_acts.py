@@ -1,9 +1,10 @@
 """Keep a student's code from writing files, starting programs or threads, and using sockets.
 
-In the grader, a sandbox refuses all of this. Here, Python's audit events announce most such
-operations before they happen, and this module refuses them with the same errors. It does not
-withstand hostile code as the sandbox does. Its purpose is that students learn at home what grading
-will refuse. An operation without an audit event, such as os.pipe, is carried out.
+The grader runs submissions in a sandbox that refuses all of this. When students run the checks at
+home, there is no sandbox. Instead, this module listens to Python's audit events, which announce
+most such operations before they happen, and raises the errors that the sandbox would cause. Its
+purpose is to show students early what the grader will refuse. It does not stop hostile code, and it
+cannot refuse operations without an audit event, such as os.pipe.
 """
 
 from __future__ import annotations
@@ -23,13 +24,13 @@ from autograder.checks.students_code import LIBRARY, StudentsCode
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 READABLE = [*LIBRARY, *map(Path, ("/lib", "/lib64", "/usr/lib", "/usr/lib64"))]
 THREAD_STARTERS = "start_new_thread _start_new_thread start_joinable_thread _start_joinable_thread"
-# As Linux numbers them. Python in a browser numbers errors differently.
+# Linux's numbers, because Python in a browser uses different ones.
 NOT_PERMITTED = 1, "Operation not permitted"
 NOT_FOUND = 2, "No such file or directory"
 DENIED = 13, "Permission denied"
 NOT_STARTED = 32512  # what os.system returns if it cannot start a process
 
-# Audit events that are not permitted. The error names one path, two paths, or none.
+# Audit events that are refused, grouped by how many paths the error names.
 WITH_PATH = "os.mkdir os.remove os.rmdir os.chmod os.chown os.truncate os.chdir os.posix_spawn"
 WITH_PATHS = "os.rename os.link os.symlink"
 WITHOUT = (
@@ -39,7 +40,7 @@ WITHOUT = (
 
 
 def limit_acts(code: StudentsCode) -> None:
-    """From now on, refuse operations of the student's code that grading does not allow."""
+    """From now on, refuse every operation of the student's code that the grader would refuse."""
     refusals: dict[str, Callable[..., None]] = {
         "open": lambda *arguments: _open(code, *arguments),
         "os.listdir": lambda path: _list(code, path),
@@ -57,7 +58,7 @@ def limit_acts(code: StudentsCode) -> None:
     sys.addaudithook(hear)
     real_system = os.system
     os.system = lambda command: NOT_STARTED if code.is_calling() else real_system(command)
-    for module in (_thread, threading):  # not every Python has an event for these
+    for module in (_thread, threading):  # not every version of Python has an event for these
         for name in THREAD_STARTERS.split():
             if hasattr(module, name):
                 setattr(module, name, _no_threads(code, getattr(module, name)))
@@ -65,7 +66,7 @@ def limit_acts(code: StudentsCode) -> None:
 
 def _open(code: StudentsCode, path: Any, _: str | None, flags: int) -> None:
     if isinstance(path, int):
-        return  # the descriptor of a file that is already open
+        return  # it is the descriptor of a file that is already open
     file = os.path.realpath(path)
     if flags & WRITING:
         if os.path.isdir(os.path.dirname(file)):  # noqa: PTH112, PTH120 - it may be bytes

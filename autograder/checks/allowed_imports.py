@@ -1,7 +1,7 @@
-"""Let a student's code import only Python's standard library and the chapters.
+"""Let a student's code import only the Python standard library and the chapters.
 
-In the grader, no packages are installed, and only the files that were handed in exist. So an import
-that would fail there also fails here, at the same moment and with Python's own message.
+The grader has no installed packages and only the files that were handed in. An import that would
+fail there therefore also fails here, in the same line and with the same message from Python.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ CHAPTER = re.compile(r"ch\d\d_\w+")
 
 
 def limit_imports(code: StudentsCode) -> None:
-    """From now on, refuse imports by the student's code that would fail in the grader."""
+    """From now on, refuse every import by the student's code that would fail in the grader."""
     real_import, real_import_module = builtins.__import__, importlib.import_module
 
     def guarded_import(
@@ -47,12 +47,12 @@ def limit_imports(code: StudentsCode) -> None:
 
 
 def _refuse(code: StudentsCode, name: str, package: str | None, fromlist: Sequence[str]) -> None:
-    """Raise the error that this import would raise in the grader, if any."""
+    """Raise the error that this import would raise in the grader. Return if it would succeed."""
     if name.startswith("."):
         try:
             name = importlib.util.resolve_name(name, package)
         except ImportError:
-            return  # Python raises its own error
+            return  # Python itself raises the error
     top, _, rest = name.partition(".")
     module = rest.partition(".")[0]
     if top in LIBRARY:

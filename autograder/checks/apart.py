@@ -1,8 +1,9 @@
-"""Run checks in a copy of this process, so that the effects of a check do not reach other checks.
+"""Run checks in a forked copy of this process, so that one exercise cannot affect another.
 
-A grader starts a fresh process for each check, so a counter or a cache in a module starts over. On
-a student's machine, one copy serves all checks of an exercise, because making a copy for each check
-would take twice as long as running all of the checks.
+A student's module may contain a counter or a cache, whose contents would then leak from one check
+into the next. The grader avoids this by starting a fresh process for each check. On a student's
+machine, making a copy for each check would take twice as long as running all of the checks, so the
+checks of an exercise share one copy.
 """
 
 from __future__ import annotations
@@ -14,14 +15,16 @@ import sys
 import traceback
 from collections.abc import Callable
 
-CAN_COPY = hasattr(os, "fork") and sys.platform != "emscripten"  # there it always fails
+CAN_COPY = hasattr(os, "fork") and sys.platform != "emscripten"  # where fork always fails
 DONE = 87  # exit code of a copy that has finished its work
 
 
 def run_in_a_copy(work: Callable[[], object]) -> None:
-    """Do the work in a copy of this process. If the copy dies, end this process in the same way.
+    """Call ``work`` in a forked copy of this process.
 
-    The runner then continues with the other checks in a new process.
+    If the copy dies, end this process the same way.
+
+    The runner then starts a new process for the remaining checks.
     """
     if sys.platform == "win32":
         raise OSError("Windows cannot copy a process")
@@ -45,7 +48,7 @@ def run_in_a_copy(work: Callable[[], object]) -> None:
 
 
 def how_it_ended(code: int) -> str:
-    """Return a sentence that explains how a process ended while it ran a student's code."""
+    """Return a sentence that explains how a process ended while it was running a student's code."""
     if code < 0:
         name = signal.strsignal(-code) or f"signal {-code}"
         return f"the process ended early: Python crashed ({name})"

@@ -1,4 +1,4 @@
-"""Prepare the checks, the engine and the sandbox for a process that runs checks."""
+"""Prepare the files and settings for a process that runs checks."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from autograder.message import Message
 
 @dataclass(frozen=True)
 class Behind:
-    """The confinement of untrusted code: it runs in workers, inside a sandbox.
+    """The settings for running untrusted code in worker processes inside a sandbox.
 
     ``level`` names the layers of the sandbox (a sandbox.Level as a dict). ``fresh`` starts a new
-    interpreter for each check. ``missing`` maps each module that was not taken to the reason.
-    ``hidden`` is a folder of additional checks, of which students see only the rationale.
-    ``for_instructor`` shows the full messages of hidden checks, which is safe because only an
-    instructor reads them. ``compiled`` is a folder that keeps the compiled code of a submission
-    between its runs.
+    interpreter for each check. ``missing`` maps each module that was not accepted to the reason.
+    ``hidden`` is a folder of additional checks. Students see only the rationale of these checks,
+    unless ``for_instructor`` is set, which shows the full messages. Set it only if nobody but an
+    instructor reads the result. ``compiled`` is a folder that keeps the compiled code of a
+    submission between runs.
     """
 
     level: dict[str, bool]
@@ -33,9 +33,9 @@ class Behind:
 
 @dataclass(frozen=True)
 class Workers:
-    """The settings with which a check process starts its workers.
+    """The settings with which a check process starts its worker processes.
 
-    ``probes`` is the folder of the probes, and ``compiled`` a folder that keeps compiled code.
+    ``probes`` is the folder of the probes, and ``compiled`` is a folder that keeps compiled code.
     """
 
     level: dict[str, bool]
@@ -49,9 +49,10 @@ class Workers:
 class Arranged:
     """The files and names that a check process works with. Paths are strings, as in JSON.
 
-    ``known`` lists the exercises of the chapter, and ``edits`` the bodies that students write for
-    each. ``modules`` are imported before the checks. ``complete`` lists the files that students
-    only call. ``graded`` lists, for each chapter's folder, the files that exist in the grader.
+    ``known`` lists the exercises of the chapter, and ``edits`` lists for each of them the functions
+    that students write. ``modules`` are imported before the checks. ``complete`` lists the files
+    that students call but do not write. ``graded`` lists, for each chapter's folder, the files that
+    also exist in the grader.
     """
 
     root: str
@@ -70,8 +71,9 @@ class Arranged:
 class Config:
     """The configuration of a check process: its files, its settings and the remaining checks.
 
-    ``apart`` runs the checks of each exercise in a copy of the process. ``broken`` maps each module
-    that cannot be imported to the reason. ``done`` names the checks that already have a verdict.
+    ``apart`` runs the checks of each exercise in a forked copy of the process. ``broken`` maps each
+    module that cannot be imported to the reason. ``done`` names the checks that already have a
+    verdict.
     """
 
     arranged: Arranged
@@ -87,13 +89,13 @@ class Config:
 def arrange(
     folder: Path, chapter: Chapter, engine: list[Path], root: Path, behind: Behind | None
 ) -> Arranged:
-    """Prepare a temporary folder for a check process, and return where all files are."""
+    """Prepare a temporary folder for a check process, and return the paths that it needs."""
     chapters = [*chapters_below(chapter, root), chapter]
     hidden = _put_hidden_checks(folder, chapter, root, behind)
     return Arranged(
         root=str(root_of_checks(folder, root, behind)),
         engine=[str(path) for path in engine],
-        # Relative to root, because pytest rejects paths with brackets.
+        # The paths are relative to root, because pytest rejects paths that contain brackets.
         tests=[f"tests/{chapter.name}", *hidden],
         known=[exercise.id for exercise in chapter.exercises],
         chapter=chapter.name,
@@ -106,12 +108,15 @@ def arrange(
 
 
 def root_of_checks(folder: Path, root: Path, behind: Behind | None) -> Path:
-    """Return the root of the checks: a copy in the folder if hidden checks join the others."""
+    """Return the folder that contains the checks.
+
+    If there are hidden checks, it is a merged copy.
+    """
     return folder / "root" if behind and behind.hidden else root
 
 
 def shared_by_checks(root: Path) -> list[Path]:
-    """Return the files that the checks of all chapters share."""
+    """Return the helper files that the checks of all chapters share."""
     return [root / "tests/conftest.py", *sorted((root / "tests/shared").glob("*.py"))]
 
 
@@ -120,7 +125,7 @@ def _put_hidden_checks(
 ) -> list[str]:
     """Copy the public and the hidden checks of this chapter into the folder.
 
-    Return the path of the hidden checks from the root, or an empty list if there are none.
+    Return the path of the hidden checks relative to the root, or an empty list if there are none.
     """
     if not behind or not behind.hidden:
         return []
@@ -145,7 +150,7 @@ def _put_hidden_checks(
 
 
 def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) -> Workers | None:
-    """Copy the probes into the folder, and return how to start the workers."""
+    """Copy the probes into the folder, and return the settings for the workers."""
     if behind is None:
         return None
     probes = folder / "probes" / chapter.name
@@ -163,9 +168,10 @@ def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) 
 def _modules(
     chapter: Chapter, chapters: list[Chapter], engine: list[Path], root: Path
 ) -> list[str]:
-    """Return the modules to import before the checks, one by one, so that each can fail alone.
+    """Return the modules to import before the checks. Each can fail without affecting the others.
 
-    Earlier chapters that have no manifest here, as in some hand-outs, are included with all files.
+    In some hand-outs, earlier chapters have no manifest. In that case all of their files are
+    included.
     """
     files = {c.name: c.edited_files for c in chapters}
     listed = {c.name for c in load_chapters(root)}

@@ -1,7 +1,8 @@
-"""The context of the running check: its call, the likely cause of a failure, and where to read.
+"""The context of the running check, which failure messages show to the student.
 
-A check sets the context before it calls the student's code. A failed expectation shows it in its
-message, and so does an exception of that code.
+The context consists of the call that is being checked, the likely cause of a failure, and where to
+read about it. A check sets it before it calls the student's code. If an expectation is not met, or
+if the student's code raises an exception, the message includes this context.
 """
 
 from __future__ import annotations
@@ -15,7 +16,10 @@ Returned = TypeVar("Returned")
 
 
 class Words(TypedDict, total=False):
-    """The context of one expectation, which replaces the check's. ``then`` is added to the call."""
+    """Context that replaces the check's own for one expectation.
+
+    ``then`` is appended to the call.
+    """
 
     call: str
     then: str
@@ -24,10 +28,10 @@ class Words(TypedDict, total=False):
 
 
 class About:
-    """The context of the running check: call, cause and reading.
+    """The context of the running check: the call, the likely cause, and where to read.
 
-    Calling the object sets the parts that are passed and keeps the others. A part may also be
-    assigned: about.call += "; v.x".
+    Calling the object sets the parts that are passed and keeps the others. A part can also be
+    assigned to, as in about.call += "; v.x".
     """
 
     def __init__(self) -> None:
@@ -41,7 +45,7 @@ class About:
         self.read = self.read if read is None else read
 
     def but(self, words: Words) -> tuple[str, str, str]:
-        """Return call, cause and reading, with ``words`` in place of the check's parts."""
+        """Return the call, the cause and the reading, with the parts in ``words`` replaced."""
         call = words.get("call", self.call) + words.get("then", "")
         return call, words.get("cause", self.cause), words.get("read", self.read)
 
@@ -54,7 +58,10 @@ about = About()
 
 
 def scoped(helper: Callable[Parameters, Returned]) -> Callable[Parameters, Returned]:
-    """Restore the context when a helper returns. If the helper raises, keep its context."""
+    """Make a helper restore the context when it returns.
+
+    If the helper raises, its context is kept.
+    """
 
     @wraps(helper)
     def run(*arguments: Parameters.args, **keywords: Parameters.kwargs) -> Returned:

@@ -1,4 +1,4 @@
-"""Find out which of a student's functions the expression of a check calls."""
+"""Find out which of a student's functions are called by the expression in a check."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 
 from autograder.definitions import own_name
 
-OPERATORS = {  # as checks write them in their calls
+OPERATORS = {  # the operator that calls each special method
     "__neg__": "; -v",
     "__mul__": " * ",
     "__imul__": " *= ",
@@ -21,7 +21,7 @@ OPERATORS = {  # as checks write them in their calls
 
 
 def calls(expression: str, name: str) -> bool:
-    """Return whether the expression of a check calls the function with this manifest name."""
+    """Return whether a check's expression calls the function that has this name in the manifest."""
     short = own_name(name)
     pattern = rf"\b{short}\(|\.{short}\b(?! =)"  # a function, a method or a property
     if short in OPERATORS:
@@ -33,6 +33,9 @@ def calls(expression: str, name: str) -> bool:
 
 
 def names_class(expression: str, name: str) -> bool:
-    """Return whether the expression constructs the class of a method. A function counts as True."""
+    """Return whether an expression constructs the class of a method.
+
+    For a plain function, return True.
+    """
     _, *path = name.split(".")
     return len(path) == 1 or re.search(rf"\b{path[0]}\(", expression) is not None

@@ -1,4 +1,4 @@
-"""The events that a check process sends to the runner, one JSON object per line."""
+"""The events that a check process sends to the runner, as one JSON object per line."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ from autograder.records import from_json, to_json
 
 @dataclass(frozen=True)
 class Check:
-    """A check to be run. The rationale of a hidden check is all that students learn about it."""
+    """A check that is going to be run.
+
+    For a hidden check, ``rationale`` is the only information that students receive.
+    """
 
     name: str
     exercise: str
@@ -30,19 +33,19 @@ class Checks:
 
 @dataclass(frozen=True)
 class Importing:
-    """The import of a student's module begins."""
+    """The process is about to import a module of the student's."""
 
     module: str
 
 
 @dataclass(frozen=True)
 class Imported:
-    """The import that began last has ended."""
+    """The import that was announced last has finished."""
 
 
 @dataclass(frozen=True)
 class Broken:
-    """A student's module cannot be imported."""
+    """A module of the student's cannot be imported."""
 
     module: str
     message: Message
@@ -57,7 +60,7 @@ class Started:
 
 @dataclass(frozen=True)
 class Decided:
-    """A check has ended: passed, failed, or error if the grader is at fault."""
+    """A check has ended. Its status is passed, failed, or error if the grader is at fault."""
 
     name: str
     status: Literal["passed", "failed", "error"]

@@ -1,4 +1,4 @@
-"""Explain errors in sentences that a student can act on."""
+"""Turn errors into explanations that tell a student what to do."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ ONLY_COMPUTES = (
     "An engine only computes. Remove code that writes files, reads files outside the engine, "
     "starts programs or threads, or uses the network. None of it works where your code is graded."
 )
-# Python mistakes whose error messages say little, found by a part of the message. The explanation
-# replaces the cause that the check suggests, which is about physics.
+# Mistakes in Python whose error messages are hard to understand, recognized by a part of the
+# message. The cause that the check suggests is about physics, so the explanation replaces it.
 SLIPS = (
     ("NotImplementedType", NOT_IMPLEMENTED),
     (
@@ -75,8 +75,8 @@ SLIPS = (
     ("can't decode", "Save the file as UTF-8 in your editor."),
     ("null bytes", "Save the file as UTF-8 in your editor."),
 )
-# These may be Python mistakes or follow from a mistake in the physics. So the cause that the check
-# suggests is shown as well.
+# These may be mistakes in Python, or they may follow from a mistake in the physics. So the cause
+# that the check suggests is shown as well.
 PERHAPS = (
     (
         "'tuple'",
@@ -128,7 +128,7 @@ PERHAPS = (
 )
 ESCAPED = re.compile(
     r"\\(?:x([0-9a-f]{2})|u([0-9a-f]{4})|U(000[0-9a-f]{5}|0010[0-9a-f]{4}))"
-)  # an escape in a stack dump
+)  # an escape sequence in a stack trace
 EXERCISE = re.compile(r"Exercise ([A-Z]?\d+\.\w+)")  # in the NotImplementedError of a stub
 STACK_LINE = re.compile(r'File "([^"\n]{1,500})", line (\d{1,6}) in (\S{1,100})')
 
@@ -138,10 +138,12 @@ def explain_exception(
 ) -> Message:
     """Return the message for a check that ended with this exception.
 
-    A failed expectation brings its own message. For any other exception, the message has the call
-    that the check was ``about``, the exception, the student's line, and the cause that Python or
-    the check suggests. ``complete`` lists modules that the student only calls, such as
-    ch02_vectors/arguments.py. An exception that came from a worker has its ``fault`` attached.
+    A failed expectation already carries its message. For any other exception, the message consists
+    of the call that the check was making, the exception, the student's line, and a likely cause.
+    The cause comes from Python's error if that is a known mistake, and from the check otherwise.
+    ``complete`` lists modules that the student calls but did not write, such as
+    ch02_vectors/arguments.py. If the exception was raised in a worker process, it has a ``fault``
+    attached.
     """
     fault = getattr(error, "fault", None) or fault_of(error, engine_folders)
     written = [frame for frame in fault.frames if not _is_given(frame, complete)]
@@ -158,7 +160,7 @@ def explain_exception(
             kind=Kind.UNWRITTEN,
             exercise=named[1] if named else "",
         )
-    # A cause that is set before there is a call does not belong to this exception.
+    # If there is no call yet, the cause was not set for this exception.
     cause, read = (about.cause, about.read) if about.call else ("", "")
     likely, other = _likely(fault.first_line, cause, fault)
     return Message(
@@ -174,7 +176,7 @@ def explain_exception(
 def explain_import(
     fault: Fault, module: str, engine_folders: list[Path], complete: Sequence[str] = ()
 ) -> Message:
-    """Return the reason why a student's module cannot be imported.
+    """Return the message that explains why a student's module cannot be imported.
 
     ``complete`` lists modules that the student did not write.
     """
@@ -198,9 +200,10 @@ def explain_import(
 
 
 def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> Message:
-    """Return a message about a process whose time was up, with the position in its stack.
+    """Return the message for a process that ran out of time, with the line from its stack trace.
 
-    Code that hangs may have written the stack itself. So any content must lead to a valid message.
+    The code that hangs may have written to the file of the stack trace, so the trace may contain
+    anything. The function must return a valid message for any content.
     """
     hung = Message(
         f"{Kind.HUNG.value} within {time_limit:g} seconds. Is there an endless loop?",
@@ -223,7 +226,7 @@ def _unescaped(text: str) -> str:
 
 
 def _likely(text: str, cause: str, fault: Fault) -> tuple[str, str]:
-    """Return the most likely cause of an exception, and a second one, which may be empty."""
+    """Return the most likely cause of an exception, and a second cause, which may be empty."""
     meant = explain_unknown(fault.unknown) if fault.unknown else ""
     if slip := meant or slip_of(text):
         return slip, ""
@@ -232,20 +235,21 @@ def _likely(text: str, cause: str, fault: Fault) -> tuple[str, str]:
 
 
 def slip_of(text: str) -> str:
-    """Return the explanation of a definite Python mistake, or an empty string."""
+    """Return the explanation of an obvious mistake in Python, or else an empty string."""
     return next((slip for sign, slip in SLIPS if sign in text), "")
 
 
 def _is_given(place: Place, complete: Sequence[str]) -> bool:
-    """Return whether the student did not write this code, so that only its callers can be wrong.
+    """Return whether the code at this place was given. If it was, only its caller can be wrong.
 
-    No exercise asks for a constructor, so a constructor that refuses its arguments is given code.
+    No exercise asks students to write a constructor, so a constructor that rejects its arguments is
+    given code.
     """
     return place.function in ("__init__", "__setattr__") or place.file in complete
 
 
 def _with_source(place: Place, engine_folders: list[Path]) -> Place:
-    """Return a place with the text of its line, from the first folder that has the file."""
+    """Return the place with its source line, read from the first folder that contains the file."""
     for folder in engine_folders:
         file = folder / place.file
         if file.is_file():

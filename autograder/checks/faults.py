@@ -1,6 +1,7 @@
 """Describe an error in a student's code as plain data.
 
-The description is the same whether the code ran in this process or in a worker.
+The code may run in this process or in a worker process. The description has the same form in both
+cases.
 """
 
 from __future__ import annotations
@@ -20,7 +21,8 @@ MOST_FRAMES = 50
 class CheckEnded(BaseException):
     """Raised to end a check with a message.
 
-    It is not a subclass of Exception, so that code that catches Exception does not catch it.
+    The class does not derive from Exception, so that a student's ``except Exception`` does not
+    catch it.
     """
 
     def __init__(self, message: Message) -> None:
@@ -32,21 +34,21 @@ class CheckEnded(BaseException):
 
 
 class GraderFault(BaseException):
-    """Raised to end a check because of an error that is not the fault of the checked code."""
+    """Raised to end a check because of an error in the grader, not in the student's code."""
 
 
 class StudentLeft(BaseException):
-    """Raised when the student's code raised no Exception but, for example, SystemExit."""
+    """Raised when a student's code raises something other than an Exception: SystemExit, say."""
 
     fault: Fault
 
 
 @dataclass(frozen=True)
 class Fault:
-    """An exception: the name of its type, its text, and its frames in the engine's folders.
+    """An exception as plain data: its type's name, its text, and its frames in the student's code.
 
-    A syntax error also has the file, the line and the text that Python could not read. ``unknown``
-    describes the name that does not exist, if the exception is about a name.
+    A syntax error also has the file, the line and the text that Python could not parse. ``unknown``
+    describes the missing name if the exception is about one.
     """
 
     type: str
@@ -58,13 +60,16 @@ class Fault:
 
     @property
     def first_line(self) -> str:
-        """The exception in one line, as at the end of a traceback, shortened for reading."""
+        """The exception on one line, as at the end of a traceback, shortened if it is long."""
         first = (self.text.splitlines() or [""])[0][:500]
         return f"{self.type}: {first}" if first else self.type
 
 
 def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
-    """Describe an exception. Its frames are those in the folders, innermost last."""
+    """Describe an exception as plain data.
+
+    Only frames in files below one of the folders are included. The innermost frame comes last.
+    """
     syntax = None
     text = text_of(error)
     if isinstance(error, SyntaxError):
@@ -84,7 +89,7 @@ def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
 
 
 def text_of(error: BaseException) -> str:
-    """Return the text of an exception. A student's exception may fail in its own __str__."""
+    """Return the text of an exception, even if the student's own __str__ method fails."""
     try:
         return str(error).strip()
     except BaseException:
@@ -98,7 +103,7 @@ def is_inside(file: str, folders: Sequence[Path]) -> bool:
 
 
 def short(file: str) -> str:
-    """Return a file's folder and name, the form that students know."""
+    """Return the last folder and the name of a file, such as ch02_vectors/vector.py."""
     return f"{Path(file).parent.name}/{Path(file).name}"
 
 

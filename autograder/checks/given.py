@@ -1,4 +1,8 @@
-"""Check a student's chapter on the reference's earlier chapters, to find inherited failures."""
+"""Find failures that a student's chapter has inherited from earlier chapters.
+
+To find them, the checks of the chapter are run a second time, with the earlier chapters taken from
+the reference. A check that fails only in the first run has failed because of an earlier chapter.
+"""
 
 from __future__ import annotations
 
@@ -22,10 +26,10 @@ Run = Callable[[Chapter, list[Path]], list[Verdict]]  # runs a chapter's checks 
 def with_given(
     given: Sequence[Chapter], engine: list[Path], root: Path = ROOT
 ) -> Iterator[list[Path]]:
-    """Yield an engine that has the reference's modules of the given chapters on top.
+    """Yield an engine in which the given chapters are replaced by those of the reference.
 
     Raises:
-        ValueError: This folder lacks the reference of a chapter, as a hand-out does.
+        ValueError: The reference of a chapter is not in this folder, as in a hand-out.
     """
     if not given:
         yield engine
@@ -44,7 +48,7 @@ def with_given(
 
 
 def has_reference(chapter: Chapter, root: Path = ROOT) -> bool:
-    """Return whether the reference of a chapter is in this folder."""
+    """Return whether this folder contains the reference of a chapter."""
     return (root / "solutions" / chapter.name).is_dir()
 
 
@@ -56,10 +60,11 @@ def run_on_given(
     run: Run,
     root: Path = ROOT,
 ) -> list[Verdict]:
-    """Return the verdicts of a second run, on the reference's chapters ``below``.
+    """Run the checks again, with the chapters ``below`` taken from the reference.
 
-    There is no second run, and the result is empty, if the reference is not available, if only
-    bodies that are not written yet lose checks, or if this chapter has an endless loop.
+    Return the verdicts of this second run. The result is empty, and nothing is run, in three cases:
+    the reference is not available, all failures come from functions that the student has not
+    written yet, or a loop in this chapter does not end.
 
     Raises:
         GraderError: The checks cannot be run.
@@ -74,7 +79,7 @@ def run_on_given(
 
 
 def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
-    """Return the verdicts, with a lost check marked as inherited if the second run passes it."""
+    """Return the verdicts. A failed check that passed in the second run is marked as inherited."""
     passed = {verdict.name for verdict in again if verdict.status == "passed"}
     return [
         replace(verdict, status="inherited")
@@ -85,9 +90,10 @@ def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdic
 
 
 def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
-    """Return the verdicts. If a check is lost in both runs, use the verdict of the second run.
+    """Return the verdicts of the first run, but replace the verdicts of checks that failed in both.
 
-    In the second run, only the student's own chapter can be the cause of the failure.
+    For those checks, the verdict of the second run is better, because only the student's own
+    chapter can be its cause.
     """
     second = {verdict.name: verdict for verdict in again if verdict.status in LOST}
     return [
@@ -99,10 +105,10 @@ def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Ve
 def suspects(
     verdicts: list[Verdict], engine: list[Path], below: Sequence[Chapter], run: Run
 ) -> list[Chapter]:
-    """Return the earlier chapters that fail checks of their own, for use without a second run.
+    """Return the earlier chapters that fail some of their own checks.
 
-    Without a second run, it is unknown which failures are inherited. But students should know that
-    an earlier chapter may be the cause.
+    This is used when a second run is not possible. It is then unknown which failures are inherited,
+    but the student should know that an earlier chapter may be the cause.
     """
     lost = [verdict for verdict in verdicts if verdict.status in LOST]
     if all(_is_unwritten(verdict) for verdict in lost):
@@ -120,12 +126,12 @@ def suspects(
 def below_and_not_given(
     chapter: Chapter, given: Sequence[Chapter], root: Path = ROOT
 ) -> list[Chapter]:
-    """Return the earlier chapters that are the student's own."""
+    """Return the earlier chapters that a chapter builds on and that are the student's own work."""
     return [other for other in chapters_below(chapter, root) if other not in given]
 
 
 def _is_unwritten(verdict: Verdict) -> bool:
-    """Return whether a check fails because a body of its own chapter is not written yet."""
+    """Return whether a check fails because a function of its own chapter is not written yet."""
     message = verdict.message
     return message.kind is Kind.UNWRITTEN and _number(message.exercise) == _number(verdict.exercise)
 

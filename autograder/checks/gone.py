@@ -1,7 +1,8 @@
-"""Explain a failure that comes from a function that the student's file no longer defines.
+"""Explain a failure that occurs because the student's file no longer defines a function.
 
-The manifest names the functions to write. If a student deletes or renames one of them, Python says
-only that a name is missing. The explanation adds that the stub is gone, and how to get it back.
+The manifest of a chapter lists the functions to write. If a student deletes or renames one of them,
+Python's error says only that a name is missing. This module adds that the stub has been removed,
+and how to restore it.
 """
 
 from __future__ import annotations
@@ -25,9 +26,10 @@ Defined = Callable[
 def explain_gone(
     message: Message, exercise: str, edits: Mapping[str, Sequence[str]], defined: Defined
 ) -> Message:
-    """Return the message of a failed check, with the cause if a body of the chapter is gone.
+    """Return the message of a failed check, with an explanation if a function was removed.
 
-    ``edits`` lists the bodies that students write for each exercise, such as vector.Vector3.dot.
+    ``edits`` lists, for each exercise, the functions that students write, such as
+    vector.Vector3.dot.
     """
     for owner, name in _candidates(message, exercise, edits):
         module, _, path = name.partition(".")
@@ -41,15 +43,18 @@ def explain_gone(
 def _candidates(
     message: Message, exercise: str, edits: Mapping[str, Sequence[str]]
 ) -> list[tuple[str, str]]:
-    """Return the bodies that may be the cause: those the message names, then those it calls."""
+    """Return the functions whose removal may have caused a failure.
+
+    The functions that the message names come first, then those that the check's expression calls.
+    """
     every = [(owner, name) for owner, names in edits.items() for name in names]
     own = [(exercise, name) for name in edits.get(exercise, ()) if calls(message.called, name)]
-    says = f"{message.title}\n{message.got}"  # one of them has Python's message
+    says = f"{message.title}\n{message.got}"  # Python's message is in one of them
     return [pair for pair in every if _names(says, pair[1])] + own
 
 
 def _names(says: str, name: str) -> bool:
-    """Return whether an error's text says that this name, or its class, is missing."""
+    """Return whether the text of an error says that this name, or its class, is missing."""
     module, *path = name.removesuffix(".setter").split(".")
     short, outer = path[-1], path[0]
     signs = [f"name '{short}' is not defined", f"/{does_not_define(module, outer)}"]
@@ -64,7 +69,7 @@ def _names(says: str, name: str) -> bool:
 def _words(
     module: str, path: str, exercise: str, there: set[str], edits: Mapping[str, Sequence[str]]
 ) -> str:
-    """Explain how a body was lost, and the remedy: undo a renaming, or restore the stub."""
+    """Explain that a function was removed or renamed, and how to get it back."""
     prefix = path.removesuffix(own_name(f"{module}.{path}"))
     if prefix and not any(name.startswith(prefix) for name in there):
         short = own_name(f"{module}.{path}")

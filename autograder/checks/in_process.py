@@ -1,7 +1,7 @@
-"""Run the checks and the student's code in one process, which is fast but not secure.
+"""Run the checks and the student's code in the same process, which is fast but not secure.
 
-Students run the checks in this way. Even so, the code may import and do only what the grader
-allows.
+This is how students run the checks at home. The code is still restricted: it can import only the
+modules, and perform only the operations, that the grader allows.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ CALLS = 13  # nested calls of pytest and the check between start() and the stude
 
 
 class InProcess:
-    """The student's modules, imported into the process of the checks."""
+    """The student's modules, imported into the same process as the checks."""
 
     def __init__(
         self,
@@ -55,7 +55,10 @@ class InProcess:
         self.depth = Depth()
 
     def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
-        """Import the student's modules before the checks do, so that each can fail alone."""
+        """Import the student's modules one by one before the checks import them.
+
+        In this way, a module that cannot be imported affects only the checks that use it.
+        """
         self.surround()
         for module, message in broken.items():
             sys.modules[module] = broken_module(module, message)
@@ -66,13 +69,13 @@ class InProcess:
                 self._import(module)
                 self.stop()
                 send(Imported())
-        # Only the checks get a placeholder for a missing name. In another module of the student's,
+        # Only the checks get a placeholder for a missing name. In the student's other modules,
         # such a name raises ImportError, both here and in the sandbox.
         for imported in filter(None, map(sys.modules.get, modules)):
             imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
 
     def surround(self) -> None:
-        """Give the code the surroundings of the grader, with the same restrictions."""
+        """Give the code the same environment and the same restrictions as in the grader."""
         leave_home()
         code = StudentsCode(self.engine, self.graded)
         limit_imports(code)
@@ -83,11 +86,11 @@ class InProcess:
         gc.freeze()
 
     def _import(self, module: str) -> None:
-        # With bytecode, Python could miss a second edit of a file within the same second.
+        # Do not write bytecode. It could hide a second edit of a file within the same second.
         sys.dont_write_bytecode = True
         try:
             importlib.import_module(module)
-        except MissingNameError as error:  # it uses another module that is broken
+        except MissingNameError as error:  # the module uses another module that is broken
             sys.modules[module] = broken_module(module, error.message)
         except BaseException as error:  # including SystemExit
             message = explain_import(
@@ -98,18 +101,18 @@ class InProcess:
             sys.dont_write_bytecode = False
 
     def definitions(self, file: Path) -> set[str] | None:
-        """Return the names that a module of the student's defines."""
+        """Return the names that a student's module defines, or None if they are unknown."""
         return read_definitions(file)
 
     def start(self) -> None:
-        """Redirect the streams and start the time limit."""
+        """Redirect the output streams and start the time limit."""
         self.depth.adapt(CALLS)
         sys.stdin = Path(os.devnull).open(encoding="utf-8")  # noqa: SIM115 - closed by stop
         sys.stdout = sys.stderr = CappedText(self.printed.append)
         self.start_clock()
 
     def stop(self) -> str:
-        """Stop the time limit, and return the printed output."""
+        """Stop the time limit, and return the output that was printed."""
         self.stop_clock()
         sys.stdin.close()
         sys.stdin, sys.stdout, sys.stderr = self.streams
@@ -118,9 +121,12 @@ class InProcess:
         return printed
 
     def start_clock(self) -> None:
-        """Write the stack and end the process when the time is up, whatever the code is doing."""
+        """Start the time limit. When it expires, write a stack trace and end the process.
+
+        This works whatever the code is doing at that moment.
+        """
         faulthandler.dump_traceback_later(self.time_limit, exit=True, file=self.stack_file)
 
     def stop_clock(self) -> None:
-        """Forget the time limit."""
+        """Cancel the time limit."""
         faulthandler.cancel_dump_traceback_later()

@@ -1,4 +1,4 @@
-"""Start a process that runs checks, follow its output line by line, and end it."""
+"""Start a process that runs checks, read its output line by line, and end it."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from autograder.checks.runner import Run
     from autograder.isolation.judges import ForkedJudge
 
-GRACE = 10.0  # seconds of silence, on top of a check's limit, before the process is killed
+GRACE = 10.0  # seconds without output, added to a check's limit, before the process is killed
 MOST_STDERR = 2000  # bytes that are kept from the end of standard error
 
 _processes: set[subprocess.Popen[str] | ForkedJudge] = set()
@@ -38,9 +38,9 @@ _stopping = threading.Event()
 
 @contextlib.contextmanager
 def stopping() -> Iterator[None]:
-    """End the runs in all threads, and prevent new runs inside this context.
+    """End the runs in all threads, and prevent new runs until the context ends.
 
-    Each of the runs raises GraderError.
+    Each run that is ended raises GraderError.
     """
     _stopping.set()
     for process in list(_processes):
@@ -52,18 +52,19 @@ def stopping() -> Iterator[None]:
 
 
 def is_stopped() -> bool:
-    """Return whether runs are being ended."""
+    """Return whether ``stopping`` is in effect."""
     return _stopping.is_set()
 
 
 class SilentError(Exception):
-    """Raised when the process has printed nothing for too long."""
+    """Raised when the process has not printed anything for too long."""
 
 
 class Judge:
     """A process that runs verdicts.py with one configuration.
 
-    After it has ended, ``stderr`` is the end of its standard error, and ``code`` is its exit code.
+    After the process has ended, ``stderr`` contains the end of its standard error, and ``code`` is
+    its exit code.
     """
 
     def __init__(self, config: Path, folder: Path, *, behind: bool) -> None:
@@ -74,12 +75,13 @@ class Judge:
         self.code = 0
 
     def lines(self, silence: float, deadline: float) -> Generator[str]:
-        """Run the process and yield its output, a line at a time, until it ends.
+        """Run the process, and yield its output line by line until it ends.
 
-        The process is killed if the caller stops early.
+        If the caller stops iterating early, the process is killed.
 
         Raises:
-            SilentError: No line came for ``silence`` seconds plus GRACE, or before the deadline.
+            SilentError: No line arrived for ``silence`` seconds plus GRACE, or none before the
+                deadline.
         """
         with (self.config.parent / "stderr.txt").open("w+b") as stderr:
             process = self._start(stderr)
@@ -91,7 +93,7 @@ class Judge:
             finally:
                 _processes.discard(process)
                 _kill(process)
-                self.code = process.wait()  # stdout is not closed: a stray child may hold it
+                self.code = process.wait()  # stdout stays open, since a stray child may hold it
                 if process.stdin:
                     process.stdin.close()
                 stderr.seek(max(0, stderr.seek(0, os.SEEK_END) - MOST_STDERR))
@@ -118,10 +120,10 @@ class Judge:
 
 @dataclass(frozen=True)
 class Ending:
-    """A description of how a process of the checks has ended.
+    """A description of how a check process ended.
 
-    If its time was up, ``stack`` shows what it was doing. ``silent`` means that it had to be ended
-    from outside. ``stderr`` is the end of its standard error.
+    If the process ran out of time, ``stack`` shows what it was doing. ``silent`` is true if the
+    process stopped responding and was killed. ``stderr`` is the end of its standard error.
     """
 
     stack: str = ""
@@ -130,19 +132,19 @@ class Ending:
     stderr: str = ""
 
     def explain(self, time_limit: float, engine: list[Path]) -> Message:
-        """Return the message for the check in which the process ended."""
+        """Return the message for the check that was running when the process ended."""
         if self.stack or self.silent:
             return explain_hang(self.stack, time_limit, engine)
         return Message(how_it_ended(self.code), kind=Kind.LEFT)
 
 
 def judge(run: Run) -> Ending:
-    """Start a process for the checks that have no verdict yet, and follow it to its end."""
+    """Start a process for the checks that have no verdict yet, and follow it until it ends."""
     order, silent = run.order, False
-    # Windows holds on to the files of a process for a moment after its end.
+    # On Windows, the files of a process stay locked for a moment after it has ended.
     with tempfile.TemporaryDirectory(prefix="checks-", ignore_cleanup_errors=True) as name:
         folder = Path(name)
-        config = folder / "config.json"  # it may be longer than a command line
+        config = folder / "config.json"  # too long for a command line
         arranged = run.config(folder)
         stack_file = Path(arranged.stack_file)
         stack_file.touch()
@@ -184,17 +186,17 @@ def _pass_on(stream: IO[str], lines: queue.Queue[str]) -> None:
 
 
 def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
-    """Kill a process and, if the system has process groups, all processes that it started."""
+    """Kill a process. If the system has process groups, also kill all processes that it started."""
     with contextlib.suppress(ProcessLookupError, PermissionError):
         if sys.platform == "win32":
-            assert isinstance(process, subprocess.Popen)  # nothing is forked there
+            assert isinstance(process, subprocess.Popen)  # Windows cannot fork judges
             process.kill()
         else:
             os.killpg(process.pid, signal.SIGKILL)
 
 
 def environment() -> dict[str, str]:
-    """Return the environment of a check process, without automatic pytest plugins."""
+    """Return the environment of a check process, in which pytest loads no plugins automatically."""
     path = os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH", "")]))
     return os.environ | {
         "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",

@@ -1,6 +1,7 @@
 """Placeholders for modules that cannot be imported and for names that do not exist.
 
-With a placeholder, code fails with an explanation, and only where it uses the name.
+A placeholder lets the checks be imported even if something is missing. A check then fails only if
+it actually uses the missing name, and its message explains the reason.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from autograder.message import Message
 
 @dataclass(frozen=True)
 class MissingName:
-    """A name that a student's module does not define, and the most similar name that it defines."""
+    """A name that a student's module does not define, with the most similar name that exists."""
 
     module: str
     name: str
@@ -25,14 +26,14 @@ class MissingName:
     is_empty: bool = False  # whether the module defines nothing at all
 
     def explain(self) -> Message:
-        """Return the message of a check that uses the name."""
+        """Return the message for a check that uses the name."""
         says = does_not_define(self.module, self.name, is_empty=self.is_empty)
         likely = f"Did you mean {self.nearest}?" if self.nearest else ""
         return Message(says, likely=likely)
 
 
 class MissingNameError(CheckEnded):
-    """A check uses a name that does not exist."""
+    """Raised when a check uses a name that does not exist."""
 
     def __init__(self, missing: MissingName, message: Message) -> None:
         super().__init__(message)
@@ -40,25 +41,25 @@ class MissingNameError(CheckEnded):
 
 
 def does_not_define(module: str, name: str, *, is_empty: bool = False) -> str:
-    """Return a sentence that reports that a module does not define a name."""
+    """Return a sentence that says that a module does not define a name."""
     empty = " is empty and" if is_empty else ""
     return f"{file_of(module)}{empty} does not define {name}"
 
 
 def file_of(module: str) -> str:
-    """Return a module's file in the form that students know, such as ch02_vectors/vector.py."""
+    """Return the file of a module as students know it, such as ch02_vectors/vector.py."""
     return module.replace(".", "/") + ".py"
 
 
 def broken_module(name: str, why: Message) -> ModuleType:
-    """Return a module in which every name is missing for this reason."""
+    """Return a module in which using any name fails with this message."""
     module = ModuleType(name)
     module.__dict__["__getattr__"] = lambda wanted: _placeholder(MissingName(name, wanted), why)
     return module
 
 
 def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
-    """Return a __getattr__ that supplies placeholders for names that a module does not define."""
+    """Return a __getattr__ function that supplies placeholders for names a module lacks."""
     is_empty = all(name.startswith("__") for name in vars(module))
 
     def answer(name: str) -> Any:
@@ -69,7 +70,7 @@ def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
 
 
 def while_imported(module: str, message: Message) -> Message:
-    """Return the message for a module during whose import the process hung or ended."""
+    """Return the message for a module whose import did not finish, or ended the process."""
     return Message(
         f"{file_of(module)} cannot be imported: {message.title}",
         where=message.where,

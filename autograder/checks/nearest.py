@@ -1,7 +1,8 @@
-"""Suggest the intended name if code uses a name or an attribute that does not exist.
+"""Suggest the intended name when code uses a name or an attribute that does not exist.
 
-The error only says what is missing. The names that exist are known only where the code runs. So the
-search happens there, and its result is passed on as plain data.
+Python's error says only what is missing. The names that do exist are known only in the process that
+ran the code. The search for a similar name therefore happens there, and its result is passed on as
+plain data.
 """
 
 from __future__ import annotations
@@ -43,7 +44,7 @@ class Unknown:
 
 
 def unknown_of(error: BaseException) -> Unknown | None:
-    """Return the name that an error says is missing, or None for any other error."""
+    """Return the name that an error reports as missing, or None for any other error."""
     try:
         if isinstance(error, UnboundLocalError):
             return None
@@ -59,9 +60,9 @@ def unknown_of(error: BaseException) -> Unknown | None:
 
 
 def nearest(name: str, there: Iterable[str], cutoff: float = 0.6) -> str:
-    """Return the most similar of these names, or an empty string if none is similar.
+    """Return the most similar name in ``there``, or an empty string if no name is similar enough.
 
-    Names with two underscores at both ends are never suggested.
+    Names that begin and end with two underscores are never suggested.
     """
     names = [other for other in there if not (other.startswith("__") and other.endswith("__"))]
     if not SHORTEST <= len(name) <= LONGEST:
@@ -70,7 +71,7 @@ def nearest(name: str, there: Iterable[str], cutoff: float = 0.6) -> str:
 
 
 def explain_unknown(unknown: Unknown) -> str:
-    """Return advice about a name that does not exist, or an empty string if no name is similar."""
+    """Return a suggestion for a missing name, or an empty string if no name is similar."""
     name, near = unknown.name, unknown.nearest
     if unknown.slots:
         held = ", ".join(unknown.slots)
@@ -154,10 +155,11 @@ def _attributes(value: Any) -> set[str]:
 
 
 def _slots(kind: type) -> list[str]:
-    """Return the slots to suggest for a class, or an empty list if any attribute is allowed.
+    """Return the slots to suggest for a class, or an empty list if any attribute may be assigned.
 
-    A private slot such as _damping is listed only if the class has a property named damping. Other
-    private slots are internal to the class. If this leaves no slot, all slots are listed.
+    A private slot such as _damping is suggested only if the class has a property named damping. The
+    other private slots are internal to the class. If no slot is left after that, all of them are
+    suggested.
     """
     if kind.__dictoffset__:
         return []

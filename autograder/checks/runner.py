@@ -1,7 +1,7 @@
-"""Run a chapter's checks in a separate process, with a time limit for each, and give verdicts.
+"""Run the checks of a chapter in a separate process, and return a verdict for each check.
 
-If a check hangs or ends its process, the other checks still run, in a new process. Without a
-sandbox, nothing here needs POSIX.
+Every check has a time limit. If a check hangs or ends its process, the remaining checks are run in
+a new process. Without a sandbox, this module also works on systems that are not POSIX.
 """
 
 from __future__ import annotations
@@ -25,12 +25,12 @@ from autograder.message import Kind, Message
 HURRIED = 0.25  # fraction of the time limit for later checks, once one function has hung twice
 LONGEST_MESSAGE = 8000  # characters; a message shows returned values, which may be huge
 LONGEST_PART = 800  # characters of each part, if the whole message is too long
-ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # of an object; it differs in every run
+ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # the address of an object, which differs in every run
 
 
 @dataclass(frozen=True)
 class Limits:
-    """Time limits in seconds, for one check (which takes milliseconds) and for a whole run."""
+    """The time limits in seconds for one check, which takes milliseconds, and for a whole run."""
 
     check: float = 3.0
     run: float = 90.0
@@ -40,16 +40,17 @@ Judging = Callable[["Run"], Ending]
 
 
 class GraderError(Exception):
-    """The checks could not be run, and this is not the fault of the checked code."""
+    """Raised when the checks could not be run and the checked code is not to blame."""
 
 
 @dataclass(frozen=True)
 class Order:
-    """The checks to run: those of some exercises of a chapter, on an engine.
+    """The checks to run: a chapter, some of its exercises, and the engine to check.
 
-    ``engine`` is a list of chapter folders; the first overlays the others. The student's code runs
-    in the sandbox that ``behind`` describes or, if that is None, in the process of the checks. In
-    the second case, ``apart`` runs each exercise in a copy of that process.
+    ``engine`` is a list of folders with chapters. A module in an earlier folder takes precedence
+    over the same module in a later one. ``behind`` describes the sandbox in which the student's
+    code runs. If it is None, the code runs in the same process as the checks. In that case,
+    ``apart`` runs the checks of each exercise in a forked copy of the process.
     """
 
     chapter: Chapter
@@ -74,14 +75,14 @@ def run_checks(
     root: Path = ROOT,
     judge: Judging = judge,
 ) -> list[Verdict]:
-    """Run the checks of a chapter on an engine, and return a verdict for each.
+    """Run the checks of a chapter on an engine, and return a verdict for each check.
 
-    ``exercises`` limits the run to some exercises and those that they need. ``on_verdict`` is
-    called with the number of verdicts so far and the number of checks. ``Order`` and ``Run``
-    explain the other arguments.
+    ``exercises`` limits the run to some exercises and to those on which they build. ``on_verdict``
+    is called with the number of verdicts so far and the total number of checks. The other arguments
+    are explained in ``Order`` and ``Run``.
 
     Raises:
-        GraderError: The checks themselves cannot be run.
+        GraderError: The checks could not be run.
     """
     wanted = with_needs(chapter, exercises)
     order = Order(chapter, engine, wanted, seed, limits or Limits(), behind, root)
@@ -99,9 +100,10 @@ def run_checks(
 
 
 class Run:
-    """The state of a run, which may take several processes.
+    """The state of a run of checks, which may need several processes.
 
-    ``judge`` starts a process, passes its events to the run, and returns how it ended.
+    ``judge`` is a function that starts a process, passes its events to the run, and returns how the
+    process ended.
     """
 
     def __init__(
@@ -124,7 +126,7 @@ class Run:
         self.stderr = ""
 
     def reason(self) -> str:
-        """Return why there are no verdicts."""
+        """Return the reason why there are no verdicts."""
         if missing := re.search(r"No module named '(ch\d\d_\w+)'", self.stderr):
             own = self.order.chapter.name
             return f"{missing[1]} is missing: put your own folder of that name beside {own}"
@@ -141,7 +143,10 @@ class Run:
 
     @property
     def progress(self) -> tuple[int, int]:
-        """The numbers of verdicts and of broken modules, which grow as the run makes progress."""
+        """The number of verdicts plus broken modules so far.
+
+        It grows whenever the run makes progress.
+        """
         return len(self.verdicts), len(self.broken)
 
     def outcome(self) -> list[Verdict]:
@@ -150,7 +155,7 @@ class Run:
         return mark_blocked(self.order.chapter, verdicts)
 
     def one_process(self) -> None:
-        """Check in one process what has no verdict yet, until that process ends."""
+        """Run the checks that have no verdict yet in one process, until that process ends."""
         self.current = None
         ending = self.judge(self)
         self.stderr = ending.stderr
@@ -173,7 +178,7 @@ class Run:
         )
 
     def hear(self, line: str) -> None:
-        """Handle one line of the process, which contains an event."""
+        """Handle one line of output from the process, which contains an event."""
         try:
             event = read_event(line)
         except ValueError as error:
@@ -181,10 +186,10 @@ class Run:
         self.take(event)
 
     def take(self, event: Event) -> None:
-        """Handle one event of the process.
+        """Handle one event from the process.
 
         Raises:
-            GraderError: The event is about an unknown check.
+            GraderError: The event refers to a check that is not part of the run.
         """
         doing, self.current = self.current, None
         match event:
@@ -201,7 +206,7 @@ class Run:
                 self.finished, self.current = doing is None, doing
 
     def _break_off(self, doing: events.Importing | events.Started, why: Message) -> None:
-        """Record what the process was doing when it ended early."""
+        """Record the outcome of the check or import that was running when the process ended."""
         if isinstance(doing, events.Importing):
             self.broken[doing.module] = while_imported(doing.module, why)
             return
@@ -219,7 +224,7 @@ class Run:
             )
         message, status, behind = decided.message, decided.status, self.order.behind
         if check.rationale is not None and behind is not None and not behind.for_instructor:
-            # Anything else could reveal what is checked, and how.
+            # Any other part of the message could reveal what is checked, and how.
             words = {"failed": check.rationale, "error": "the grader failed on this check"}
             message = Message(words.get(status, ""))
         self.verdicts[check.name] = Verdict(
@@ -235,7 +240,7 @@ class Run:
         self.on_verdict(len(self.verdicts), len(self.checks))
 
     def give_up(self) -> None:
-        """Fail the remaining checks, because the time for the whole run is used up."""
+        """Fail the remaining checks, because the time limit of the whole run has expired."""
         seconds = f"{self.order.limits.run:g} seconds"
         if not self.checks:
             raise GraderError(f"no check began within {seconds}:\n{self.stderr}")
@@ -246,9 +251,10 @@ class Run:
         self.finished = True
 
     def _note_hang(self, exercise: str) -> None:
-        """Give up an exercise after its first hang if an exercise that it builds on hangs as well.
+        """Record that a check of this exercise hung, and fail its other checks if need be.
 
-        Its other checks would probably hang in the same loop, each for the whole time limit.
+        The other checks fail if an exercise on which this one builds has hung too. All of them
+        would probably run into the same loop, and each would use up its whole time limit.
         """
         if self.hung & needs_of(self.order.chapter, exercise):
             why = Message("not run: another check of this exercise did not finish")
@@ -259,9 +265,9 @@ class Run:
 
 
 def presentable(message: Message) -> Message:
-    """Return a message that may be shown: cleaned, without addresses, and not too long.
+    """Return a message that is safe to show: cleaned, without memory addresses, and not too long.
 
-    All text that comes from a student's code passes through this function.
+    All text that originates from a student's code passes through this function.
     """
     message = message.changed(lambda text: ADDRESS.sub("", clean(text)))
     return message if len(str(message)) <= LONGEST_MESSAGE else message.changed(_cut)

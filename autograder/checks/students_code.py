@@ -1,4 +1,4 @@
-"""Recognize the student's code: its files, which of them are graded, and whether it is running."""
+"""Tell the student's code apart from other code, and find out whether it made the current call."""
 
 from __future__ import annotations
 
@@ -17,15 +17,18 @@ PACKAGES = ("site-packages", "dist-packages")  # these may be inside the library
 
 
 def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
-    """Return each chapter's files that exist in the grader: handed in, or complete."""
+    """Return, for each chapter's folder, the files that exist in the grader.
+
+    These are the files that students hand in and the files that are given complete.
+    """
     return {chapter.name: [*chapter.handed_in, *chapter.complete] for chapter in chapters}
 
 
 class StudentsCode:
-    """The code in the folders of an engine.
+    """The student's code, which is found in the folders of an engine.
 
-    ``graded`` lists, for each chapter's folder, the files that exist where work is graded. In a
-    folder that it does not list, all files count. ``ours`` lists files that the student did not
+    ``graded`` lists, for each chapter's folder, the files that also exist in the grader. In a
+    folder that it does not mention, all files count. ``ours`` lists files that the student did not
     write, such as ch06_springs/cloth.py.
     """
 
@@ -43,18 +46,21 @@ class StudentsCode:
         graded: Mapping[str, Collection[str]],
         ours: Collection[str] = (),
     ) -> None:
-        """Switch to the code of another engine. The installed limits stay in place."""
+        """Switch to the code of another engine.
+
+        Restrictions that are already installed stay in place.
+        """
         self.folders = [folder.resolve() for folder in folders]
         self.graded = graded
         self.ours = ours
         self._known: dict[str, bool | None] = {}
 
     def is_calling(self) -> bool:
-        """Return whether the student's code made the call that is being checked.
+        """Return whether the call that is being checked was made by the student's code.
 
-        The innermost function on the stack that does not belong to Python's library decides. The
-        steps that Python itself takes to import a module do not count as calls of the student's
-        code.
+        The innermost function on the stack that does not belong to Python's library decides this.
+        The steps that Python itself performs to import a module do not count as calls of the
+        student's code.
         """
         frame = sys._getframe(2)
         while frame is not None:
@@ -76,7 +82,7 @@ class StudentsCode:
         return None if library else False
 
     def is_graded(self, package: str, file: str) -> bool:
-        """Return whether a chapter's file exists in the grader. Probes always do."""
+        """Return whether a file of a chapter exists in the grader. Probes always exist there."""
         return (
             package not in self.graded or file in self.graded[package] or file.endswith("probes.py")
         )

@@ -1,7 +1,7 @@
-"""Give a student's code the same surroundings as in grading.
+"""Run a student's code in the same environment as in the grader.
 
-The code runs in the root folder, without arguments and without the user's environment variables. It
-has the same limits on memory and on nested calls.
+The working folder is the root folder. There are no command-line arguments, and the user's
+environment variables are removed. Memory and recursion depth have the same limits as in the grader.
 """
 
 from __future__ import annotations
@@ -11,17 +11,17 @@ import sys
 from pathlib import Path
 
 VARIABLES = {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
-NEEDED = ("SYSTEMROOT",)  # by Python itself, on Windows
-# Bytes on top of what the process uses now. A grader allows 512 MB in all, of which Python needs
-# about 30. Here the thread of the time limit needs another 8 MB for its stack.
+NEEDED = ("SYSTEMROOT",)  # variables that Python itself needs on Windows
+# Bytes in addition to what the process already uses. The grader allows 512 MB in total, of which
+# Python needs about 30 MB. Here, the thread for the time limit needs another 8 MB for its stack.
 MEMORY = 490 << 20
 _ARENA_MAX = -8  # M_ARENA_MAX in malloc.h
-DEPTH = 1000  # nested calls that a grader's process allows
-FIRST_CALLS = 9  # of these, the grader's own calls around a student's code
+DEPTH = 1000  # recursion limit of a process in the grader
+FIRST_CALLS = 9  # of these, the number that the grader's own code uses
 
 
 def leave_home() -> None:
-    """Remove the user's surroundings from this process permanently, and limit its memory."""
+    """Remove the user's settings from this process permanently, and limit its memory."""
     sys.argv[:], sys.orig_argv[:] = [""], []
     kept = {name: os.environ[name] for name in NEEDED if name in os.environ}
     os.environ.clear()
@@ -31,7 +31,7 @@ def leave_home() -> None:
         import ctypes
         import resource
 
-        # A heap per thread would reserve 64 MB each, and two may exist for a moment. Share one.
+        # A heap per thread would reserve 64 MB for each of up to two threads, so they share one.
         set_option = getattr(ctypes.CDLL(None), "mallopt", None)  # only glibc has such heaps
         if set_option:
             set_option(_ARENA_MAX, 1)
@@ -43,16 +43,19 @@ def leave_home() -> None:
 
 
 class Depth:
-    """Lets a student's code nest as many calls as in a grader, however deep the stack is here."""
+    """Limits the recursion depth of a student's code to that in the grader.
+
+    The stack may already be deeper here than in the grader, so the limit is adapted to it.
+    """
 
     def __init__(self, deepest: int = DEPTH) -> None:
         self.deepest = deepest
         self.limit = sys.getrecursionlimit()
 
     def adapt(self, more: int) -> None:
-        """Set the recursion limit for code that runs ``more`` calls deeper than the caller.
+        """Set the recursion limit for code that will run ``more`` calls deeper than the caller.
 
-        A limit that the student's code has set itself is kept.
+        If the student's code has changed the limit, that limit is kept.
         """
         if sys.getrecursionlimit() != self.limit:
             return

@@ -1,4 +1,4 @@
-"""The verdict on a check, and the exercises on which it depends."""
+"""The verdict on a check, and the dependencies between exercises."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Point = tuple[float, float]  # on the chart of an open exercise: cost (counted w
 class Verdict:
     """The verdict on one check.
 
-    A ``robust`` check is about bad arguments, overflow or NaN, not about the physics.
+    A ``robust`` check tests bad arguments, overflow or NaN instead of the physics.
     """
 
     name: str
@@ -30,13 +30,13 @@ class Verdict:
 
 
 def needs_of(chapter: Chapter, exercise: str) -> set[str]:
-    """Return the exercises on which an exercise builds, directly or indirectly."""
+    """Return all exercises on which an exercise depends, directly or indirectly."""
     needs = set(chapter.exercise(exercise).needs)
     return needs.union(*(needs_of(chapter, need) for need in needs))
 
 
 def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
-    """Return these exercises (by default all) and those that they need, in the manifest's order."""
+    """Return these exercises (by default all) and their dependencies, in the manifest's order."""
     everything = [exercise.id for exercise in chapter.exercises]
     if exercises is None:
         return everything
@@ -45,15 +45,15 @@ def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
 
 
 def asked_for(chapter: Chapter) -> list[str]:
-    """Return the exercises that are not optional, and those that they need."""
+    """Return the exercises that are not optional, and those on which they depend."""
     return with_needs(chapter, [e.id for e in chapter.exercises if not e.optional])
 
 
 def mark_blocked(chapter: Chapter, verdicts: list[Verdict]) -> list[Verdict]:
-    """Change failed verdicts to blocked in each exercise that builds on a failing one.
+    """Change the verdicts of an exercise from failed to blocked if an exercise it depends on fails.
 
-    Only a failure in the physics of an exercise blocks others, never one in its robust checks. A
-    check that passes anyway keeps its verdict and earns its points.
+    Only failing physics checks block other exercises. Failing robust checks never do. A check that
+    passes even though its exercise is blocked keeps its verdict and earns its points.
     """
     failing = {v.exercise for v in verdicts if v.status != "passed" and not v.robust}
     marked = []

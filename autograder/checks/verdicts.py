@@ -1,8 +1,8 @@
-"""The process that runs the checks: pytest with a plugin that reports each verdict immediately.
+"""The program that runs the checks: pytest, with a plugin that reports each verdict immediately.
 
 The runner starts it as ``python -m autograder.checks.verdicts FILE`` and reads one JSON object per
-line: first the list of checks, then the start of each check and its verdict. Verdicts come from
-pytest's own reports, never from printed text.
+line. The first object lists the checks. After that, the start of each check and its verdict are
+reported. Verdicts come from pytest's own reports, never from printed text.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ MOST_KEPT = (40, 2000)  # lines and characters of the printed output
 class Recorder:
     """A pytest plugin that selects the checks to run, limits their time and reports verdicts.
 
-    ``engine`` holds the student's code. By default, the configuration decides what that is.
+    ``engine`` runs the student's code. By default, the configuration determines which kind is used.
     """
 
     def __init__(self, config: Config, send: Send, engine: InProcess | None = None) -> None:
@@ -73,7 +73,7 @@ class Recorder:
     def pytest_collection_modifyitems(
         self, config: pytest.Config, items: list[pytest.Item]
     ) -> None:
-        """Sort the checks by the manifest, report them, and leave out those that are done."""
+        """Sort the checks by the manifest, report the list, and leave out those that are done."""
         order = {exercise: place for place, exercise in enumerate(self.config.exercises)}
         for item in items:
             if exercise_of(item) not in self.config.arranged.known:
@@ -84,7 +84,7 @@ class Recorder:
         for number, item in enumerate(hidden, 1):
             item.user_properties.append(("rationale", _rationale(item)))
             worker = self.config.arranged.worker
-            if worker and not worker.for_instructor:  # its real name may reveal what it checks
+            if worker and not worker.for_instructor:  # the real name may reveal what is checked
                 item.name = f"hidden check {number}"
         checks = [
             Check(
@@ -103,9 +103,9 @@ class Recorder:
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtestloop(self, session: pytest.Session) -> bool | None:
-        """Run the checks of each exercise in a copy of this process, if student code runs in it."""
+        """Run each exercise in a forked copy, if the student's code runs in this process."""
         apart = isinstance(self.engine, InProcess) and self.engine.apart
-        if session.testsfailed or not apart:  # pytest reports a failed collection
+        if session.testsfailed or not apart:  # if the collection failed, pytest reports that
             return None
         for _, group in groupby(session.items, exercise_of):
             run_in_a_copy(partial(run_all, list(group)))
@@ -128,7 +128,10 @@ class Recorder:
     def pytest_runtest_makereport(
         self, item: pytest.Item, call: pytest.CallInfo[None]
     ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
-        """Report the verdict on the check. An error outside its body is the grader's fault."""
+        """Report the verdict on a check.
+
+        An error outside the body of the check is the grader's fault.
+        """
         # Nobody reads pytest's traceback, and formatting it takes four times as long as all the
         # rest.
         setattr(item, "repr_failure", str)  # noqa: B010
@@ -162,7 +165,7 @@ class Recorder:
         return report
 
     def _without_folders(self, text: str) -> str:
-        """Return a text without the paths of the engine's folders, which differ in grading."""
+        """Return a text without the engine's folders, whose paths are different in grading."""
         for folder in self.engine.engine:
             text = text.replace(f"{folder}{os.sep}", "")
         return text
@@ -189,7 +192,7 @@ def run_all(checks: list[pytest.Item]) -> None:
 
 
 def _engine(config: Config) -> InProcess | InWorker:
-    """Return the object that runs the student's code: in this process, or in workers."""
+    """Return the object that runs the student's code, either in this process or in workers."""
     arranged = config.arranged
     where = arranged.engine, config.time_limit, config.stack_file, arranged.complete
     if arranged.worker is None:
@@ -205,7 +208,10 @@ def _properties(item: pytest.Item) -> dict[str, Any]:
 
 
 def _rationale(item: pytest.Item) -> str:
-    """Return what students see of a hidden check: the first line of its docstring."""
+    """Return the first line of a hidden check's docstring.
+
+    Students see nothing else of the check.
+    """
     words = (getattr(item, "obj", None).__doc__ or "").strip()
     return words.splitlines()[0] if words else "a hidden check of this exercise fails"
 
@@ -223,12 +229,12 @@ def _marker(item: pytest.Item) -> pytest.Mark:
 
 
 def _is_robust(item: pytest.Item) -> bool:
-    """Return whether a check belongs to the robust tier of its exercise, not to the physics."""
+    """Return whether a check is a robust check of its exercise rather than a physics check."""
     return item.get_closest_marker("robust") is not None
 
 
 def main() -> int:
-    """Run the checks of the configuration in the file named on the command line."""
+    """Run the checks that are listed in the configuration file named on the command line."""
     config = from_json(Config, json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")))
     wire = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # student output must not mix with verdicts
@@ -251,7 +257,7 @@ def pytest_arguments(config: Config) -> list[str]:
 
 
 def run_and_exit() -> NoReturn:
-    """Run the checks, and end the process with pytest's exit code."""
+    """Run the checks, and end the process immediately with pytest's exit code."""
     # Threads or exit handlers of the student's code must not keep the process from ending.
     code = main()
     sys.stderr.flush()

@@ -1,1 +1,1 @@
-"""The file of a term, course.toml: its assignments, their points, due dates and late policies."""
+"""Read course.toml, which lists the assignments, points, due dates and late policies of a term."""

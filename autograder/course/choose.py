@@ -1,4 +1,4 @@
-"""Find the work that a command refers to: an assignment of the course file, or some chapters."""
+"""Find out which work a command refers to: an assignment in the course file, or some chapters."""
 
 from __future__ import annotations
 
@@ -11,23 +11,23 @@ from autograder.course.reading import read_course
 from autograder.manifest import select_chapters, split_given
 
 DEFAULT = Path("course.toml")
-NOT_WITH_ASSIGNMENT = ("chapters", "given", "checks")  # the course file says them
+NOT_WITH_ASSIGNMENT = ("chapters", "given", "checks")  # these come from the course file
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
-    """Add the options that name an assignment."""
+    """Add the command-line options that select an assignment."""
     command.add_argument("--assignment", help="an assignment of the course file, such as lab1")
     command.add_argument("--course", type=Path, default=DEFAULT, help="default: course.toml")
 
 
 def work_of(arguments: argparse.Namespace, *, handed_out: bool = False) -> Work:
-    """Return the work that the options select.
+    """Return the work that the command-line options select.
 
-    If the work is ``handed_out``, the given chapters are part of the hand-out, so they are not
-    among its chapters.
+    If the work is ``handed_out``, its list of chapters does not contain the given chapters, because
+    the hand-out includes them separately.
 
     Raises:
-        ValueError: The course file has mistakes, or the options do not fit together.
+        ValueError: The course file contains mistakes, or the options contradict each other.
     """
     if arguments.assignment is not None:
         return _assigned(arguments)

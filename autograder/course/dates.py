@@ -1,4 +1,4 @@
-"""Read due dates and time zones, and convert them to plain data for use on another machine."""
+"""Read due dates and time zones, and convert them to plain data that another machine can read."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from autograder.course.lines import Path
 from autograder.course.mistakes import Mistakes, nearest, shown
 from autograder.course.model import Deadline, LatePolicy
 
-YEARS = range(1970, 3000)  # close to the years 1 and 9999, a time in another zone may not exist
+YEARS = range(1970, 3000)  # near the years 1 and 9999, converting to another zone may fail
 
 
 def read_zone(name: Any, path: Path, mistakes: Mistakes) -> ZoneInfo | None:
-    """Return the time zone with this name, such as Europe/Berlin."""
+    """Return the time zone with a name such as Europe/Berlin. Record a mistake if there is none."""
     if isinstance(name, str) and name in available_timezones():
         return ZoneInfo(name)
     wanted = nearest(str(name), available_timezones()) or "Names look like Europe/Berlin."
@@ -26,7 +26,7 @@ def read_zone(name: Any, path: Path, mistakes: Mistakes) -> ZoneInfo | None:
 def read_time(
     value: Any, path: Path, zone: tzinfo | None, mistakes: Mistakes, *, is_zone_wrong: bool = False
 ) -> datetime | None:
-    """Return a time with a time zone. If the time has no offset, the zone of the file applies."""
+    """Return a time with a time zone. A time without an offset is in the time zone of the file."""
     key = path[-1]
     example = "2026-10-23T23:59:00+02:00"
     if isinstance(value, date) and value.year not in YEARS:  # a datetime is a date, too
@@ -39,14 +39,14 @@ def read_time(
     elif value.tzinfo is not None:
         return value.astimezone(zone) if zone else value
     elif zone is None:
-        if not is_zone_wrong:  # the zone's own mistake is enough
+        if not is_zone_wrong:  # that mistake is already reported
             mistakes.add(
                 path,
                 f"{key} has no time zone. Add the offset from UTC, as in {value.isoformat()}"
                 '+02:00, or write time_zone = "Europe/Berlin" at the top of the file',
             )
     else:
-        time = value.replace(tzinfo=zone, fold=1)  # if the clocks show it twice, the later one
+        time = value.replace(tzinfo=zone, fold=1)  # if clocks show it twice, use the later time
         if time.astimezone(UTC).astimezone(zone).replace(tzinfo=None) == value:
             return time
         mistakes.add(path, f"{key} {value} does not exist: the clocks of {zone} go forward then")
@@ -54,7 +54,7 @@ def read_time(
 
 
 def parse_time(text: str, zone: tzinfo) -> datetime:
-    """Parse an ISO 8601 time. If the text names no time zone, the given zone applies.
+    """Parse a time in ISO 8601 format. If the text has no time zone, use ``zone``.
 
     Raises:
         ValueError: The text is not a time.
@@ -66,7 +66,7 @@ def parse_time(text: str, zone: tzinfo) -> datetime:
 
 
 def deadline_to_json(deadline: Deadline) -> dict[str, Any]:
-    """Return a deadline as plain data."""
+    """Convert a deadline to plain data."""
     return {
         "due": _to_text(deadline.due),
         "policy": vars(deadline.policy) if deadline.policy else None,
@@ -75,14 +75,14 @@ def deadline_to_json(deadline: Deadline) -> dict[str, Any]:
 
 
 def deadline_from_json(data: dict[str, Any]) -> Deadline:
-    """Return the deadline that this plain data describes."""
+    """Convert plain data from ``deadline_to_json`` back to a deadline."""
     policy = LatePolicy(**data["policy"]) if data["policy"] else None
     extensions = {name: _from_text(text) for name, text in data["extensions"].items()}
     return Deadline(_from_text(data["due"]), policy, extensions)
 
 
 def _to_text(time: datetime) -> str:
-    """Return a time with its offset and, if it has one, the name of its time zone (RFC 9557).
+    """Format a time with its offset and, if there is one, the name of its time zone (RFC 9557).
 
     An example is 2026-10-23T23:59:00+02:00[Europe/Berlin].
     """

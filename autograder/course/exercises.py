@@ -1,4 +1,4 @@
-"""Select the exercises of an assignment, their points, and the exercises on which they build."""
+"""Determine the exercises of an assignment, their points, and the exercises they build on."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from autograder.scores import possible, shown
 
 @dataclass(frozen=True)
 class Chosen:
-    """The chapters of an assignment, with only its exercises, and the given chapters."""
+    """The chapters of an assignment, reduced to its exercises, and the chapters that are given."""
 
     chapters: list[Chapter]
     given: list[Chapter]
@@ -24,9 +24,9 @@ class Chosen:
 
 
 class Chooser:
-    """Selects the exercises of one assignment, and notes the mistakes in its table of the file.
+    """Determines the exercises of one assignment, and records mistakes in the assignment's table.
 
-    ``before`` contains the exercises of earlier assignments, on which this one may build.
+    ``before`` contains the exercises of earlier assignments, on which this assignment may build.
     """
 
     def __init__(
@@ -45,15 +45,20 @@ class Chooser:
         self.home = {e.id: chapter for chapter in chapters for e in chapter.exercises}
 
     def choose(self) -> Chosen:
-        """Return the exercises. If a mistake was noted, the result must not be used."""
+        """Return the exercises of the assignment.
+
+        Do not use the result if a mistake was recorded.
+        """
         given = self._chapters("given")
         listed = self._ids("exercises")
         extra = self._ids("extra_credit")
         whole = self._chapters("chapters")
         for name in (name for name in listed if name in extra):
-            self._wrong("extra_credit", f"{name} is in exercises too. List it once", name)
+            self._wrong(
+                "extra_credit", f"{name} is also listed in exercises. List it only once", name
+            )
         for name in (name for name in listed if self.home[name] in whole):
-            words = f"{name} belongs to chapter {self.home[name].number}, which chapters lists"
+            words = f"{name} belongs to chapter {self.home[name].number}, which is listed already"
             self._wrong("exercises", words, name)
         ids = {*listed, *extra, *(e.id for chapter in whole for e in chapter.exercises)}
         if not ids - {*extra}:
@@ -75,7 +80,7 @@ class Chooser:
         self.mistakes.add((*self.path, key), words, word)
 
     def _ids(self, key: str) -> list[str]:
-        """Return the exercises that a key lists, and leave out any that do not exist."""
+        """Return the exercises listed under a key, without those that do not exist."""
         found: list[str] = []
         for name in self.mistakes.items(self.table, self.path, key, str):
             if name not in self.home:
@@ -88,7 +93,7 @@ class Chooser:
         return found
 
     def _chapters(self, key: str) -> list[Chapter]:
-        """Return the chapters that a key lists, and leave out any that do not exist."""
+        """Return the chapters listed under a key, without those that do not exist."""
         known = {chapter.number: chapter for chapter in self.chapters}
         numbers = self.mistakes.items(self.table, self.path, key, int)
         for number in numbers:
@@ -98,13 +103,13 @@ class Chooser:
         return [chapter for number, chapter in known.items() if number in numbers]
 
     def _earlier(self, ids: set[str], given: list[Chapter]) -> list[str]:
-        """Return the exercises of earlier assignments on which this one builds."""
+        """Return the exercises of earlier assignments on which this assignment builds."""
         earlier: set[str] = set()
         for name in (name for name in self.home if name in ids):
             chapter = self.home[name]
             missing = [e for e in chapter.exercise(name).needs if e not in ids | self.before]
             if missing and chapter not in given:
-                words = f"{name} needs {', '.join(missing)}, which no assignment up to here has"
+                words = f"{name} needs {', '.join(missing)}, which no assignment so far contains"
                 self._wrong(*self._where(name), word=name, words=words)
             earlier |= (needs_of(chapter, name) - ids) & self.before
         for chapter in {self.home[name].number: self.home[name] for name in ids}.values():
@@ -114,7 +119,7 @@ class Chooser:
                 self.mistakes.add(
                     self.path,
                     f"chapter {chapter.number} builds on chapter {below.number}, which is neither "
-                    f"given nor assigned up to here. Add {below.number} to given",
+                    f"given nor assigned so far. Add {below.number} to given",
                 )
         return [name for name in self.home if name in earlier]
 
@@ -125,14 +130,14 @@ class Chooser:
         return [other for other in earlier if numbers is None or other.number in numbers]
 
     def _where(self, name: str) -> tuple[str]:
-        """Return the key of the file that adds an exercise to the assignment."""
+        """Return the key in the course file that adds an exercise to the assignment."""
         lists = {key: self.table.get(key) for key in ("exercises", "extra_credit")}
         return (
             next((k for k, v in lists.items() if isinstance(v, list) and name in v), "chapters"),
         )
 
     def _points(self, ids: set[str], extra: set[str]) -> dict[str, Exercise]:
-        """Return the exercises with the points of this assignment."""
+        """Return the exercises with the points that they have in this assignment."""
         chosen = {
             name: replace(home.exercise(name), extra=name in extra)
             for name, home in self.home.items()
@@ -153,13 +158,13 @@ class Chooser:
         return self._rescaled(chosen)
 
     def _rescaled(self, chosen: dict[str, Exercise]) -> dict[str, Exercise]:
-        """Return the exercises with points that add up to the total in the file, if it has one."""
+        """Scale the points to the total in the course file. Without a total, they stay the same."""
         out_of = self.mistakes.number(self.table, self.path, "out_of")
         total = self.mistakes.number(self.table, self.path, "total")
         now = possible(chosen.values())
         if total is not None and out_of is not None:
             self._wrong(
-                "total", "total checks the sum of the points, and out_of changes it. Keep one"
+                "total", "total checks the sum of the points, but out_of changes it. Keep only one"
             )
         elif total is not None and now and abs(total - now) > 0.005:
             self._wrong("total", f"the points add up to {shown(now)}, not to {shown(total)}")
@@ -171,6 +176,6 @@ class Chooser:
 
 
 def _only(chapter: Chapter, exercises: Mapping[str, Exercise]) -> Chapter | None:
-    """Return the chapter with only these exercises, or None if it has none of them."""
+    """Return a chapter reduced to these exercises, or None if it contains none of them."""
     mine = [exercises[e.id] for e in chapter.exercises if e.id in exercises]
     return replace(chapter, exercises=mine) if mine else None

@@ -1,4 +1,4 @@
-"""Write what a hand-out says about its assignment: the chapters' manifests and the README."""
+"""Write the parts of a hand-out that depend on the assignment: the manifests and the README."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ POINTS = re.compile(r"(?m)^points = .*$")
 
 
 def for_students(whole: Chapter, assigned: Chapter) -> Chapter:
-    """Return a whole chapter with the points of an assignment.
+    """Return a complete chapter in which the exercises have the points of an assignment.
 
-    The exercises that are not assigned become optional.
+    Exercises that are not assigned become optional.
     """
     own = {exercise.id: exercise for exercise in assigned.exercises}
     exercises = [own.get(e.id) or replace(e, optional=True) for e in whole.exercises]
@@ -28,7 +28,10 @@ def for_students(whole: Chapter, assigned: Chapter) -> Chapter:
 
 
 def manifest_of(text: str, chapter: Chapter) -> str:
-    """Return the text of a manifest, changed to the points and options of these exercises."""
+    """Return the text of a manifest, updated with the points of a chapter's exercises.
+
+    Exercises that count as extra credit or have become optional are marked as such.
+    """
     first, *rest = START.split(text)
     return first + "".join(_entry(part, chapter) for part in rest)
 
@@ -46,7 +49,7 @@ def _entry(text: str, chapter: Chapter) -> str:
 
 
 def about(work: Work, root: Path = ROOT) -> str:
-    """Return the section of a hand-out's README about its assignment, or "" without one."""
+    """Return the README section about the assignment, or an empty text if there is none."""
     if not work.name:
         return ""
     title = f"{work.name}: {work.title}" if work.title else work.name

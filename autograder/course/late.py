@@ -1,4 +1,4 @@
-"""Compute how late a submission is, and how many points that costs."""
+"""Compute how late a submission is, and how many points are deducted for it."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from autograder.scores import shown
 
 @dataclass(frozen=True)
 class HandedIn:
-    """What a source reports about the time of a submission.
+    """What a platform reports about when a submission was handed in.
 
-    Canvas reports only whether a submission is ``late``, but not the time.
+    Canvas reports only whether a submission is ``late``, not the time.
     """
 
     source: str
@@ -24,10 +24,10 @@ class HandedIn:
 
 
 def days_late(due: datetime, submitted: datetime) -> int:
-    """Return the number of days after the due date that have at least begun.
+    """Return the number of days by which a submission is late. A day counts as soon as it begins.
 
-    Each day ends at the time of day at which the work was due, on the clocks of the due date's time
-    zone. Therefore a day on which the clocks change has 23 or 25 hours.
+    Each day ends at the time of day at which the work was due, in the time zone of the due date. A
+    day on which the clocks change therefore has 23 or 25 hours.
     """
     at = submitted.astimezone(UTC)
     if at <= due.astimezone(UTC):
@@ -39,12 +39,12 @@ def days_late(due: datetime, submitted: datetime) -> int:
 
 
 def _end(time: datetime) -> datetime:
-    """Return the last moment at which the clocks show this time, or would have shown it."""
+    """Return the last moment at which the clocks show this local time, or would have shown it."""
     return max(time.replace(fold=fold).astimezone(UTC) for fold in (0, 1))
 
 
 def deduction(policy: LatePolicy, days: int, possible: float) -> float:
-    """Return the points that a number of late days costs, if ``possible`` points can be earned."""
+    """Return the points deducted for a number of late days, out of ``possible`` points."""
     price = policy.per_day * days
     if policy.cap is not None:
         price = min(price, policy.cap)
@@ -54,16 +54,16 @@ def deduction(policy: LatePolicy, days: int, possible: float) -> float:
 def late_of(
     deadline: Deadline, names: Iterable[str], said: HandedIn | None, possible: float
 ) -> Late:
-    """Return how late a submission is.
+    """Return how late a submission is, and the points that this costs.
 
-    ``names`` are the names under which its students may have an extension. If several of them have
-    one, the latest due date counts.
+    ``names`` are the names under which its students may have been granted an extension. If several
+    of them have an extension, the latest due date applies.
     """
     granted = [deadline.extensions[name] for name in names if name in deadline.extensions]
     due = max([deadline.due, *granted], key=lambda time: time.astimezone(UTC))
     was = f"It was due {clock(due)}{' (extended)' if granted else ''}."
     if said is None:
-        return Late(None, 0.0, f"{was} No time of submission is known, so there is no penalty.")
+        return Late(None, 0.0, f"{was} The submission time is unknown, so there is no penalty.")
     if said.at is None and said.late:
         words = f"{said.source} says that it is late, but not by how much, so there is no penalty."
         return Late(None, 0.0, f"{was} {words}")

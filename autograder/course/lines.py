@@ -1,4 +1,4 @@
-"""Find the line of a key in a TOML file, which the library's parser does not report."""
+"""Find the line of a key in a TOML file, because Python's TOML parser does not report lines."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ HEADER = re.compile(r"\s*(\[\[?)([^\[\]]+)\]\]?\s*(#.*)?")
 KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
 PART = re.compile(r"""[\w-]+|"[^"]*"|'[^']*'""")
 
-Path = tuple[str | int, ...]  # of a value, such as ("assignment", 0, "due")
+Path = tuple[str | int, ...]  # the keys that lead to a value, such as ("assignment", 0, "due")
 
 
 class Lines:
-    """The line numbers, counted from 1, on which the keys and tables of a file begin."""
+    """The line numbers of the keys and tables in a TOML file, counted from 1."""
 
     def __init__(self, text: str) -> None:
         self._text = text.splitlines()
@@ -37,9 +37,12 @@ class Lines:
                     self._first.setdefault(path, number)
 
     def of(self, path: Path, word: str = "") -> int:
-        """Return the line of a value, or else of the table that should contain it, or else 1.
+        """Return the line of a value or, if it is missing, of its table.
 
-        If the value takes several lines, return the first one that contains ``word`` in quotes.
+        If both are missing, return 1.
+
+        If a value spans several lines, return the first of its lines that contains ``word`` in
+        quotes.
         """
         while path and path not in self._first:
             path = path[:-1]
@@ -53,5 +56,5 @@ class Lines:
 
 
 def _parts(dotted: str) -> Path:
-    """Return the parts of a key such as assignment.late, without quotes."""
+    """Split a dotted key such as assignment.late into its parts, without quotes."""
     return tuple(part.strip("\"'") for part in PART.findall(dotted))

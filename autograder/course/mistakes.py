@@ -1,4 +1,4 @@
-"""Collect the mistakes in a course file, each with its line."""
+"""Collect the mistakes in a course file, with the line of each mistake."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ NAMES = {str: "a string", int: "a whole number", list: "a list", dict: "a table"
 
 
 class Mistakes:
-    """The mistakes that have been found in a file so far."""
+    """All mistakes that have been found in a file so far."""
 
     def __init__(self, file: str, text: str) -> None:
         self.file = file
@@ -24,11 +24,11 @@ class Mistakes:
         self._found: list[tuple[int, str]] = []
 
     def add(self, path: Path, words: str, word: str = "") -> None:
-        """Note a mistake in the value with this path, or in its item ``word`` if that is given."""
+        """Record a mistake in the value with this path, or in the item ``word`` of that value."""
         self._found.append((self._lines.of(path, word), words))
 
     def raise_any(self) -> None:
-        """Raise ValueError with all mistakes in the order of their lines, if there are any."""
+        """Raise ValueError if there are any mistakes. Its message lists them by line."""
         if not self._found:
             return
         found = sorted(dict.fromkeys(self._found), key=lambda mistake: mistake[0])
@@ -37,7 +37,7 @@ class Mistakes:
         raise ValueError("\n".join([f"{self.file} has {count}:", *lines]))
 
     def check_keys(self, table: Mapping[str, Any], path: Path, known: Iterable[str]) -> None:
-        """Note every key that is not known, with the most similar key."""
+        """Record each unknown key as a mistake, and suggest the most similar known key."""
         keys = list(known)
         for key in table:
             if key not in keys:
@@ -45,9 +45,9 @@ class Mistakes:
                 self.add((*path, key), f"there is no key {key!r}. {wanted}")
 
     def value(self, table: Mapping[str, Any], path: Path, key: str, kind: type) -> Any:
-        """Return the value of a key if it has the expected type, or None otherwise.
+        """Return the value of a key, or None if it is missing or has the wrong type.
 
-        A missing key does not count as a mistake.
+        A wrong type is recorded as a mistake. A missing key is not.
         """
         value = table.get(key)
         if value is None or type(value) is kind:
@@ -56,7 +56,7 @@ class Mistakes:
         return None
 
     def items(self, table: Mapping[str, Any], path: Path, key: str, kind: type) -> list[Any]:
-        """Return the items of a list that have the expected type. The others are mistakes."""
+        """Return the items of a list that have the expected type. Record the others as mistakes."""
         value = self.value(table, path, key, list) or []
         for item in value:
             if type(item) is not kind:
@@ -65,9 +65,9 @@ class Mistakes:
         return [item for item in value if type(item) is kind]
 
     def number(self, table: Mapping[str, Any], path: Path, key: str) -> float | None:
-        """Return the value of a key if it is a positive number, or None otherwise.
+        """Return the value of a key, or None if it is missing or is not a positive number.
 
-        A missing key does not count as a mistake.
+        A value that is not a positive number is recorded as a mistake. A missing key is not.
         """
         value: Any = table.get(key)
         if type(value) in (int, float) and 0 < value <= LARGEST:
@@ -80,7 +80,7 @@ class Mistakes:
 
 
 def shown(value: Any) -> str:
-    """Return a value as it is written in TOML, but shortened."""
+    """Return a value as it is written in TOML, shortened if it is long."""
     text = {True: "true", False: "false"}.get(value) if type(value) is bool else None
     text = text or (f'"{value}"' if isinstance(value, str) else str(value))
     text = clean_line(text)
@@ -88,7 +88,7 @@ def shown(value: Any) -> str:
 
 
 def nearest(name: str, known: Iterable[str], most: int = MOST_SIMILAR) -> str:
-    """Return a question that suggests the most similar names, or "" if none is similar."""
+    """Return a question that suggests the most similar names, or "" if no name is similar."""
     names = {other.lower(): other for other in known}
     wanted = name.lower()
     bare = re.sub(r"^[a-z]\s*(?=\d)", "", wanted)

@@ -1,4 +1,4 @@
-"""The data of a course file, which exist only if the file has no mistakes."""
+"""The contents of a course file. These objects are created only if the file has no mistakes."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from autograder.manifest import Chapter
 
 @dataclass(frozen=True)
 class LatePolicy:
-    """The points that a late submission loses per day, and the most that it can lose.
+    """The points that a late submission loses per day, and the maximum that it can lose.
 
-    A day counts in full as soon as it has begun. A percentage refers to the points that the
+    Each day counts in full as soon as it has begun. A percentage refers to the points that the
     assignment can give.
     """
 
@@ -25,7 +25,7 @@ class LatePolicy:
 
     @property
     def words(self) -> str:
-        """The policy as a sentence."""
+        """The policy, written as a sentence."""
         of = "percent of the points possible" if self.unit == "percent" else "points"
         cap = "" if self.cap is None else f", and at most {self.cap:g} {self.unit} in all"
         return f"Each day or part of a day costs {self.per_day:g} {of}{cap}."
@@ -33,9 +33,9 @@ class LatePolicy:
 
 @dataclass(frozen=True)
 class Deadline:
-    """The due date of an assignment, with the later due dates of students who have an extension.
+    """The due date of an assignment, and the later due dates of students with an extension.
 
-    Every time has a time zone. Without a policy, lateness is reported but costs no points.
+    Every time has a time zone. If there is no policy, lateness is reported but costs no points.
     """
 
     due: datetime
@@ -45,9 +45,9 @@ class Deadline:
 
 @dataclass(frozen=True)
 class Work:
-    """The work of students on one assignment, and how it is graded.
+    """One assignment: what students have to do, and how it is graded.
 
-    ``chapters`` contain only the exercises of the assignment, with the assignment's points.
+    ``chapters`` contain only the exercises of the assignment, with the points that they have in it.
     ``given`` chapters are complete. ``earlier`` lists the exercises of earlier assignments on which
     this one builds. ``roster`` is the class list.
     """
@@ -65,7 +65,7 @@ class Work:
 
 @dataclass(frozen=True)
 class Course:
-    """The assignments of a term, in the order in which students do them."""
+    """All assignments of a term, in the order in which students do them."""
 
     assignments: list[Work]
     title: str = ""

@@ -1,4 +1,4 @@
-"""Apply a course file to the submissions of a class: compute lateness, and rescale marks."""
+"""Apply a course file to the submissions of a class: compute lateness and rescale marks."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def lateness(
     """Return how late each student's submission is, and notes for the instructor.
 
     Raises:
-        ValueError: A file with times is not valid.
+        ValueError: A file that contains submission times is not valid.
     """
     said = times_of(folder, submissions, deadline.due.tzinfo or UTC)
     points = points_of(chapters)
@@ -45,14 +45,14 @@ def lateness(
     add = f"To add times, write {folder / TIMES}."
     if unknown := [student for student in students if student not in said]:
         notes.append(
-            f"No time of submission is known for {len(unknown)} of {len(students)} students, who "
-            f"get no penalty: {_some(unknown)}. {add}"
+            f"The submission time is unknown for {len(unknown)} of {len(students)} students, who "
+            f"therefore get no penalty: {_some(unknown)}. {add}"
         )
     unclear = [student for student, at in said.items() if at.late and at.at is None]
     if unclear:
         notes.append(
-            f"Late by an unknown time, so without a penalty: {len(unclear)} ({_some(unclear)}). "
-            f"{add}"
+            f"Late by an unknown amount of time, and therefore without a penalty: {len(unclear)} "
+            f"({_some(unclear)}). {add}"
         )
     if days := [each for each in late.values() if each.days]:
         lose = sum(each.deduction > 0.0 for each in days)
@@ -83,14 +83,14 @@ def late_on_gradescope(
 
 
 def points_of(chapters: Iterable[Chapter]) -> float:
-    """Return the points that chapters can give, including written answers."""
+    """Return the points that chapters can give, including the points for written answers."""
     return possible(exercise for chapter in chapters for exercise in chapter.exercises)
 
 
 def scaled_marks(marks: Marks, chapters: Iterable[Chapter], manifests: list[Chapter]) -> Marks:
     """Return marks rescaled to the points of an assignment.
 
-    Instructors give marks in the points of the rubrics, which may be different.
+    Instructors give marks according to the rubrics, whose points may differ from the assignment's.
     """
     rubric = {e.id: e.points for chapter in manifests for e in chapter.exercises}
     assigned = {e.id: e.points for chapter in chapters for e in chapter.exercises}

@@ -1,4 +1,4 @@
-"""Compute the points of an assignment's exercises by rescaling the points of the manifest."""
+"""Compute the points of an assignment's exercises by rescaling the points in the manifest."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from fractions import Fraction
 def rescaled(points: Mapping[str, float], out_of: float, unit: str = "0.01") -> dict[str, float]:
     """Rescale points in proportion to multiples of ``unit`` that add up to ``out_of``.
 
-    All points are rounded down at first. The units that remain then go to the exercises that lost
-    the most by rounding.
+    All points are first rounded down. The units that are left over then go to the exercises that
+    lost the most by rounding.
     """
     step = Fraction(unit)
     total = sum(map(Fraction, points.values()))

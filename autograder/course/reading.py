@@ -1,4 +1,4 @@
-"""Read course.toml, and report all of its mistakes with their lines and suggested corrections."""
+"""Read course.toml, and report all of its mistakes with line numbers and suggested corrections."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
 
 
 def read_course(path: Path, root: Path = ROOT) -> Course:
-    """Read the file of a term. Paths in it are relative to its folder.
+    """Read a course file. Relative paths in it start from the folder that contains it.
 
     Raises:
-        ValueError: The file has mistakes. The message lists all of them, with their lines.
+        ValueError: The file contains mistakes. The message lists all of them with their lines.
         OSError: The file cannot be read.
     """
     if not path.is_file():
@@ -47,7 +47,7 @@ def read_course(path: Path, root: Path = ROOT) -> Course:
 
 
 class Reader:
-    """Reads the tables of one file."""
+    """Reads the tables of one course file."""
 
     def __init__(
         self, data: dict[str, Any], folder: Path, chapters: list[Chapter], mistakes: Mistakes
@@ -59,7 +59,7 @@ class Reader:
         self.before: set[str] = set()  # exercises of the assignments that were read so far
 
     def course(self) -> Course:
-        """Return the course. Raises ValueError if there are mistakes."""
+        """Return the course. Raises ValueError if the file contains mistakes."""
         mistakes, data = self.mistakes, self.data
         mistakes.check_keys(data, (), OF_COURSE)
         self.zone: tzinfo | None = None
@@ -133,7 +133,7 @@ class Reader:
         return Deadline(due, policy, times)
 
     def _policy(self, table: Mapping[str, Any], path: tuple[str | int, ...]) -> LatePolicy | None:
-        """Return the late policy in a table, or None if it has none or a price of zero."""
+        """Return the late policy in a table, or None if there is none or late days cost nothing."""
         mistakes, at = self.mistakes, (*path, "late")
         late = mistakes.value(table, path, "late", dict)
         if late is None:
@@ -160,7 +160,7 @@ class Reader:
         return LatePolicy(per_day, "percent" if unit == "percent" else "points", cap)
 
     def _path(self, table: Mapping[str, Any], path: tuple[str | int, ...], key: str) -> Path | None:
-        """Return the file or folder that a key names, and note a mistake if it does not exist."""
+        """Return the path that a key contains, and record a mistake if it does not exist."""
         name = self.mistakes.value(table, path, key, str)
         if name is None:
             return None
@@ -169,7 +169,7 @@ class Reader:
             return found
         what = "folder" if key == "hidden_checks" else "file"
         there = [other.name for other in self.folder.iterdir()] if self.folder.is_dir() else []
-        wanted = nearest(name, there) or f"It is looked for in {str(self.folder.resolve())!r}."
+        wanted = nearest(name, there) or f"It should be in {str(self.folder.resolve())!r}."
         self.mistakes.add((*path, key), f"{key}: there is no {what} {name!r}. {wanted}")
         return None
 
@@ -178,7 +178,7 @@ class Reader:
     ) -> Path | None:
         """Return the folder of the hidden checks.
 
-        It is a mistake if the folder contains no folder of an assigned chapter.
+        If it has no subfolder for any assigned chapter, that is recorded as a mistake.
         """
         hidden = self._path(table, path, "hidden_checks")
         if hidden and chapters and not any((hidden / c.name).is_dir() for c in chapters):

@@ -1,6 +1,7 @@
-"""Find out when each submission was handed in, from files that come with the submissions.
+"""Find out when each submission was handed in, from files that accompany the submissions.
 
-The time stamps of the submitted files are not used, because copying or unpacking changes them.
+The modification times of the submitted files are not used, because copying or unpacking a file
+changes them.
 """
 
 from __future__ import annotations
@@ -28,11 +29,11 @@ REPOSITORY, SUBMITTED = "student_repository_name", "submission_timestamp"
 def times_of(folder: Path, submissions: list[Submission], zone: tzinfo) -> dict[str, HandedIn]:
     """Return what is known about the time of each submission, keyed by student.
 
-    If several sources contain a time for the same student, times.csv takes precedence. Times
-    without a time zone are read as times in ``zone``.
+    If several sources have a time for the same student, times.csv takes precedence. Times without a
+    time zone are interpreted in ``zone``.
 
     Raises:
-        ValueError: A file is not valid. The message names its lines.
+        ValueError: A file is not valid. The message names the affected lines.
     """
     known: dict[str, HandedIn] = {}
     for name, said in [
@@ -85,7 +86,7 @@ def _of_instructor(path: Path, zone: tzinfo) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_gradescope(folder: Path) -> Iterator[tuple[str, HandedIn]]:
-    """Yield the times in the metadata of an export, which names the folders of submissions."""
+    """Yield the times in Gradescope's metadata, which names the folders of the submissions."""
     path = folder / OF_GRADESCOPE
     if not path.is_file():
         return
@@ -110,9 +111,9 @@ def _of_github(folder: Path) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_canvas(submissions: list[Submission]) -> Iterator[tuple[str, HandedIn]]:
-    """Yield whether each submission is late, which the file names of Canvas show.
+    """Yield whether each submission is late, which Canvas shows in the file name.
 
-    The file names do not contain a time.
+    The file name does not contain a time.
     """
     for submission in submissions:
         if submission.export and submission.export.platform == "canvas":
@@ -122,7 +123,7 @@ def _of_canvas(submissions: list[Submission]) -> Iterator[tuple[str, HandedIn]]:
 def _time(value: Any) -> datetime | None:
     """Return a platform's time, or None if the value is not a time.
 
-    If the text names no time zone, it is in UTC.
+    A text without a time zone is interpreted as UTC.
     """
     try:
         return parse_time(value.isoformat() if isinstance(value, datetime) else str(value), UTC)
@@ -132,7 +133,7 @@ def _time(value: Any) -> datetime | None:
 
 @contextmanager
 def _readable(path: Path) -> Iterator[None]:
-    """Name the file in the error if its text cannot be read as CSV or YAML."""
+    """Add the name of the file to the error if a file cannot be read as CSV or YAML."""
     try:
         yield
     except (csv.Error, yaml.YAMLError, ValueError, RecursionError) as error:
@@ -141,5 +142,5 @@ def _readable(path: Path) -> Iterator[None]:
 
 
 def _key(name: str) -> str:
-    """Return a name in normalized form, so that accented letters compare equal however typed."""
+    """Normalize a name, so that two encodings of the same accented letter compare equal."""
     return unicodedata.normalize("NFC", name.strip())

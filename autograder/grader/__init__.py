@@ -1,1 +1,1 @@
-"""Grade a class, on one machine or over a cluster."""
+"""Grade the submissions of a class, on one machine or on a cluster."""

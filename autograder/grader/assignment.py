@@ -1,4 +1,4 @@
-"""The assignment that a class is graded on, and verdicts that are computed once for the class."""
+"""The assignment on which a class is graded, and verdicts that all submissions share."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ from autograder.submissions.stage import stage
 
 @dataclass(frozen=True)
 class Assignment:
-    """The assignment on which a class is graded, which is the same for every submission.
+    """The assignment on which a class is graded. It is the same for every submission.
 
-    ``chapters`` contain the exercises that are graded, which may be fewer than those of the
-    manifest. ``given`` chapters are always taken from the reference, even if a student hands them
-    in. ``hidden`` is a folder of additional checks. ``level`` names the layers of the sandbox.
+    ``chapters`` contain only the exercises that are graded, which may be fewer than the manifest
+    lists. ``given`` chapters are always taken from the reference, even if a student hands them in.
+    ``hidden`` is a folder of additional checks. ``level`` names the layers of the sandbox.
     """
 
     chapters: list[Chapter]
@@ -47,13 +47,13 @@ class Assignment:
         compiled: Path | None = None,
         exercises: list[str] | None = None,
     ) -> list[Verdict]:
-        """Run the checks of a chapter's graded exercises and of those that they need.
+        """Run the checks of a chapter's graded exercises and of the exercises they depend on.
 
-        ``missing`` maps each module that was not taken to the reason. ``compiled`` is a folder that
-        keeps the compiled code of a submission between its runs.
+        ``missing`` maps each module that was not accepted to the reason. ``compiled`` is a folder
+        that keeps the compiled code of a submission between runs.
 
         Raises:
-            GraderError: The checks cannot be run.
+            GraderError: The checks could not be run.
         """
         if exercises is None:
             exercises = [e.id for e in chapter.exercises if e.kind != "written"]
@@ -73,15 +73,15 @@ class Assignment:
         )
 
     def whole(self, chapter: Chapter) -> Chapter:
-        """Return the chapter with all exercises of its manifest, on which the graded ones build."""
+        """Return the chapter with all exercises of its manifest, even those that are not graded."""
         return load_chapter(self.root / "chapters" / chapter.name)
 
 
 class OnceForAll:
-    """Verdicts that are the same for all submissions to an assignment, so they are computed once.
+    """Verdicts that are the same for all submissions, and are therefore computed only once.
 
-    The threads of a class share one instance. The first thread that needs a verdict computes it,
-    and the others wait for it.
+    All threads that grade a class share one instance. The first thread that needs a verdict
+    computes it, while the others wait.
     """
 
     def __init__(self) -> None:
@@ -90,10 +90,10 @@ class OnceForAll:
         self._of_reference: dict[str, list[Result]] = {}
 
     def of_nothing(self, assignment: Assignment, chapter: Chapter) -> list[Verdict]:
-        """Return the verdicts on an empty submission, with the reference's earlier chapters.
+        """Return the verdicts on an empty submission, run with the reference's earlier chapters.
 
         Raises:
-            GraderError: The checks cannot be run.
+            GraderError: The checks could not be run.
         """
         with self._lock:
             if chapter.name not in self._of_nothing:
@@ -101,7 +101,7 @@ class OnceForAll:
             return self._of_nothing[chapter.name]
 
     def of_reference(self, assignment: Assignment, chapter: Chapter) -> list[Result]:
-        """Return the results of the reference. Only open exercises can have verdicts in them."""
+        """Return the results of the reference. They contain verdicts only for open exercises."""
         root = assignment.root
         with self._lock:
             if chapter.name not in self._of_reference:

@@ -1,4 +1,4 @@
-"""Manage the folder with a class's reports: lock it, and keep its state and temporary files."""
+"""Manage the folder with a class's reports: its lock, its state and its temporary files."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from autograder.submissions.find import file_name
 
 
 def seed_of(state: Path, seed: str | None) -> str:
-    """Return the requested seed, the seed of a run that was stopped here, or a new one."""
+    """Return the seed for a run: the requested one, that of an interrupted run, or a new one."""
     if seed:
         return seed
     try:
@@ -29,7 +29,11 @@ def seed_of(state: Path, seed: str | None) -> str:
 
 @contextmanager
 def only_run(out: Path) -> Iterator[Path]:
-    """Create the folder and lock it for this run; yield the file that holds the run's state."""
+    """Create and lock the folder of a run, and yield the path of the file with the run's state.
+
+    Raises:
+        ValueError: The path is not a folder, or another run is using it.
+    """
     if out.exists() and not out.is_dir():
         raise ValueError(f"--out must be a folder, got {str(out)!r}")
     out.mkdir(parents=True, exist_ok=True)
@@ -43,9 +47,10 @@ def only_run(out: Path) -> Iterator[Path]:
 
 @contextmanager
 def temporary_files_in(out: Path) -> Iterator[None]:
-    """Keep temporary files in the folder of the reports.
+    """Store temporary files inside the folder of the reports until the context ends.
 
-    A run that is killed cannot remove its own files. The next run finds them here and removes them.
+    A run that is killed cannot remove its temporary files. Because they are in a known place, the
+    next run can remove them.
     """
     own, before = out / ".temporary", tempfile.tempdir
     shutil.rmtree(own, ignore_errors=True)
@@ -59,9 +64,9 @@ def temporary_files_in(out: Path) -> Iterator[None]:
 
 
 def put_others_aside(out: Path, students: list[str]) -> int:
-    """Move away the reports of students who are not in this class; return how many students.
+    """Move away the reports of students who are not in this class, and return their number.
 
-    Such a report belongs to another class, or to a student who has withdrawn.
+    Such a report belongs to another class, or to a student who has left the class.
     """
     names = {file_name(student) for student in students}
     others = set()

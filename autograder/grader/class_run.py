@@ -1,4 +1,4 @@
-"""Grade the submissions of a class in parallel, and write each report as soon as it is made."""
+"""Grade the submissions of a class in parallel, and write each report as soon as it is ready."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from autograder.submissions.find import Submission, file_name
 
 
 class ClassRun:
-    """One run over a class, with the data that its submissions share."""
+    """One run that grades a class, with the data that all submissions share."""
 
     def __init__(
         self,
@@ -48,12 +48,12 @@ class ClassRun:
         self.console = console
         self.anonymous = anonymous
         self.reused: list[str] = []
-        self.keeps_reports = True  # those of an earlier run that are still valid
+        self.keeps_reports = True  # whether to reuse reports of an earlier run
 
     def collect(
         self, submissions: list[Submission], arriving: Generator[StudentReport]
     ) -> list[StudentReport]:
-        """Show the progress as reports arrive; return them in the order of the submissions."""
+        """Show the progress while reports arrive. Return them in the order of the submissions."""
         columns = (
             TextColumn("{task.description}", markup=False),
             BarColumn(),
@@ -73,7 +73,7 @@ class ClassRun:
                     if not self.console.is_terminal:
                         line = f"{len(reports)}/{len(submissions)} {report.student}"
                         self.console.print(line, markup=False)
-            except BaseException:  # most often Ctrl-C: the reports that are written stay
+            except BaseException:  # most often Ctrl-C; reports that are already written stay
                 progress.stop()
                 line = f"Stopping: {len(reports)} of {len(submissions)} reports are complete. "
                 self.console.print(line + "Run the same command again to resume.")
@@ -108,16 +108,16 @@ class ClassRun:
             yield self.save(replace(report, run=self.key))
 
     def one(self, submission: Submission) -> StudentReport:
-        """Return the report on one submission, or an earlier report if it is still valid."""
+        """Return the report on one submission. If an earlier report is still valid, reuse it."""
         report = self.earlier(submission)
         if report is None:
             report = replace(grade_submission(self.assignment, submission, self.once), run=self.key)
             if is_stopped():
-                raise GraderError("the run was stopped")  # before this grading ended
+                raise GraderError("the run was stopped")  # while this submission was being graded
         return self.save(report)
 
     def save(self, report: StudentReport) -> StudentReport:
-        """Add marks and lateness, write the report and its pages, and return it."""
+        """Add marks and lateness to a report, write it and its pages, and return it."""
         report = replace(apply_marks(report, self.marks), late=self.late.get(report.student))
         if self.anonymous:
             report = replace(report, notes=[without_names(note) for note in report.notes])
@@ -125,7 +125,7 @@ class ClassRun:
         return report
 
     def earlier(self, submission: Submission) -> StudentReport | None:
-        """Return the report of an earlier run if it is still valid and may be kept."""
+        """Return the report of an earlier run if it is valid and may be reused, or else None."""
         path = self.out / "results" / f"{file_name(submission.student)}.json"
         report = read_result(path)
         if not self.keeps_reports or report is None or not self.is_valid(report, submission):
@@ -134,14 +134,14 @@ class ClassRun:
         return report
 
     def is_valid(self, report: StudentReport, submission: Submission) -> bool:
-        """Return whether grading the submission again would give the same report."""
+        """Return whether grading the submission again would produce the same report."""
         if report.status != "graded" or report.run != self.key:
             return False
         return report.submission == digest_of(self.assignment, submission)
 
 
 def print_class(console: Console, reports: list[StudentReport]) -> None:
-    """Print a row for each student: points, checks, and the first problem."""
+    """Print a row for each student with the points, the checks, and the first problem."""
     table = Table("student", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("points", "on given", "checks"):
         table.add_column(heading, justify="right")

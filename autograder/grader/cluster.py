@@ -1,7 +1,8 @@
-"""Grade a class over a Dask cluster: submissions are sent as data, and reports come back.
+"""Grade a class on a Dask cluster: submissions are sent to workers, and reports are returned.
 
-Dask does the scheduling. If a worker dies, Dask gives its submission to another worker. A worker
-grades exactly as the instructor's machine does, in the same kind of sandbox, or refuses to grade.
+Dask schedules the work. If a worker dies, Dask gives its submission to another worker. A worker
+grades a submission exactly as the instructor's machine would, in the same kind of sandbox. If it
+cannot do so, it refuses to grade.
 """
 
 from __future__ import annotations
@@ -35,17 +36,17 @@ CONNECTED_WITHIN = 10.0  # seconds for the scheduler to answer
 WORKERS_WITHIN = 60.0  # seconds for the first worker to appear
 START = "start it in a folder with this repository: .venv/bin/python -m dask worker ADDRESS"
 
-_GRADER = grader_digest()  # of the loaded code: the files may change while a worker runs
+_GRADER = grader_digest()  # of the loaded code, because files may change meanwhile
 
 Tree = dict[str, bytes | None]  # the contents of a folder by path, None for a subfolder
 
 
 @dataclass(frozen=True)
 class Work:
-    """The data that every worker receives: the assignment, and facts about the sending machine.
+    """The data that is sent to every worker: the assignment, and facts about the sending machine.
 
-    ``key`` must be the same on the worker. ``home`` is the path of the repository on the sending
-    machine. Hidden checks are sent along.
+    ``key`` describes the conditions of grading, and must be the same on the worker. ``home`` is the
+    path of the repository on the sending machine. The hidden checks are included.
     """
 
     assignment: Assignment
@@ -55,18 +56,18 @@ class Work:
 
     @classmethod
     def of(cls, assignment: Assignment) -> Work:
-        """Return what the workers receive for an assignment."""
+        """Return the data to send for an assignment."""
         public = replace(assignment, hidden=None)
         return cls(public, run_key(public), _tree(assignment.hidden))
 
 
 @contextmanager
 def connect(address: str, assignment: Assignment, console: Console) -> Iterator[Client]:
-    """Connect to a scheduler whose workers can grade this, and print how many there are.
+    """Connect to a scheduler whose workers can grade the assignment, and print their number.
 
     Raises:
-        ValueError: Dask is not installed, nobody answers, no worker appears, or a worker would not
-            grade as this machine does.
+        ValueError: Dask is not installed, the scheduler does not answer, no worker appears, or a
+            worker would not grade as this machine does.
     """
     try:
         from distributed import Client
@@ -102,7 +103,7 @@ def connect(address: str, assignment: Assignment, console: Console) -> Iterator[
 def grade_over(
     client: Client, assignment: Assignment, submissions: list[Submission]
 ) -> Iterator[StudentReport]:
-    """Yield the reports on the submissions, each as soon as it is made.
+    """Grade the submissions on the cluster, and yield each report as soon as it is ready.
 
     Raises:
         ValueError: A worker that joined later would not grade as this machine does.
@@ -121,7 +122,7 @@ def grade_over(
         future = client.submit(*call, pure=False)
         whose[future] = submission
     for future in as_completed(list(whose), loop=client.loop):
-        submission = whose[future]  # the future stays alive: its __del__ could swallow Ctrl-C
+        submission = whose[future]  # keeps the future alive, since its __del__ could swallow Ctrl-C
         try:
             report: StudentReport = future.result()
         except KilledWorker as error:
@@ -159,7 +160,7 @@ def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentR
 
 
 def check_worker(work: Work) -> None:
-    """Raise ValueError if a report made here could differ from one made by the sending machine."""
+    """Raise ValueError if this worker might report something else than the sending machine."""
     wanted = work.assignment.level
     level = _level(unsafe=not wanted.is_sandbox)
     own = run_key(replace(_at_home(work), level=level))
@@ -177,7 +178,7 @@ def check_worker(work: Work) -> None:
         raise ValueError(f"it has {'; '.join(differences)}")
 
 
-@cache  # testing the sandbox takes a moment
+@cache  # because testing the sandbox takes a moment
 def _level(*, unsafe: bool) -> Level:
     return choose_level(Path(), unsafe=unsafe)
 
@@ -191,7 +192,7 @@ def _shared(work: Work) -> OnceForAll:
 
 
 def _at_home(work: Work) -> Assignment:
-    """Return the assignment with the path of the repository on this machine."""
+    """Return the assignment with its paths changed to those of the repository on this machine."""
     if work.assignment.root == work.home:
         return replace(work.assignment, root=ROOT)
     return work.assignment
@@ -204,7 +205,7 @@ def _refusal(worker: str, error: Exception) -> str:
 
 
 class _Call:
-    """A call that is made when its pickle is loaded."""
+    """A function call that is made when its pickle is loaded."""
 
     def __init__(self, *parts: Any) -> None:
         self.parts = parts
@@ -217,13 +218,14 @@ class _Call:
 def _call(*parts: Any) -> tuple[Callable[[bytes], Any], bytes]:
     """Return a function and an argument that Dask can pass on without importing the autograder.
 
-    Otherwise the scheduler would need the autograder, and a worker without it would stop answering.
+    Without this, the scheduler would also need the autograder, and a worker without the autograder
+    would stop answering.
     """
     return pickle.loads, pickle.dumps(_Call(*parts))
 
 
 def _tree(folder: Path | None) -> Tree:
-    """Return the contents of a folder, or an empty tree for None."""
+    """Return the contents of a folder as a dict, which is empty if the folder is None."""
     paths = sorted(folder.rglob("*")) if folder else []
     return {
         path.relative_to(folder or path).as_posix(): None if path.is_dir() else path.read_bytes()
@@ -232,7 +234,10 @@ def _tree(folder: Path | None) -> Tree:
 
 
 def _write_tree(tree: Tree, folder: Path) -> None:
-    """Write a tree into a folder. Every user can read it, since another user may run the code."""
+    """Write the contents in a dict into a folder.
+
+    Every user can read the files, because the code may be run by another user.
+    """
     for name, content in tree.items():
         path = folder / name
         if content is None:

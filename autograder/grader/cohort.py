@@ -1,4 +1,4 @@
-"""Grade a class: many submissions at a time, a report on each, and runs that can be resumed."""
+"""Grade a whole class: grade in parallel, write the reports, and resume interrupted runs."""
 
 from __future__ import annotations
 
@@ -37,14 +37,19 @@ from autograder.wrapping import plain_console
 class ClassOptions:
     """The options for grading a class.
 
-    ``given`` chapters are taken from the reference, whatever is handed in. Without a ``seed``, a
-    stopped run resumes with its own seed, and a new run draws a new one. ``hidden`` is a folder of
-    additional checks, chNN_name/test_*.py. ``unsafe`` accepts a machine without a sandbox. ``jobs``
-    submissions are graded at a time, by default one per core. If ``cluster`` is the address of a
-    scheduler, the workers of that cluster grade instead. ``roster`` is a CSV of the students. An
-    ``anonymous`` class has codes for names. ``column`` is for the files for Canvas and Moodle. With
-    a ``deadline``, lateness is reported. If there is a ``student``, only this one is graded again,
-    in the folder of an earlier run, and ``why`` goes into the log of regrades.
+    - ``given`` chapters are taken from the reference, even if students hand them in.
+    - ``seed`` determines the numbers in the checks. Without it, an interrupted run resumes with its
+      own seed, and a new run draws a new one.
+    - ``hidden`` is a folder of additional checks, chNN_name/test_*.py.
+    - ``unsafe`` permits grading on a machine without a sandbox.
+    - ``jobs`` is the number of submissions to grade at a time, by default one per core.
+    - ``cluster`` is the address of a scheduler whose workers grade instead of this machine.
+    - ``roster`` is a CSV file of the students. In an ``anonymous`` class, codes replace their
+      names.
+    - ``column`` describes the files for Canvas and Moodle.
+    - ``deadline`` is the due date. If there is one, lateness is reported.
+    - ``student`` is the only one to be graded again, in the folder of an earlier run. ``why`` is
+      the reason for the log of regrades.
     """
 
     given: Sequence[Chapter] = ()
@@ -72,10 +77,12 @@ class ClassOptions:
 
 
 def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOptions) -> int:
-    """Grade every submission in the folder and write the reports into out; return 1 for errors.
+    """Grade every submission in ``folder``, and write the reports into ``out``.
 
-    A submission is not graded again if its report is complete and has the same checks, grader and
-    seed.
+    Return 1 for errors.
+
+    A submission is not graded again if its report is complete and was made with the same checks,
+    the same grader and the same seed.
 
     Raises:
         ValueError: The class cannot be graded with these options.
@@ -130,7 +137,9 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         for note in report.notes:
             console.print(f"{report.student}: {note}", markup=False)
     if moved:
-        console.print(f"Students not in this class: {moved}. See {out / 'earlier'}.")
+        console.print(
+            f"Reports of students outside this class: {moved}, moved to {out / 'earlier'}"
+        )
     if class_run.reused:
         console.print(
             f"{len(class_run.reused)} of {len(graded)} reports were kept from an earlier run."
@@ -143,18 +152,18 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
     for place in places:
         console.print(str(place), markup=False, soft_wrap=True)
     for place in uploads:
-        only_you = ": keep it to yourself, since it has names" if options.anonymous else ""
+        only_you = ": keep this private, because it has names" if options.anonymous else ""
         console.print(f"{place}{only_you}", markup=False, soft_wrap=True)
     return int(any(report.status != "graded" for report in graded))
 
 
 def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
-    """Return the submissions in a folder, and notes on other entries of the folder.
+    """Return the submissions in a folder, and notes on other entries in the folder.
 
-    The reports may be written beside the submissions.
+    The reports may be written into a folder next to the submissions.
 
     Raises:
-        ValueError: The reports would be written into the class or a submission.
+        ValueError: The reports would be written into the class's folder or into a submission.
     """
     submissions, notes = find_submissions(folder)
     if out.resolve() == folder.resolve():
@@ -169,7 +178,7 @@ def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
 
 
 def check_hidden(assignment: Assignment) -> None:
-    """Raise ValueError if there are no hidden checks, or if they fail on the reference itself."""
+    """Raise ValueError if there are no hidden checks, or if the reference itself fails them."""
     hidden, root = assignment.hidden, assignment.root
     if hidden is None:
         return

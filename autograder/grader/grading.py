@@ -1,4 +1,4 @@
-"""Grade one submission: stage it, run its checks in the sandbox, and make its report."""
+"""Grade one submission: copy its files, run its checks in the sandbox, and make its report."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ from autograder.scores import Result, results_of, total
 from autograder.submissions.find import Submission
 from autograder.submissions.stage import Staged, stage
 
-SUBMISSION_LIMIT = 300.0  # seconds for all chapters of a submission, which take about two each
+SUBMISSION_LIMIT = 300.0  # seconds for all chapters of a submission; one usually takes about 2 s
 
-LEAST_TIME = 10.0  # seconds that each chapter gets in any case, so that its checks can begin
+LEAST_TIME = 10.0  # seconds that each chapter gets at least, so that its checks can begin
 
 
 def grade_submission(
@@ -31,10 +31,10 @@ def grade_submission(
     once: OnceForAll | None = None,
     fill: Callable[..., Staged] | None = None,
 ) -> StudentReport:
-    """Grade one submission and return its report, which also reports any error of the grader.
+    """Grade one submission and return its report. Errors of the grader are part of the report.
 
-    ``once`` contains the verdicts that the whole class shares. If the submission is on another
-    machine, ``fill`` replaces ``stage``.
+    ``once`` contains the verdicts that all submissions share. If the submission is on another
+    machine, ``fill`` is called instead of ``stage`` to copy its files.
     """
     once = once or OnceForAll()
     start = time.monotonic()
@@ -51,19 +51,19 @@ def grade_submission(
                 pairs = _all_results(assignment, once, engine, staged, box, Path(compiled))
         report = _report(assignment, once, submission.student, pairs, notes)
         report = replace(report, submission=staged.digest)
-    except Exception as error:  # the grader's own error: the rest of the class is still graded
+    except Exception as error:  # an error of the grader must not stop the rest of the class
         report = report_of_failure(assignment, submission.student, repr(error))
     return replace(report, seconds=round(time.monotonic() - start, 3))
 
 
 def report_of_failure(assignment: Assignment, student: str, reason: str) -> StudentReport:
-    """Return the report on a submission that the grader could not grade."""
+    """Return the report on a submission that the grader was unable to grade."""
     pairs = [(_errors(chapter, reason),) * 2 for chapter in assignment.chapters]
     return replace(_report(assignment, OnceForAll(), student, pairs, []), seconds=0.0)
 
 
 def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: Path) -> list[str]:
-    """Return the notes on a submission. If nothing was found in it, one of them says so."""
+    """Return the notes on a submission, including one if it contains nothing to grade."""
     files = [box / chapter.name / name for chapter in chapters for name in chapter.edited_files]
     if staged.missing or any(file.exists() for file in files):
         return staged.notes
@@ -86,9 +86,9 @@ def _all_results(
     box: Path,
     compiled: Path,
 ) -> list[tuple[list[Result], list[Result]]]:
-    """Return the results of each chapter: on the student's own earlier chapters, and on given ones.
+    """Return two lists of results per chapter, on the student's earlier chapters and on given ones.
 
-    The reports have messages of the first run only. In the second run, the student's code could
+    Only messages of the first run appear in reports. In the second run, the student's code could
     read the reference and reveal it in a message.
     """
     deadline = time.monotonic() + SUBMISSION_LIMIT
@@ -122,7 +122,7 @@ def _all_results(
 
 
 def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
-    """Return whether a student handed in no file of a chapter, not even one that was refused."""
+    """Return whether a student handed in no file of a chapter, not even one that was rejected."""
     refused = any(module.startswith(f"{chapter.name}.") for module in staged.missing)
     taken = any((box / chapter.name / name).exists() for name in chapter.handed_in)
     return not (refused or taken)
@@ -131,10 +131,10 @@ def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
 def _chart(
     assignment: Assignment, once: OnceForAll, chapter: Chapter, result: Result
 ) -> Chart | None:
-    """Return the positions of a submission and of the reference on the chart, or None.
+    """Return where a submission and the reference are on an exercise's chart, or None.
 
-    A submission that fails because of an earlier chapter is not on the chart, since the run on
-    given chapters reports nothing but the checks that pass.
+    A submission that fails because of an earlier chapter does not appear on the chart. Its run on
+    given chapters reports only which checks pass.
     """
     if result.on_chart is None:
         return None
@@ -146,7 +146,10 @@ def _chart(
 
 
 def _errors(chapter: Chapter, reason: str) -> list[Result]:
-    """Return results for checks that could not be run: errors of the grader, not zeros."""
+    """Return results for checks that could not be run.
+
+    They count as grader errors, not as zeros.
+    """
     why = presentable(Message(reason[:500]))
     ours = [Verdict("every check", e.id, 1, "error", why) for e in chapter.exercises]
     return results_of(chapter, ours)
@@ -184,7 +187,7 @@ def _report(
 
 
 def _own_earlier_chapters(assignment: Assignment) -> list[int]:
-    """Return the numbers of the student's own chapters on which a graded chapter builds."""
+    """Return the numbers of the student's own chapters on which the graded chapters build."""
     below = [
         other.number
         for chapter in assignment.chapters

@@ -1,4 +1,4 @@
-"""Load the people of a class: its roster, the codes of an anonymous class, and its marks."""
+"""Load the people of a class: the roster, the codes of an anonymous class, and the marks."""
 
 from __future__ import annotations
 
@@ -15,11 +15,12 @@ from autograder.submissions.roster import read_roster
 def people_of(
     submissions: list[Submission], out: Path, roster: Path | None, *, anonymous: bool
 ) -> ClassList:
-    """Return the class, with the names that its reports show.
+    """Return the students of a class, with the names that reports show for them.
 
     Raises:
-        ValueError: The roster or the key contains a mistake, or ``out`` has reports with names.
-        OSError: The roster or the key cannot be read or written.
+        ValueError: The roster or the key file contains a mistake, or ``out`` contains reports with
+            names although the class is anonymous.
+        OSError: The roster or the key file cannot be read or written.
     """
     people = match(submissions, read_roster(roster) if roster else None, roster)
     if anonymous:
@@ -29,21 +30,24 @@ def people_of(
 
 
 def marks_of(people: ClassList, path: Path, chapters: list[Chapter]) -> Marks:
-    """Return the marks of a class. Its marks.csv may use any name of a student.
+    """Return the marks of a class. In marks.csv, a student may be called by any known name.
 
     Raises:
-        ValueError: A line is not valid, or a student has two marks for an exercise.
+        ValueError: A line is not valid, or a student has two marks for the same exercise.
     """
     return renamed(read_marks(path, chapters, people.names), people.names, path)
 
 
 def folder_with_names(out: Path, *, anonymous: bool) -> Path:
-    """Return the folder for the files that need names. For an anonymous class, it is beside out."""
+    """Return the folder for files that contain names.
+
+    For an anonymous class it is outside ``out``.
+    """
     return out.resolve().with_name(f"{out.resolve().name}-named") if anonymous else out
 
 
 def differences(people: ClassList) -> list[str]:
-    """Return sentences that describe where the roster and the submissions do not match."""
+    """Return sentences that describe how the roster and the submissions differ."""
     return [
         f"{title}: {len(names)} ({'; '.join(names)})."
         for title, names in (

@@ -19,7 +19,7 @@ from autograder.submissions.find import Submission, file_name
 
 LOG = "regrades.csv"
 COLUMNS = ["time", "student", "points before", "points after", "changed exercises", "why"]
-# These may differ from the class's run, for example because a check was corrected. It is noted.
+# These may differ from the class's run, for example because a check was corrected. A note says so.
 MAY_DIFFER = {
     "checks": "the checks or the reference",
     "grader": "the grader",
@@ -30,10 +30,10 @@ MAY_DIFFER = {
 
 
 class Regrade:
-    """One student of an earlier run who is graded again, with the reports of the class before it.
+    """The grading of one student again, after an earlier run has graded the class.
 
     Raises:
-        ValueError: The folder has no earlier run, or the student did not hand in anything.
+        ValueError: The folder contains no earlier run, or the student did not hand anything in.
     """
 
     def __init__(self, out: Path, student: str, submissions: Sequence[Submission]) -> None:
@@ -50,9 +50,10 @@ class Regrade:
 
     @property
     def before(self) -> StudentReport | None:
-        """The student's report in the log, or None if there was none.
+        """The student's report before the regrade, or None if there was none.
 
-        If an earlier run was killed before it wrote the log, this is the report before that run.
+        If an earlier regrade was killed before it wrote the log, this is the report from before
+        that run.
         """
         kept = read_result(self.kept)
         if kept and any(report.seed == kept.seed for report in self.reports):
@@ -60,10 +61,10 @@ class Regrade:
         return next((one for one in self.reports if one.student == self.student), None)
 
     def seed(self, seed: str | None) -> str:
-        """Return the seed of the class.
+        """Return the seed with which the class was graded.
 
         Raises:
-            ValueError: Another seed is requested, or the class has several seeds.
+            ValueError: A different seed was requested, or the class was graded with several seeds.
         """
         seeds = sorted({report.seed for report in self.reports if report.student != self.student})
         seeds = seeds or [report.seed for report in self.reports]
@@ -75,10 +76,11 @@ class Regrade:
         return seeds[0]
 
     def prepare(self, run: ClassRun) -> list[Submission]:
-        """Make the run grade the student anew, and return the submission to grade.
+        """Make the run grade the student again, and return the submission to grade.
 
         Raises:
-            ValueError: The student would get other exercises or other checks than the class.
+            ValueError: The student would get different exercises or different checks than the
+                class.
         """
         run.keeps_reports = False
         differing = self._differing(run.key)
@@ -91,7 +93,7 @@ class Regrade:
             if name not in MAY_DIFFER:
                 earlier = next(getattr(one.run, name) for one in self.reports if one.run)
                 new = getattr(run.key, name)
-                raise ValueError(f"{name} must be as for the class, {earlier}, got {new}")
+                raise ValueError(f"{name} must be the same as for the class, {earlier}, got {new}")
         if differing:
             changed = ", ".join(MAY_DIFFER[name] for name in differing)
             self.changed = f"Changed since the class was graded: {changed}."
@@ -103,7 +105,7 @@ class Regrade:
     def finish(
         self, graded: Sequence[StudentReport], why: str, console: Console
     ) -> list[StudentReport]:
-        """Log what has changed, and return the reports of the whole class."""
+        """Log the changes, and return the reports of the whole class."""
         (report,) = graded
         console.print(self._log(report, why), markup=False)
         self.kept.unlink(missing_ok=True)
@@ -111,13 +113,13 @@ class Regrade:
         return sorted([*others, report], key=lambda one: one.student)
 
     def _differing(self, key: RunKey) -> list[str]:
-        """Return the names of the conditions in which the class's run differs from this one."""
+        """Return the conditions in which the class's run differs from this run, by name."""
         others = [report.run for report in self.reports if report.run]
         names = [field.name for field in fields(RunKey) if field.name != "seed"]
         return [n for n in names if any(getattr(one, n) != getattr(key, n) for one in others)]
 
     def _log(self, report: StudentReport, why: str) -> str:
-        """Add a row to regrades.csv, and return a sentence on what has changed."""
+        """Add a row to regrades.csv, and return a sentence that describes the changes."""
         before, after = _points(self.before), _points(report)
         changes = "; ".join(_changes(self.before, report))
         path = self.out / LOG
@@ -134,14 +136,14 @@ class Regrade:
 
 
 def earlier_choice(out: Path) -> tuple[str, str]:
-    """Return the chapters and the given chapters of an earlier run, as commands accept them.
+    """Return the chapters and given chapters of an earlier run, written as command-line arguments.
 
     Raises:
         ValueError: There is no earlier run.
     """
     run = next((report.run for report in read_results(out) if report.run), None)
     if run is None:
-        raise ValueError(f"the run in {str(out)!r} did not note its chapters: name them")
+        raise ValueError(f"the run in {str(out)!r} did not record its chapters: name them")
     return ",".join(map(str, run.chapters)), ",".join(map(str, run.given))
 
 
@@ -150,7 +152,7 @@ def _points(report: StudentReport | None) -> str:
 
 
 def _changes(before: StudentReport | None, after: StudentReport) -> list[str]:
-    """Return each exercise whose score or state has changed, as "2.5: 1 to 3"."""
+    """Return each exercise whose score or status has changed, as in "2.5: 1 to 3"."""
     earlier = {exercise.id: exercise for exercise in before.exercises} if before else {}
     return [
         f"{new.id}: {_outcome(old)} to {_outcome(new)}"

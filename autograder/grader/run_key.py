@@ -1,4 +1,4 @@
-"""Describe the conditions under which a report stays valid, such as the checks and the seed."""
+"""Describe the conditions under which a report remains valid, such as the checks and the seed."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from autograder.reports.report import RunKey
 
 
 def run_key(assignment: Assignment) -> RunKey:
-    """Return the conditions, besides the submission, under which a report stays valid."""
+    """Return the conditions, besides the submission, under which a report remains valid."""
     root = assignment.root
     names = [chapter.name for chapter in load_chapters(root)]
     checks = shared_by_checks(root)
@@ -39,7 +39,7 @@ def run_key(assignment: Assignment) -> RunKey:
 
 
 def grader_digest() -> str:
-    """Return a digest of this version of the autograder."""
+    """Return a digest of the autograder's code, which identifies its version."""
     return _digest((ROOT / "autograder").rglob("*.py"))
 
 

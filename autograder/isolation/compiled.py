@@ -1,4 +1,4 @@
-"""Serve imports from code that was compiled once, so that a worker only has to run it."""
+"""Import modules from code that was compiled once, so that workers do not compile it again."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from types import CodeType, ModuleType
 
 
 class CompiledLoader(SourceFileLoader):
-    """Loads a module like Python's own loader, except that its code is in memory already."""
+    """Loads a module in the same way as Python's own loader, but from compiled code in memory."""
 
     def __init__(self, name: str, path: str, code: CodeType) -> None:
         super().__init__(name, path)
@@ -21,10 +21,10 @@ class CompiledLoader(SourceFileLoader):
 
 
 class CompiledFinder:
-    """Finds modules of the engine and of the probes that were compiled.
+    """Finds those modules of the engine and of the probes that have been compiled.
 
-    ``compiled`` maps the name of a module to its marshaled code. The code is loaded here, and it
-    runs only in a worker that imports the module.
+    ``compiled`` maps the name of a module to its marshaled code. Unmarshaling the code does not run
+    it. It runs only when a worker imports the module.
     """
 
     def __init__(self, compiled: Mapping[str, bytes]) -> None:

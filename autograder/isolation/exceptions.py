@@ -1,7 +1,7 @@
-"""Rebuild an exception of a worker, so that it can be raised in the process of the checks.
+"""Rebuild an exception from a worker, so that it can be raised in the process of the checks.
 
-A worker can send anything. Data without the form of an exception count as a violation of the
-protocol.
+A worker is not trusted and can send anything. Data that does not have the form of an exception
+counts as a violation of the protocol.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ FILE = re.compile(r"ch\d\d_\w+/\w+\.py")
 
 
 def known_name(error: Exception) -> str:
-    """Return the name of the nearest base class that can cross the wire."""
+    """Return the name of the nearest base class that can be sent over the wire."""
     return next(base.__name__ for base in type(error).__mro__ if base.__name__ in KNOWN_ERRORS)
 
 
 def exception_of(data: Any) -> BaseException:
-    """Return an exception that represents the student's, with its fault attached."""
+    """Return an exception that represents the student's exception. Its fault is attached to it."""
     try:
         frames = [
             Place(file, line, text_of_worker(function, 100))
@@ -54,7 +54,7 @@ def exception_of(data: Any) -> BaseException:
 
 
 class WordedKeyError(KeyError):
-    """A KeyError with the student's text, without the quotes that Python would add to it."""
+    """A KeyError that shows the student's text without the quotes that Python would add."""
 
     def __str__(self) -> str:
         return str(self.args[0])
@@ -64,7 +64,7 @@ WordedKeyError.__name__ = KeyError.__name__
 
 
 def _unknown(data: Any) -> Unknown | None:
-    """Return the missing name that an exception is about, if it is about one."""
+    """Return the missing name that an exception is about, or None if it is not about a name."""
     if data is None:
         return None
     name, of, near = (text_of_worker(data[key], 100) for key in ("name", "of", "nearest"))
@@ -73,7 +73,7 @@ def _unknown(data: Any) -> Unknown | None:
 
 
 def text_of_worker(value: Any, longest: int) -> str:
-    """Return a text from the worker, shortened and with special characters escaped."""
+    """Return a text from the worker, shortened and with its special characters escaped."""
     if type(value) is not str:
         raise BrokenProtocolError("a value that is not a text")
     return clean(value[:longest])

@@ -1,8 +1,9 @@
-"""Handles: how trusted checks refer to the student's objects, which live in a worker.
+"""Handles, with which trusted checks use a student's objects that live in a worker process.
 
-Using a handle sends a request to the worker. A handle cannot be compared, converted or tested for
-truth. A check has to read plain numbers and compare those. An object with a dishonest ``__eq__``
-therefore gains nothing.
+Using a handle sends a request to the worker. Handles cannot be compared, converted or tested for
+truth, because the result would come from the student's code. Instead, a check must read plain
+numbers and compare them itself. An object whose ``__eq__`` always returns True therefore gains
+nothing.
 """
 
 from __future__ import annotations
@@ -22,11 +23,11 @@ BROKEN = "the code broke the protocol between its process and the checks"
 
 
 class WorkerFailure(CheckEnded):
-    """The worker is gone, or has sent invalid data."""
+    """Raised when the worker has ended or has sent invalid data."""
 
 
 class Session:
-    """A conversation with one worker, from its start to its end.
+    """The communication with one worker, from its start to its end.
 
     ``broken`` maps each module that cannot be imported to the reason.
     """
@@ -44,18 +45,18 @@ class Session:
         self.on_hang = on_hang
         self.how_it_ended = how_it_ended
         self.broken = broken or {}
-        self.dead = Message()  # the reason, once the worker is gone
+        self.dead = Message()  # once the worker is gone, this is the reason
         self._last = 0
         self._callbacks: list[Callable[..., Any]] = []
 
     def ask(self, what: str, *operands: Any) -> Any:
-        """Send a request to the worker and return its answer.
+        """Send a request to the worker, and return its answer.
 
         If the student's code raises an Exception, the nearest built-in exception is raised here.
 
         Raises:
-            StudentLeft: The student's code raised something other than an Exception.
-            WorkerFailure: There is no valid answer.
+            StudentLeft: The student's code raised something that is not an Exception.
+            WorkerFailure: The worker gave no valid answer.
         """
         if self.dead:
             raise WorkerFailure(self.dead)
@@ -68,7 +69,7 @@ class Session:
             self._fail(Message(f"{BROKEN}: {error}"))
 
     def _exchange(self, message: dict[str, Any]) -> dict[str, Any]:
-        """Send a request, serve the callbacks that it causes, and return the reply."""
+        """Send a request, handle the callbacks that it causes, and return the reply."""
         try:
             self.wire.send(message, self.deadline)
             while "callback" in (reply := self.wire.receive(self.deadline)):
@@ -93,7 +94,7 @@ class Session:
         raise exception_of(reply.get("raised"))
 
     def _explain_missing(self, data: Any) -> Message:
-        """Return the message of a check that uses a name that does not exist."""
+        """Return the message for a check that uses a name that does not exist."""
         if type(data) is not list or len(data) != 4:
             raise BrokenProtocolError("a missing name in an unknown form")
         module, name, near = (text_of_worker(part, 100) for part in data[:3])
@@ -101,9 +102,10 @@ class Session:
         return why or MissingName(module, name, near, data[3] is True).explain()
 
     def _call_back(self, message: dict[str, Any]) -> dict[str, Any]:
-        """Run a function of the check for the worker.
+        """Call a function of the check on behalf of the worker.
 
-        An Exception is sent back to the worker. Anything else ends the session.
+        If the function raises an Exception, it is sent back to the worker. Anything else ends the
+        session.
         """
         number = message["callback"]
         if type(number) is not int or not 0 <= number < len(self._callbacks):
@@ -142,7 +144,7 @@ class Session:
 
 
 class Handle:
-    """A substitute that a check holds for one of the student's objects."""
+    """An object in the process of the checks that stands for one of the student's objects."""
 
     __slots__ = ()
 
@@ -158,7 +160,7 @@ class Handle:
         return self._session().ask("get", self, name)
 
     def get_together(self, names: list[str]) -> tuple[Any, ...]:
-        """Return several attributes, which takes one request instead of one for each."""
+        """Return the values of several attributes with a single request."""
         values = self._session().ask("get_together", self, names)
         if type(values) is not tuple or len(values) != len(names):
             raise WorkerFailure(Message(f"{BROKEN}: attributes that are not valid"))
@@ -248,5 +250,7 @@ class ObjectHandle(Handle):
 
     def _reference(self, session: Session) -> dict[str, Any]:
         if session is not self._of:
-            raise WorkerFailure(Message("an object of another check is used; its process is gone"))
+            raise WorkerFailure(
+                Message("an object of another check is used after its process has ended")
+            )
         return {"object": self._number}

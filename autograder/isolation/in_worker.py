@@ -1,8 +1,8 @@
-"""Run the checks in this process, and the student's code in a worker, a fresh one for each check.
+"""Run the checks in this process, but the student's code in a new worker process for each check.
 
-An import of a chapter provides only names. When a check uses a name, the name sends a request to
-the worker that is running at that moment. The checks' imports happen only once and serve all
-workers.
+When a check file imports a chapter, it receives only names. When a check uses a name, the name
+sends a request to the worker that is running at that moment. For this reason, the imports in the
+check files need to happen only once, although every check has its own worker.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ CHAPTER_MODULE = re.compile(r"ch\d\d_\w+(\.\w+)?")
 
 
 class InWorker:
-    """The student's modules, which each check imports in its own worker."""
+    """The student's modules, which are imported separately in the worker of each check."""
 
     session: Session | None = None
 
@@ -65,12 +65,15 @@ class InWorker:
             time_limit,
             fresh=worker.fresh,
         )
-        self.template.warm_up()  # while pytest collects the checks
+        self.template.warm_up()  # starts while pytest collects the checks
         self.modules: list[str] = []
         self.broken: dict[str, Message] = {}
 
     def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
-        """Serve the checks' imports from now on. The modules themselves are imported later."""
+        """From now on, provide names when the checks import chapters.
+
+        The student's modules themselves are imported later, in the workers.
+        """
         threading.Thread(target=_exit_with_parent, daemon=True).start()
         sys.meta_path.insert(0, ChapterFinder(self))
         self.modules = modules
@@ -78,7 +81,7 @@ class InWorker:
         self.send = send
 
     def after_collection(self) -> None:
-        """Find out which modules can be imported, so that no check loses time on a broken one."""
+        """Find out which modules can be imported, so that no check wastes time on a broken one."""
         compiled: dict[str, bytes] = {}
         for module, file in self._files().items():
             if module not in self.broken and (code := self._code_of(module, file)):
@@ -91,7 +94,7 @@ class InWorker:
         self.stop()
 
     def _files(self) -> dict[str, Path]:
-        """Return the files of the modules that the checks of this chapter can need."""
+        """Return the files of the modules that the checks of this chapter may need."""
         packages = {module.partition(".")[0] for module in self.modules}
         found: dict[str, Path] = {}
         for folder in [*self.engine, self.probes]:
@@ -101,7 +104,7 @@ class InWorker:
         return found
 
     def _code_of(self, module: str, file: Path) -> bytes | None:
-        """Return the compiled code of a file, which an earlier run may have kept."""
+        """Return the compiled code of a file, which may have been saved by an earlier run."""
         text = f"{file}\n".encode() + file.read_bytes()
         kept = self.compiled / hashlib.sha256(text).hexdigest()
         if kept.exists():
@@ -142,7 +145,7 @@ class InWorker:
         self.stop()  # the next worker starts with this module marked as broken
 
     def definitions(self, file: Path) -> set[str] | None:
-        """Return the names that a module defines, or None if the check's worker cannot find out."""
+        """Return the names that a module defines, or None if the worker cannot determine them."""
         if self.session is None or self.session.dead:
             return None
         try:
@@ -153,7 +156,7 @@ class InWorker:
         return {name for name in names if type(name) is str} or None
 
     def _worker(self, new: bool = False) -> Session:
-        """Return a session with the current worker or a new one, with its full time limit."""
+        """Return a session with the current worker, or with a new one, with its full time limit."""
         if new or self.session is None or self.session.dead:
             self.start()
         assert self.session is not None
@@ -161,7 +164,7 @@ class InWorker:
         return self.session
 
     def start(self) -> None:
-        """Start the worker of a check.
+        """Start the worker for a check.
 
         Raises:
             TemplateError: The worker did not start.
@@ -171,14 +174,14 @@ class InWorker:
             self.session.ask("begin", list(self.broken))
 
     def stop(self) -> str:
-        """End the worker and return what it has printed."""
+        """End the worker, and return what it has printed."""
         printed = self.template.printed() if self.session else ""
         self.session = None
         self.template.stop_worker()
         return printed
 
     def _on_hang(self) -> NoReturn:
-        """Write the stack where the runner reads it, and exit. The runner starts a new process."""
+        """Write a stack trace for the runner, and exit. The runner then starts a new process."""
         self.stack_file.write_text(
             self.template.stack() or "the worker wrote no stack", encoding="utf-8"
         )
@@ -186,7 +189,7 @@ class InWorker:
 
 
 class Name(Handle):
-    """A name in a student's module, such as Vector3, that works with any worker."""
+    """A name in a student's module, such as Vector3, which can be used with any worker."""
 
     __slots__ = ("_module", "_name", "_workers")
 
@@ -206,7 +209,7 @@ class Name(Handle):
 
 
 class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
-    """Serves imports of chapters: chNN_name is a package, and its modules provide names."""
+    """Handles imports of chapters: chNN_name is a package, and its modules contain names."""
 
     def __init__(self, workers: InWorker) -> None:
         self.workers = workers
@@ -227,11 +230,11 @@ class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
         return ModuleType(spec.name)
 
     def exec_module(self, module: ModuleType) -> None:
-        """Do nothing, since the module has no code in this process."""
+        """Do nothing, because the code of the module runs only in workers."""
 
 
 class ChapterModule(ModuleType):
-    """Returns names while checks are collected, and the objects themselves while a check runs."""
+    """A module that returns names during collection, and the objects themselves during a check."""
 
     def __init__(self, workers: InWorker, name: str) -> None:
         super().__init__(name)
@@ -246,7 +249,7 @@ class ChapterModule(ModuleType):
 
 
 def _exit_with_parent() -> None:
-    """Exit when standard input ends: the runner is gone, and nobody reads the verdicts."""
+    """Exit when standard input is closed, because the runner is then gone."""
     while os.read(0, 1024):
         pass
     os._exit(1)

@@ -1,7 +1,9 @@
-"""Start judges quickly: a waiting process imports pytest once, and forks for each run of checks.
+"""Start check processes quickly, by forking them from a process that has already imported pytest.
 
-The waiting process never runs a check, and knows nothing of a submission. It ends when the grader
-that started it ends. A judge that it forks is like one with its own interpreter.
+A process that runs checks is called a judge. So that not every judge has to import pytest, one
+process imports it and then waits. For each run of checks, it forks a judge. The waiting process
+never runs a check itself and knows nothing about submissions, and it ends when the grader ends. A
+forked judge behaves like a judge that was started as a new Python process.
 """
 
 from __future__ import annotations
@@ -18,13 +20,13 @@ from pathlib import Path
 from typing import IO, Any
 
 _lock = threading.Lock()
-_waiting: dict[int, Judges] = {}  # the waiting process of this process, by this one's number
+_waiting: dict[int, Judges] = {}  # keyed by the process number of the grader that uses it
 
 Order = dict[str, Any]
 
 
 class Judges:
-    """The waiting process."""
+    """The process that waits for orders and forks a judge for each of them."""
 
     def __init__(self, environment: dict[str, str]) -> None:
         self._control, theirs = socket.socketpair()
@@ -36,25 +38,29 @@ class Judges:
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
                 pass_fds=[theirs.fileno()],
-                start_new_session=True,  # Ctrl-C is for the grader alone
+                start_new_session=True,  # so that Ctrl-C reaches only the grader
             )
 
     def ask(self, order: Order, descriptors: list[int]) -> int:
-        """Send an order with open files, and return the number that answers it."""
+        """Send an order with open files, and return the number that answers it.
+
+        The answer is the process number of a new judge, or the exit code of a judge that was waited
+        for.
+        """
         data = json.dumps(order).encode() + b"\n"
         sent = socket.send_fds(self._control, [data], descriptors)
         self._control.sendall(data[sent:])
         return int(self._answers.readline())
 
     def close(self) -> None:
-        """End the waiting process. Its judges end with their own input."""
+        """End the waiting process. Each judge ends when its own input is closed."""
         self._answers.close()
         self._control.close()
         self._process.wait()
 
 
 class ForkedJudge:
-    """A judge that was forked, with the part of Popen's interface that its runner uses.
+    """A judge that was forked. It has the part of Popen's interface that the runner uses.
 
     Raises:
         OSError: The waiting process cannot start a judge.
@@ -75,12 +81,12 @@ class ForkedJudge:
             os.close(their_output)
 
     def wait(self) -> int:
-        """Wait for the end of a judge that is ending, and return its exit code."""
+        """Wait until a judge that is about to end has ended, and return its exit code."""
         return _ask({"wait": self.pid}, [])
 
 
 def _ask(order: Order, descriptors: list[int]) -> int:
-    """Ask the waiting process, and start it if it does not exist yet."""
+    """Send an order to the waiting process, which is started first if it does not exist yet."""
     own = os.getpid()
     with _lock:
         if own not in _waiting:
@@ -119,7 +125,7 @@ def main() -> None:
                 control.close()
                 _become(order, descriptors)
                 verdicts.run_and_exit()
-            with contextlib.suppress(OSError):  # it may have done so itself, and have ended
+            with contextlib.suppress(OSError):  # the judge may already have done so, or have ended
                 os.setpgid(answer, answer)  # the runner may now kill its group
         for descriptor in descriptors:
             os.close(descriptor)
@@ -130,7 +136,7 @@ def main() -> None:
 
 
 def _become(order: Order, descriptors: list[int]) -> None:
-    """Make this process one that was started in a folder, with its own input and output."""
+    """Make this process look as if it had been started in this folder with these streams."""
     os.setpgid(0, 0)
     for new, old in enumerate(descriptors):
         os.dup2(old, new)

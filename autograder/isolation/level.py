@@ -1,4 +1,4 @@
-"""Choose the sandbox for this machine, and refuse to grade a class without one."""
+"""Choose the sandbox for this machine, and refuse to grade a class if there is none."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def choose_level(folder: Path, *, unsafe: bool) -> Level:
         "this machine has no sandbox for submissions (it needs Linux with Landlock on x86-64, or "
         "bubblewrap)"
     )
-    tried = f". When it was tried: {reasons}" if reasons else ""
+    tried = f". A test of this machine found: {reasons}" if reasons else ""
     if unsafe:
         raise ValueError(f"{no_sandbox}, and without one, student code never runs as root{tried}")
     raise ValueError(

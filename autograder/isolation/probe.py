@@ -1,4 +1,4 @@
-"""Find out which sandbox layers work on this machine by trying forbidden operations."""
+"""Find out which layers of the sandbox work on this machine, by trying forbidden operations."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def best_level() -> Level:
 
 
 def candidates() -> list[Level]:
-    """Return the levels that this machine may have, the strongest first."""
+    """Return the levels that may work on this machine, beginning with the strongest."""
     inside = Level(landlock=landlock_version() > 0, seccomp=seccomp_works_here())
     around = Level(inside.landlock, inside.seccomp, bubblewrap=True)
     found = [around, inside] if shutil.which("bwrap") else [inside]
@@ -31,7 +31,10 @@ def candidates() -> list[Level]:
 
 
 def what_fails(level: Level) -> str:
-    """Return what this level does not prevent, or why it cannot be tried, or an empty string."""
+    """Return the operations that a level does not prevent, or the reason why it cannot be tried.
+
+    The result is an empty string if the level prevents every forbidden operation.
+    """
     attempts = [
         *(HELD_BY_LANDLOCK if level.landlock else ()),
         *(HELD_BY_SECCOMP if level.seccomp else ()),

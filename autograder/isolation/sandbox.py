@@ -1,9 +1,9 @@
-"""The sandbox around a worker: Landlock and seccomp from inside it, bubblewrap from outside.
+"""The sandbox around a worker: Landlock and seccomp from the inside, bubblewrap from the outside.
 
-Landlock lets the worker read a few folders and write nothing. The seccomp filter lets it make only
-the system calls that computing needs: it cannot create processes, open sockets, or send signals to
-other processes. Resource limits bound its memory, time and files. All of this is in place before
-any of the student's code is loaded.
+Landlock lets the worker read a few folders and write nothing. The seccomp filter allows only the
+system calls that computations need, so the worker cannot create processes, open sockets, or send
+signals to other processes. Resource limits restrict its memory, its processor time and its files.
+All of this is set up before any of the student's code is loaded.
 """
 
 from __future__ import annotations
@@ -28,12 +28,12 @@ _libc = ctypes.CDLL(None, use_errno=True)
 
 
 class SandboxError(Exception):
-    """A layer of the sandbox cannot be set up on this machine."""
+    """Raised when a layer of the sandbox cannot be set up on this machine."""
 
 
 @dataclass(frozen=True)
 class Level:
-    """The layers of the sandbox around a worker."""
+    """The layers of a sandbox around a worker."""
 
     landlock: bool = False
     seccomp: bool = False
@@ -41,7 +41,7 @@ class Level:
 
     @property
     def is_sandbox(self) -> bool:
-        """Whether these layers can confine a hostile submission."""
+        """Whether these layers are enough to confine a hostile submission."""
         return (self.landlock and self.seccomp) or self.bubblewrap
 
     def __str__(self) -> str:
@@ -68,21 +68,21 @@ _RIGHTS_NOW = 16
 
 
 def landlock_version() -> int:
-    """Return the version of Landlock in the kernel, or 0 if there is none."""
+    """Return the version of Landlock that the kernel supports, or 0 if it supports none."""
     if sys.platform != "linux":
         return 0
     return max(0, int(_libc.syscall(_CREATE_RULESET, None, ctypes.c_size_t(0), 1)))
 
 
 def landlock_rules(readable: Sequence[str]) -> int:
-    """Return a descriptor of rules under which only these folders and files can be read.
+    """Return a descriptor of Landlock rules that allow reading these folders and files only.
 
     Raises:
-        SandboxError: The kernel refuses the rules.
+        SandboxError: The kernel does not accept the rules.
     """
     version = landlock_version()
     rights = (1 << _RIGHTS.get(version, _RIGHTS_NOW)) - 1
-    # All rights to files; TCP since version 4; abstract sockets and signals since version 6.
+    # All file access rights. Version 4 adds TCP, and version 6 abstract sockets and signals.
     attributes = struct.pack("QQQ", rights, 0b11, 0b11)
     size = 24 if version >= 6 else 16 if version >= 4 else 8
     rules = _libc.syscall(_CREATE_RULESET, attributes, ctypes.c_size_t(size), 0)
@@ -92,7 +92,7 @@ def landlock_rules(readable: Sequence[str]) -> int:
         try:
             descriptor = os.open(path, os.O_PATH | os.O_CLOEXEC)
         except OSError:
-            continue  # does not exist on this system
+            continue  # this path does not exist on this system
         allowed = _READ_FILE | _READ_DIR if Path(path).is_dir() else _READ_FILE
         rule = struct.pack("=Qi", allowed, descriptor)
         if _libc.syscall(_ADD_RULE, rules, 1, rule, 0) < 0:
@@ -125,7 +125,7 @@ _ALLOWED = {
 
 
 def seccomp_filter() -> bytes:
-    """Return a filter program that allows these system calls and refuses the rest with EPERM."""
+    """Return a filter program that allows these system calls and refuses all others with EPERM."""
     numbers = [number for group in _ALLOWED.values() for number in group]
     program = [
         (_LOAD, 0, 0, 4),  # the architecture
@@ -141,7 +141,7 @@ def seccomp_filter() -> bytes:
 
 
 class Filter:
-    """The filter program in the form in which the kernel takes it, built once for all workers."""
+    """The filter program in the form that the kernel expects. All workers share one object."""
 
     def __init__(self) -> None:
         code = seccomp_filter()
@@ -151,7 +151,7 @@ class Filter:
 
 
 def seccomp_works_here() -> bool:
-    """Return whether the filter is written for this kind of machine."""
+    """Return whether the filter was written for this machine's architecture."""
     return sys.platform == "linux" and platform.machine() == "x86_64" and sys.maxsize > 1 << 32
 
 
@@ -170,9 +170,9 @@ _LIMITS = {
 
 
 def confine(level: Level, rules: int | None) -> None:
-    """Confine a template permanently. Its workers inherit this, so it is done only once.
+    """Confine a template permanently. Its workers inherit the restrictions.
 
-    ``rules`` come from landlock_rules.
+    ``rules`` is a descriptor that landlock_rules has returned.
 
     Raises:
         SandboxError: A layer cannot be set up.
@@ -192,9 +192,10 @@ def confine(level: Level, rules: int | None) -> None:
 
 
 def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
-    """Take from a worker, permanently, what its template may do: to fork, and to send signals.
+    """Permanently take away from a worker the rights that only its template needs.
 
-    The process may still use ``seconds`` of processor time.
+    These are the rights to fork and to send signals. The worker may use at most ``seconds`` of
+    processor time from now on.
 
     Raises:
         SandboxError: A layer cannot be set up.
@@ -204,7 +205,7 @@ def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
         _lower(resource.RLIMIT_NPROC, 0, 0)
         _control(_SET_DEATH_SIGNAL, 9)
     if rules is not None:
-        _apply(rules)  # so that it is not in one domain with the template
+        _apply(rules)  # gives the worker a Landlock domain of its own
         os.close(rules)
     if allowed is not None:
         _control(_SET_SECCOMP, 2, allowed.program)
@@ -216,7 +217,7 @@ def _apply(rules: int) -> None:
 
 
 def _lower(kind: int, soft: int, hard: int) -> None:
-    """Set a resource limit, unless the current one is lower already."""
+    """Set a resource limit, unless the current limit is already lower."""
     _, there = resource.getrlimit(kind)
     if there != resource.RLIM_INFINITY:
         soft, hard = min(soft, there), min(hard, there)
@@ -224,10 +225,10 @@ def _lower(kind: int, soft: int, hard: int) -> None:
 
 
 def drop_privileges() -> None:
-    """Become an unprivileged user if this process runs as root.
+    """Switch to an unprivileged user if this process runs as root.
 
-    Python itself may be installed where only root can read, such as in /root. So the process keeps
-    the capability to read any file. Landlock still limits it to the listed folders.
+    Python itself may be installed in a folder that only root can read, such as /root. The process
+    therefore keeps the capability to read any file, but Landlock limits it to the listed folders.
     """
     if os.geteuid() != 0:
         return

@@ -1,4 +1,4 @@
-"""Answer requests of the checks about the student's objects. This runs in a worker."""
+"""Answer the checks' requests about the student's objects. This module runs in a worker."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _KNOWN = {getattr(builtins, name): name for name in KNOWN_ERRORS}
 
 
 class Server:
-    """Answers requests about the student's objects, and gives each object a number."""
+    """Answers requests about the student's objects, which it identifies by numbers."""
 
     def __init__(self, wire: Wire, engine: list[Path]) -> None:
         self.wire = wire
@@ -49,7 +49,7 @@ class Server:
                 self.answer(self.wire.receive())
 
     def answer(self, request: dict[str, Any]) -> None:
-        """Carry out one request and send its result."""
+        """Carry out one request, and send its result."""
         reply: dict[str, Any] = {"id": request["id"]}
         try:
             operands = [unpack(operand, self.find) for operand in request["with"]]
@@ -64,7 +64,7 @@ class Server:
         self.wire.send(reply)
 
     def describe(self, error: BaseException) -> dict[str, Any]:
-        """Return an exception as plain data."""
+        """Return a description of an exception as plain data."""
         # Compare the classes: a student's class may have the name of a built-in one.
         known = (_KNOWN.get(base) for base in type(error).__mro__)
         fault = fault_of(error, self.engine)
@@ -79,9 +79,10 @@ class Server:
         }
 
     def refer(self, value: Any) -> dict[str, Any]:
-        """Return a reference to an object, and number it if it is new.
+        """Return a reference to an object, which gets a number if it is new.
 
-        The list keeps the object alive, so that no other object gets its id.
+        The server's list keeps the object alive, so that Python does not reuse its id for another
+        object.
         """
         number = self.numbers.setdefault(id(value), len(self.objects))
         if number == len(self.objects):
@@ -89,7 +90,7 @@ class Server:
         return {"object": number, "type": type(value).__name__[:100]}
 
     def find(self, data: dict[str, Any]) -> Any:
-        """Return the object that a message refers to by number, by name, or as a callback."""
+        """Return the object to which a message refers by number, by name, or as a callback."""
         if "object" in data:
             return self.objects[data["object"]]
         if "callback" in data:
@@ -97,14 +98,14 @@ class Server:
         return self.do_name(*data["name"])
 
     def callback(self, number: int) -> Callable[..., Any]:
-        """Return a function that asks the checks to call one of their functions."""
+        """Return a function that, when called, asks the checks to call one of their functions."""
 
         def call(*arguments: Any) -> Any:
             packed = [pack(argument, self.refer) for argument in arguments]
             self.wire.send({"callback": number, "with": packed})
             while True:
                 message = self.wire.receive()
-                if "id" in message:  # a request that the check's function makes
+                if "id" in message:  # the check's function makes a request itself
                     self.answer(message)
                 elif "error" in message:
                     raise _error(*message["error"])
@@ -116,12 +117,12 @@ class Server:
     # The requests. Each method's name is "do_" and the name of its request.
 
     def do_begin(self, broken: list[str]) -> None:
-        """Mark these modules as broken. The checks know why they cannot be imported."""
+        """Mark these modules as broken. The checks know the reasons."""
         for module in broken:
             sys.modules[module] = broken_module(module, Message())
 
     def do_compile(self, file: str) -> str | None:
-        """Return the bytecode of a file as text, or None if it is invalid Python or too long."""
+        """Return the bytecode of a file as text, or None if it is too long or not valid Python."""
         try:
             code = marshal.dumps(compile(Path(file).read_bytes(), file, "exec", dont_inherit=True))
         except (SyntaxError, ValueError, OSError, MemoryError, RecursionError):
@@ -163,7 +164,7 @@ class Server:
         return iter(value)
 
     def do_next(self, iterator: Any) -> list[Any]:
-        """Return the next item in a list, or an empty list at the end."""
+        """Return a list that contains the next item of an iterator, or an empty list at its end."""
         for item in iterator:
             return [item]
         return []
@@ -175,7 +176,10 @@ class Server:
         return str(repr(value))[:1000]
 
     def do_test_walls(self, what: list[str], forbidden: str) -> list[str]:
-        """Return the forbidden attempts that succeed. No student code has been loaded yet."""
+        """Try forbidden operations, and return those that succeed.
+
+        No student code is loaded yet.
+        """
         through = []
         for name in what:
             with contextlib.suppress(OSError):
@@ -185,7 +189,7 @@ class Server:
 
 
 def _imported(name: str) -> ModuleType:
-    """Import a module and discard its output, since that does not belong to any check."""
+    """Import a module, and discard its output because it does not belong to any check."""
     if name in sys.modules:
         return sys.modules[name]
     nowhere = CappedText(lambda _: None)
@@ -213,6 +217,6 @@ ATTEMPTS: dict[str, Callable[[str], Any]] = {
 
 
 def _error(name: str, text: str) -> Exception:
-    """Return a built-in exception of this name, for the student's code to catch."""
+    """Return a built-in exception with this name, which the student's code can catch."""
     kind = getattr(builtins, name) if name in KNOWN_ERRORS else Exception
     return kind(text)

@@ -32,7 +32,7 @@ SYSTEM_LIBRARIES = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/etc/ld.so.cach
 
 
 class TemplateError(GraderFault):
-    """A worker did not start, and this is not the fault of the code that it was to run."""
+    """Raised when a worker did not start, and its code is not to blame."""
 
 
 @dataclass
@@ -51,10 +51,11 @@ class _Worker:
 class Template:
     """A process without student code that forks a worker for each check.
 
-    ``engine`` lists folders of chapters. A worker searches them, and the folder of the probes,
-    after the standard library. Temporary files go into ``folder``. A worker has ``seconds`` to
-    answer its requests. ``fresh`` starts a new template for each worker. This is slower, but no
-    worker can leave anything behind for the next one, which could happen without seccomp.
+    ``engine`` lists folders of chapters. A worker searches for modules first in the standard
+    library, and then in these folders and in the folder of the probes. Temporary files are stored
+    in ``folder``. A worker has ``seconds`` to answer its requests. ``fresh`` starts a new template
+    for each worker. This is slower, but without seccomp it is the only way to keep a worker from
+    affecting the next one.
     """
 
     def __init__(
@@ -74,7 +75,7 @@ class Template:
         self.fresh = fresh or (not level.seccomp and level.is_sandbox)
         self._own = folder
         self._compiled: dict[str, bytes] = {}
-        self._log = self._new_file()  # of the template itself
+        self._log = self._new_file()  # output of the template itself
         self._process: subprocess.Popen[bytes] | None = None
         self._control: socket.socket | None = None
         self._answers: BinaryIO | None = None
@@ -106,14 +107,14 @@ class Template:
         return Session(wire, deadline, on_hang, self.how_it_ended, broken)
 
     def warm_up(self) -> None:
-        """Order the next worker if that has not been done yet, without waiting for it."""
+        """Order the next worker, unless it is already ordered, but do not wait for it."""
         if self._process is None:
             self._start()
         if self._next is None:
             self._next = self._order()
 
     def _order(self) -> _Worker:
-        """Order a worker. The template will answer with its process number."""
+        """Order a worker. The template will answer with the process number of the worker."""
         assert self._control is not None
         own, theirs = socket.socketpair()
         worker = _Worker(own, self._new_file(), self._new_file())
@@ -123,15 +124,15 @@ class Template:
         return worker
 
     def _new_file(self) -> int:
-        """Return the descriptor of a new file without a name, in memory where that is possible."""
-        if hasattr(os, "memfd_create"):  # a tenth of a worker's cost is saved
+        """Return the descriptor of a new unnamed file, which is kept in memory if possible."""
+        if hasattr(os, "memfd_create"):  # saves a tenth of the cost of a worker
             return os.memfd_create("output")
         descriptor, path = tempfile.mkstemp(dir=self._own)
         Path(path).unlink()
         return descriptor
 
     def _numbered_next(self) -> _Worker:
-        """Return the worker that was ordered in advance, once the template has sent its number."""
+        """Return the worker that was ordered in advance, after waiting for its process number."""
         assert self._next is not None
         if not self._next.number:
             self._next.number = int(self._answer())
@@ -142,10 +143,13 @@ class Template:
         return self._answers.readline().strip()
 
     def hand_over(self, compiled: Mapping[str, bytes]) -> None:
-        """Give later workers the code of these modules, marshaled by a worker."""
+        """Give the compiled code of these modules to all workers that are started later.
+
+        The code was marshaled by a worker.
+        """
         self._compiled = dict(compiled)
         if self._process is not None:
-            self._discard_next()  # it was forked without this code
+            self._discard_next()  # because it was forked without this code
             self._send_code()
 
     def _send_code(self) -> None:
@@ -173,7 +177,7 @@ class Template:
         return printed.decode("utf-8", errors="replace").strip()
 
     def stack(self) -> str:
-        """Return the worker's stack, as Python's fault handler writes it."""
+        """Return the worker's stack trace, in the format of Python's faulthandler."""
         assert self._control is not None
         assert self._worker is not None
         self._control.send(b"stack %d\n" % self._worker.number)
@@ -181,15 +185,15 @@ class Template:
             time.sleep(0.01)
             if os.pread(self._worker.stack, 1, 0):
                 break
-        time.sleep(0.01)  # until the rest is written
+        time.sleep(0.01)  # wait until the rest is written
         return os.pread(self._worker.stack, 8000, 0).decode("utf-8", errors="replace")
 
     def how_it_ended(self) -> str:
-        """Return a sentence about how a worker that has closed its wire ended.
+        """Return a sentence about how a worker ended, after the worker has closed its wire.
 
         Raises:
-            TemplateError: The worker was killed from outside, for example because the machine has
-                no memory left. The sandbox keeps a worker from causing this itself.
+            TemplateError: The worker was killed from outside, for example because the machine ran
+                out of memory. Code inside the sandbox cannot cause this.
         """
         assert self._control is not None
         assert self._worker is not None
@@ -277,7 +281,7 @@ class Template:
 
 
 def _python_folders() -> list[str]:
-    """Return the folders of the standard library and the libraries that Python itself needs."""
+    """Return the folders of the standard library and of the libraries that Python itself needs."""
     paths = {sysconfig.get_path("stdlib"), sysconfig.get_path("platstdlib")}
     if library := sysconfig.get_config_var("LIBDIR"):
         paths |= {str(path) for path in Path(library).glob("libpython*")}
@@ -285,7 +289,7 @@ def _python_folders() -> list[str]:
 
 
 def _bubblewrap(visible: Sequence[str]) -> list[str]:
-    """Return a command that runs another one and shows it only these paths, read-only."""
+    """Return a command prefix that runs a program so that it sees only these paths, read-only."""
     program = shutil.which("bwrap") or "bwrap"
     command = [program, "--unshare-all", "--uid", "65534", "--gid", "65534", "--die-with-parent"]
     command += ["--cap-drop", "ALL", "--dev", "/dev", "--chdir", "/"]

@@ -1,8 +1,8 @@
 """The wire between trusted checks and a worker: one JSON object per line, with plain data only.
 
-Values of exactly the types None, bool, int, float, str, list, tuple and dict are sent by value. For
-every other object, a reference is sent. Each end decides how to name its own objects and how to
-find the other end's.
+Values whose type is exactly None, bool, int, float, str, list, tuple or dict are sent as they are.
+For any other object, a reference is sent. Each end decides how it names its own objects, and how it
+finds the objects of the other end.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ LONGEST_LINE = 1_000_000  # bytes
 LONGEST_INT = 4096  # bits
 MOST_ITEMS = 20_000  # in one message
 DEEPEST = 20
-LARGEST_DICT = 1_000  # entries; keys may be chosen to collide, which makes a dict slow
+LARGEST_DICT = 1_000  # entries, because keys that were chosen to collide make a dict slow
 
-# Exceptions that are sent by name. Any other is sent as its nearest base class in this list.
+# Exceptions that are sent by name. For any other, its nearest base class in this list is sent.
 _ERRORS = (
     "ArithmeticError AssertionError AttributeError BufferError EOFError Exception "
     "FloatingPointError ImportError IndexError KeyError LookupError MemoryError "
@@ -35,23 +35,23 @@ Find = Callable[[dict[str, Any]], Any]
 
 
 class BrokenProtocolError(Exception):
-    """The other end sent something that the protocol does not allow."""
+    """Raised when the other end has sent something that the protocol does not allow."""
 
 
 class UnsendableError(Exception):
-    """A value is too large, or nested too deeply, to be sent."""
+    """Raised when a value is too large, or too deeply nested, to be sent."""
 
 
 COPIED = {float, bool, str, type(None)}  # types of values that are packed as they are
 
-_ENCODER = json.JSONEncoder(check_circular=False)  # messages are made by pack
+_ENCODER = json.JSONEncoder(check_circular=False)  # pack never makes circular messages
 _DECODER = json.JSONDecoder()
 
 
 class Wire:
     """One end of a socket pair.
 
-    A ``patient`` end waits for the other one as long as it takes. Otherwise, there are deadlines.
+    A ``patient`` end waits for the other end as long as necessary. Otherwise, deadlines apply.
     """
 
     def __init__(self, descriptor: int, *, patient: bool = False) -> None:
@@ -83,7 +83,7 @@ class Wire:
         Raises:
             TimeoutError: The deadline has passed.
             EOFError: The other end is gone.
-            BrokenProtocolError: The line is too long, or is not a JSON object.
+            BrokenProtocolError: The line is too long, or it is not a JSON object.
         """
         if deadline is not None and time.monotonic() > deadline:
             raise TimeoutError  # even if there is more to read
@@ -112,7 +112,7 @@ class Wire:
 
 
 def _message(line: bytes) -> dict[str, Any]:
-    """Return the message in a line."""
+    """Return the message that a line contains."""
     try:
         text = line.decode()
         message, end = _DECODER.raw_decode(text)
@@ -126,12 +126,12 @@ def _message(line: bytes) -> dict[str, Any]:
 
 
 def pack(value: Any, refer: Refer) -> Any:
-    """Return the form that a value has in a message.
+    """Convert a value to the form that it has in a message.
 
-    ``refer`` returns a reference for a value that is not plain.
+    ``refer`` returns a reference for an object that is not plain data.
 
     Raises:
-        UnsendableError: The value is too large, or nested too deeply.
+        UnsendableError: The value is too large or too deeply nested.
     """
     return _pack(value, refer, [MOST_ITEMS], DEEPEST)
 
@@ -162,7 +162,7 @@ def _pack(value: Any, refer: Refer, left: list[int], depth: int) -> Any:
 
 
 def unpack(data: Any, find: Find) -> Any:
-    """Return the value that a message contains. ``find`` resolves references.
+    """Convert the data in a message back to a value. ``find`` returns the object for a reference.
 
     Raises:
         BrokenProtocolError: The data do not have the form that ``pack`` produces.

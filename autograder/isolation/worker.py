@@ -1,14 +1,14 @@
-"""The process that holds the student's code.
+"""The program that runs the student's code in worker processes.
 
-A template process without student code waits for orders on a control socket:
+It starts as a template, a process without student code, which waits for orders on a control socket:
 
-- "code" hands over the compiled code of modules. The template loads it but never runs it.
-- "start" forks a worker, which enters the sandbox before it imports what was handed in.
-- "stack" makes a worker write its stack.
+- "code" provides the compiled code of modules. The template loads the code but never runs it.
+- "start" forks a worker, which enters the sandbox before it imports the submission.
+- "stack" makes a worker write a stack trace.
 - "status" asks how a worker ended.
 - "stop" ends a worker.
 
-The template is trusted. A worker is not, once it has imported student code.
+The template is trusted. A worker is no longer trusted once it has imported student code.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ RULES, WIRE, STACK = 29, 30, 31
 
 
 def main(text: str) -> None:
-    """Run the template: fork a worker for each "start", until the control socket is closed."""
+    """Run the template: fork a worker for each "start" until the control socket is closed."""
     config = json.loads(text)
     # Its number depends on the runner's open files. A low one is none of the numbers above, and
     # workers close it.
@@ -85,7 +85,7 @@ def main(text: str) -> None:
 def _obey(
     control: socket.socket, work: Callable[..., None], seconds: float, workers: set[int]
 ) -> None:
-    """Carry out orders until there are no more, and keep the set of workers up to date."""
+    """Carry out orders until there are no more, and keep the set of running workers up to date."""
     while True:
         orders, descriptors, _, _ = socket.recv_fds(control, 1024, 3)
         for order in orders.splitlines():  # a short order arrives whole
@@ -116,7 +116,10 @@ def _obey(
 
 
 def _kill(worker: int) -> None:
-    """Kill a worker, and processes that it may have started if no sandbox prevents that."""
+    """Kill a worker.
+
+    Without a sandbox it may have started other processes, so kill those as well.
+    """
     for kill in (os.killpg, os.kill):
         with contextlib.suppress(ProcessLookupError):  # it may not have its own group yet
             kill(worker, signal.SIGKILL)
@@ -124,7 +127,7 @@ def _kill(worker: int) -> None:
 
 
 def _exit_code(worker: int, seconds: float) -> int | None:
-    """Return the exit code of a worker that has closed its wire, negative for a signal.
+    """Return the exit code of a worker that has closed its wire. It is negative for a signal.
 
     If the worker does not end within a second, kill it and return None.
     """
@@ -148,10 +151,11 @@ def _work(
     log: int,
     stack: int,
 ) -> None:
-    """Run a worker: enter the sandbox, report readiness, and serve until the wire is closed.
+    """Run a worker: enter the sandbox, report that it is ready, and serve until the wire is closed.
 
-    Printed output goes to ``log``. On request, the worker writes its stack to ``stack``. Each
-    worker has its own two files, so that its output is never attributed to another worker.
+    Output that is printed goes to ``log``, and a stack trace that is requested goes to ``stack``.
+    Every worker has its own two files, so its output can never be mistaken for that of another
+    worker.
     """
     try:
         os.setsid()

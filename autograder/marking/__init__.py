@@ -1,1 +1,1 @@
-"""Marking written answers on a local page, one question after another."""
+"""Mark written answers on a local page, one question at a time."""

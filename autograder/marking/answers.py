@@ -1,4 +1,7 @@
-"""Extract the written answers from a class's submissions, staged as for grading."""
+"""Extract the written answers from the submissions of a class.
+
+The submissions are copied and checked in the same way as for grading.
+"""
 
 from __future__ import annotations
 
@@ -22,8 +25,8 @@ LONGEST = 20_000  # characters of one answer on the page
 class Answer:
     """A student's answer to one question.
 
-    ``code`` stands for the student on the page and does not reveal who it is. ``note`` describes a
-    problem with the file. In that case, ``text`` is the whole file.
+    ``code`` identifies the student on the page without revealing who it is. ``note`` describes a
+    problem with the student's file. If there is one, ``text`` contains the whole file.
     """
 
     student: str
@@ -34,7 +37,7 @@ class Answer:
 
 @dataclass(frozen=True)
 class Task:
-    """A written exercise with its question, model answer, rubric, and all answers to it."""
+    """A written exercise: its question, its model answer, its rubric, and all students' answers."""
 
     exercise: Exercise
     question: str
@@ -46,10 +49,10 @@ class Task:
 def collect_tasks(
     submissions: list[Submission], chapters: list[Chapter], root: Path = ROOT
 ) -> list[Task]:
-    """Return the written exercises of the chapters with the answers of all students.
+    """Return the written exercises of the chapters, each with the answers of all students.
 
-    The order of the answers does not depend on names and is always the same. Missing answers come
-    last.
+    The order of the answers is always the same and does not depend on the students' names. Missing
+    answers come last.
     """
     answers: dict[str, list[Answer]] = {}
     for submission in submissions:
@@ -70,7 +73,7 @@ def collect_tasks(
 def _answers_of(
     submission: Submission, chapters: list[Chapter], root: Path
 ) -> Iterator[tuple[str, Answer]]:
-    """Yield a student's answer to each question, or an empty one if there is none."""
+    """Yield a student's answer to each question. An answer that is missing is empty."""
     wanted = [_answers_alone(chapter) for chapter in chapters if _written(chapter)]
     with tempfile.TemporaryDirectory(prefix="marking-") as folder:
         staged = stage(submission.path, wanted, Path(folder), root)
@@ -84,7 +87,7 @@ def _answers_of(
 
 
 def _text_of(question: Question, file: Path) -> tuple[str, str]:
-    """Return an answer and a note. If it is not in its section, return the whole file."""
+    """Return an answer and a note. If the answer is not in its section, return the whole file."""
     if not file.exists():
         return "", ""
     if question.problems:
@@ -102,7 +105,7 @@ def _written(chapter: Chapter) -> list[Exercise]:
 
 
 def _answers_alone(chapter: Chapter) -> Chapter:
-    """Return a chapter in which students hand in only their answers."""
+    """Return a chapter in which the answers are the only file that students hand in."""
     exercises = [replace(exercise, files=[]) for exercise in _written(chapter)]
     exercises[0] = replace(exercises[0], files=[FILE])
     return replace(chapter, complete=[], exercises=exercises)

@@ -1,4 +1,4 @@
-"""Change single marks in marks.csv. Everything else in the file stays unchanged."""
+"""Change single marks in marks.csv, and keep everything else in the file unchanged."""
 
 from __future__ import annotations
 
@@ -15,27 +15,29 @@ from autograder.reports.texts import replace_file
 
 
 class ChangedError(Exception):
-    """Raised if a mark is no longer the one that the page showed when it was changed."""
+    """Raised when a mark has been changed by somebody else since the page showed it."""
 
 
 class MarksFile:
-    """The marks.csv of a class, which several pages and several people may change at a time."""
+    """The marks.csv of a class. Several pages and several people may change it at the same time."""
 
     def __init__(self, path: Path, chapters: list[Chapter], students: list[str]) -> None:
-        self.path = path.resolve()  # where a link points
+        self.path = path.resolve()  # the file itself, if the path is a link
         self.chapters = chapters
         self.students = students
 
     def read(self) -> Marks:
-        """Return all marks. If a line is invalid, raises ValueError that names the line."""
+        """Return all marks. Raises ValueError that names the line if a line is invalid."""
         return read_marks(self.path, self.chapters, self.students)
 
     def change(self, student: str, exercise: str, mark: Mark | None, seen: Mark | None) -> None:
         """Write a mark, or remove it if the new mark is None.
 
+        ``seen`` is the mark that the page showed.
+
         Raises:
-            ChangedError: if the mark in the file is not the one that was seen.
-            ValueError: if something in the file is invalid. In that case the file does not change.
+            ChangedError: The mark in the file differs from ``seen``.
+            ValueError: The file contains something invalid. In that case, it is not changed.
         """
         with self._alone():
             separator, rows = read_rows(self.path, self.chapters, self.students)
@@ -56,7 +58,10 @@ class MarksFile:
             replace_file(self.path, "".join(lines))
 
     def _lines(self) -> list[str]:
-        """Return the lines of the file with their endings, as the reader of rows counts them."""
+        """Return the lines of the file with their line endings.
+
+        Lines are counted in the same way as when rows are read.
+        """
         if not self.path.exists():
             return [",".join(HEADER) + "\n"]
         with self.path.open(encoding="utf-8", newline="") as file:
@@ -64,7 +69,7 @@ class MarksFile:
 
     def _line(self, student: str, exercise: str, mark: Mark, separator: str, newline: str) -> str:
         cells = row_of(student, exercise, mark, self.students)
-        if separator == ";":  # where 2.5 would be a day in May
+        if separator == ";":  # where a spreadsheet would read 2.5 as May 2
             cells[2] = cells[2].replace(".", ",")
         text = io.StringIO(newline="")
         csv.writer(text, delimiter=separator, lineterminator=newline).writerow(cells)
@@ -72,7 +77,7 @@ class MarksFile:
 
     @contextmanager
     def _alone(self) -> Iterator[None]:
-        """Hold the lock on the marks, so that others who change a mark wait."""
+        """Lock the marks file until the context ends, so that other changes have to wait."""
         with (self.path.parent / ".marks.lock").open("w", encoding="utf-8") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)
             yield

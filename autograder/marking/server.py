@@ -1,4 +1,4 @@
-"""The server of the page for marking: the questions, the answers, and the marks."""
+"""The server of the marking page, which provides the questions and answers and stores the marks."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ LOOK = Path(__file__).parent.parent / "reports" / "templates"
 
 
 class Marking(Site):
-    """The state that all handlers share: the answers of the class, and its marks."""
+    """The data that all request handlers share: the answers and the marks of the class."""
 
     def __init__(self, tasks: list[Task], marks: MarksFile) -> None:
         super().__init__()
@@ -48,7 +48,7 @@ class Marking(Site):
         )
 
     def known(self) -> dict[str, dict[str, Any]]:
-        """Return the marks in the file, by exercise and code."""
+        """Return the marks in the file, keyed first by exercise and then by the student's code."""
         marks = self.marks.read()
         found: dict[str, dict[str, Any]] = {name: {} for name in self.tasks}
         for (exercise, code), student in self.students.items():
@@ -58,7 +58,7 @@ class Marking(Site):
 
 
 class Questions(Handler):
-    """The questions with their answers, which do not change while the server runs."""
+    """Serves the questions with their answers, which do not change while the server runs."""
 
     site: Marking
 
@@ -82,7 +82,11 @@ class Questions(Handler):
 
 
 class Marks(Handler):
-    """The marks. A change names the mark that the page has seen, so no other is overwritten."""
+    """Serves and changes the marks.
+
+    A request to change a mark includes the mark that the page showed, so that nobody overwrites a
+    mark without having seen it.
+    """
 
     site: Marking
 
@@ -106,12 +110,12 @@ class Marks(Handler):
             points = self.site.tasks[exercise].exercise.points
             mark, seen = mark_of(asked["mark"], points), mark_of(asked["seen"], points)
         except (ValueError, KeyError, TypeError, RecursionError) as error:
-            self.refuse(400, f"this is no mark: {error}")
+            self.refuse(400, f"this is not a valid mark: {error}")
             return
         try:
             self.site.marks.change(student, exercise, mark, seen)
         except ChangedError:
-            self.answer(409, why="Another page has changed this mark.")
+            self.answer(409, why="This mark has been changed on another page in the meantime.")
             return
         except (ValueError, OSError) as error:
             self.refuse(503, str(error))
@@ -119,7 +123,7 @@ class Marks(Handler):
         self.answer()
 
     def answer(self, status: int = 200, **more: str) -> None:
-        """Send all marks, so that each page shows the changes made on the others."""
+        """Send all marks, so that each page also shows the changes made on other pages."""
         try:
             known = self.site.known()
         except (ValueError, OSError) as error:
@@ -129,13 +133,17 @@ class Marks(Handler):
         self.write({"marks": known, **more})
 
     def refuse(self, status: int, why: str) -> None:
-        """Send the reason why a change was not made."""
+        """Send the reason why a change was refused."""
         self.set_status(status)
         self.write({"why": why})
 
 
 def mark_of(value: Any, most: float) -> Mark | None:
-    """Return the mark that a page has sent, or None for no mark. Raises ValueError if invalid."""
+    """Return the mark that a page has sent, or None if it removes a mark.
+
+    Raises:
+        ValueError: The data is not a valid mark.
+    """
     if value is None:
         return None
     points, comment = value["points"], value["comment"]
@@ -147,11 +155,13 @@ def mark_of(value: Any, most: float) -> Mark | None:
 
 
 def mark(folder: Path, chapters: list[Chapter], *, browser: bool = True, root: Path = ROOT) -> int:
-    """Serve the marking page for a class until Ctrl-C is pressed.
+    """Serve the marking page of a class until the user presses Ctrl-C.
 
-    If ``chapters`` have only the exercises of an assignment, the page has only their questions.
+    If ``chapters`` contain only the exercises of an assignment, the page shows only their
+    questions.
 
-    Raises ValueError if there is nothing to mark, or if marks.csv contains a mistake.
+    Raises:
+        ValueError: There is nothing to mark, or marks.csv contains a mistake.
     """
     submissions, notes = find_submissions(folder)
     whole = {chapter.name: chapter for chapter in load_chapters(root)}
@@ -170,7 +180,7 @@ def mark(folder: Path, chapters: list[Chapter], *, browser: bool = True, root: P
     async def serve() -> None:
         site.listen(site.application())
         print(f"The answers are at {site.address}")
-        print(f"Marks go to {marks.path}. Ctrl-C ends it.", flush=True)
+        print(f"Marks are saved in {marks.path}. Press Ctrl-C to stop.", flush=True)
         if browser:
             webbrowser.open(site.address)
         await asyncio.Event().wait()
@@ -178,5 +188,5 @@ def mark(folder: Path, chapters: list[Chapter], *, browser: bool = True, root: P
     try:
         asyncio.run(serve())
     except KeyboardInterrupt:
-        print("\nRun make grade again to put the marks into the reports.")
+        print("\nRun make grade again to add the marks to the reports.")
     return 0

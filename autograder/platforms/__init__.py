@@ -1,1 +1,1 @@
-"""Work with the platforms of instructors: Gradescope, GitHub Classroom, Canvas and Moodle."""
+"""Exchange files with Gradescope, GitHub Classroom, Canvas and Moodle."""

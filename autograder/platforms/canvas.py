@@ -1,4 +1,4 @@
-"""Write canvas.csv, which the gradebook of Canvas imports."""
+"""Write canvas.csv, which can be imported into the gradebook of Canvas."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from autograder.reports.texts import number, replace_file
 from autograder.submissions.class_list import ClassList, Member
 
 HEADER = ["Student", "ID", "SIS User ID", "SIS Login ID", "Section"]
-# Canvas ignores columns with such words in their titles.
+# Canvas ignores columns whose titles contain one of these words.
 NOT_IMPORTED = re.compile(r"(Current|Final) (Score|Points|Grade)|Override (Score|Grade|Status)")
 OTHER_COLUMNS = (*HEADER, "LastName", "FirstName", "Integration ID", "Root Account")
 
@@ -22,11 +22,11 @@ OTHER_COLUMNS = (*HEADER, "LastName", "FirstName", "Integration ID", "Root Accou
 def write_canvas(
     path: Path, people: ClassList, grades: Mapping[str, float], title: str, points: float
 ) -> None:
-    """Write a row for each student of the roster, in the form that Canvas documents.
+    """Write a row for each student of the roster, in the format that Canvas documents.
 
-    Canvas identifies a student by the ID, or else by the SIS user ID, the login or the name. An
-    empty cell means that there is no grade. ``title`` names an existing assignment, such as "Lab 1
-    (12345)", or a new one.
+    Canvas identifies a student by the ID. If there is none, it uses the SIS user ID, the login or
+    the name. An empty cell means that there is no grade. ``title`` names an existing assignment,
+    such as "Lab 1 (12345)", or a new one.
     """
     rows = [[*HEADER, title], ["    Points Possible", "", "", "", "", number(points)]]
     for member in people.members:
@@ -41,7 +41,7 @@ def write_canvas(
 
 
 def check_title(title: str) -> str:
-    """Return the title of a column if Canvas imports it. Raises ValueError otherwise."""
+    """Return the title of a column if Canvas can import it. Raises ValueError otherwise."""
     if not title.strip() or clean_line(title) != title or FORMULA.search(title):
         raise ValueError(
             f"--title must be one line of text, and not begin like a formula, got {title!r}"
@@ -52,9 +52,10 @@ def check_title(title: str) -> str:
 
 
 def _canvas_id(member: Member) -> str:
-    """Return the user's id in Canvas: the one in the file's name, or else the roster's.
+    """Return the student's id in Canvas, from the name of the submission or else from the roster.
 
-    Canvas reads the number at the start of any text, so nothing else may be in this column.
+    Canvas reads any number at the beginning of this cell as an id, so the column must contain
+    nothing else.
     """
     export = member.submission.export if member.submission else None
     if export and export.platform == "canvas" and export.number.isdecimal():

@@ -1,4 +1,4 @@
-"""Make a hand-out with a workflow that lets GitHub Classroom grade each push."""
+"""Make a hand-out with a workflow with which GitHub Classroom grades each push."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from autograder.scores import possible
 WORKFLOW = ".github/workflows/classroom.yml"  # where GitHub Classroom looks for it
 GRADER = "classroom-resources/autograding-command-grader@v1"
 REPORTER = "classroom-resources/autograding-grading-reporter@v1"
-MINUTES = 10  # for the set-up, which takes a minute, and an exercise, which takes seconds
+MINUTES = 10  # at most; the set-up takes a minute, and each exercise takes seconds
 
 
 def make_classroom(
     chapters: list[Chapter], given: list[Chapter], out: Path, root: Path = ROOT, *, about: str = ""
 ) -> None:
-    """Write a hand-out with a workflow into a new folder, and print what it contains.
+    """Write a hand-out with a workflow into a new folder, and print a summary of its contents.
 
-    ``about`` is a section for its README. GitHub Classroom takes whole points only, so the points
-    of an assignment are rounded in a way that keeps their sum.
+    ``about`` is the section about the assignment in the README. GitHub Classroom accepts only whole
+    points, so the points of an assignment are rounded in a way that preserves their sum.
 
     Raises:
         ValueError: As for ``make_handout``.
@@ -42,7 +42,7 @@ def make_classroom(
 
 
 def workflow(chapters: list[Chapter]) -> dict[str, Any]:
-    """Return the workflow: a step for each exercise that has checks, and then the report."""
+    """Return the workflow, with a step for each exercise that has checks and a final report."""
     exercises = _checked(chapters)
     steps: list[dict[str, Any]] = [
         {"uses": "actions/checkout@v4"},
@@ -84,7 +84,10 @@ def workflow(chapters: list[Chapter]) -> dict[str, Any]:
 
 
 def in_whole_points(chapters: list[Chapter]) -> list[Chapter]:
-    """Return the chapters with whole points, of which no exercise gets less than one."""
+    """Return the chapters with points rounded to whole numbers.
+
+    Every exercise gets at least one point.
+    """
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     counted = {e.id: e.points for e in exercises if not e.extra}
     whole = rescaled(counted, round(possible(exercises)), unit="1")
@@ -96,7 +99,7 @@ def in_whole_points(chapters: list[Chapter]) -> list[Chapter]:
 
 
 def step_id(exercise: Exercise) -> str:
-    """Return an id such as exerciseB2dot1: the reporter accepts only letters and digits."""
+    """Return an id such as exerciseB2dot1, because the reporter accepts only letters and digits."""
     return f"exercise{exercise.id.replace('.', 'dot')}"
 
 
@@ -117,6 +120,6 @@ def _step(exercise: Exercise) -> dict[str, Any]:
 
 
 def _checked(chapters: list[Chapter]) -> list[Exercise]:
-    """Return the exercises that have checks: all but the written ones."""
+    """Return the exercises that have checks, which are all exercises except the written ones."""
     everything = [exercise for chapter in chapters for exercise in chapter.exercises]
     return [exercise for exercise in everything if exercise.kind != "written"]

@@ -1,6 +1,6 @@
-"""Grade the submission that Gradescope provides, and print its results.json.
+"""Grade the submission that Gradescope provides, and print the results as JSON.
 
-The script run_autograder calls this module in the zip that gradescope.py makes.
+The zip file that gradescope.py makes contains a script run_autograder, which runs this module.
 """
 
 from __future__ import annotations
@@ -29,25 +29,25 @@ from autograder.submissions.find import Submission, printable
 
 
 def main(folder: Path, root: Path = ROOT) -> None:
-    """Print the results of ``folder``/submission, even if grading fails."""
+    """Print the results of ``folder``/submission. If grading fails, print results that say so."""
     try:
         results = gradescope_results(grade_one(folder, root))
-    except ValueError as error:  # its text is a sentence for people
+    except ValueError as error:  # its text is written for people to read
         print(error, file=sys.stderr)
         results = ungraded_results(str(error))
     except Exception as error:
-        traceback.print_exc()  # Gradescope shows it to the instructor
+        traceback.print_exc()  # Gradescope shows this output to the instructor
         results = ungraded_results(f"{type(error).__name__}: {error}")
     print(as_text(results), end="")
 
 
 def grade_one(folder: Path, root: Path) -> StudentReport:
-    """Grade ``folder``/submission according to the zip's assignment.json, and return the report.
+    """Grade ``folder``/submission as the zip's assignment.json describes, and return the report.
 
-    Each run draws new numbers for the checks, unless the assignment has a seed.
+    Unless the assignment has a seed, each run draws new numbers for the checks.
 
     Raises:
-        ValueError: There is nothing to grade, or no sandbox to grade it in.
+        ValueError: There is nothing to grade, or there is no sandbox in which to grade it.
     """
     settings = json.loads((root / "assignment.json").read_text(encoding="utf-8"))
     submission = folder / "submission"
@@ -81,7 +81,7 @@ def students(metadata: Path) -> str:
 
 
 def _metadata(path: Path) -> dict[str, Any]:
-    """Return Gradescope's metadata, or nothing if they cannot be read."""
+    """Return Gradescope's metadata, or an empty dict if they cannot be read."""
     try:
         metadata = json.loads(path.read_text(encoding="utf-8"))
         return metadata if isinstance(metadata, dict) else {}
@@ -90,7 +90,7 @@ def _metadata(path: Path) -> dict[str, Any]:
 
 
 def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> Chapter:
-    """Return the chapter with only the assigned exercises, and with their points."""
+    """Return the chapter reduced to the assigned exercises, with the points of the assignment."""
     exercises = [
         replace(exercise, points=points[exercise.id], extra=exercise.id in extra)
         for exercise in chapter.exercises
@@ -100,9 +100,10 @@ def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> C
 
 
 def _level(submission: Path, *, unsafe: bool) -> Level:
-    """Return the sandbox level of this machine, as the command grade does.
+    """Return the sandbox level of this machine, chosen as by the command `grade`.
 
-    If there is no sandbox and the instructor accepts that, root first becomes an unprivileged user.
+    If there is no sandbox and the instructor permits that, a process of root first becomes an
+    unprivileged user.
     """
     if unsafe and os.geteuid() == 0 and not best_level().is_sandbox:
         drop_privileges()

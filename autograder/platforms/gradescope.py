@@ -1,4 +1,4 @@
-"""Make the zip for Gradescope: its two scripts, the grader, the checks and the reference."""
+"""Make the zip file for Gradescope, with its scripts, the grader, the checks and the reference."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from autograder.scores import possible, shown
 
 HIDDEN = "hidden"  # the folder of the hidden checks in the zip
 SCRIPTS = ("setup.sh", "run_autograder")
-FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # of every file, so that two equal zips have equal bytes
+FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # of every file, so that equal contents give equal bytes
 
 
 def make_gradescope(
@@ -27,13 +27,13 @@ def make_gradescope(
     unsafe: bool = False,
     root: Path = ROOT,
 ) -> None:
-    """Write the zip and print what it contains.
+    """Write the zip file, and print a summary of its contents.
 
-    Given chapters are taken from the reference, whatever is handed in. ``unsafe`` also grades on a
-    machine without a sandbox.
+    Given chapters are taken from the reference, even if students hand them in. ``unsafe`` permits
+    grading on a machine without a sandbox.
 
     Raises:
-        ValueError: ``out`` is not the name of a .zip file, or hidden checks would be unprotected.
+        ValueError: ``out`` does not name a .zip file, or hidden checks would be unprotected.
     """
     if out.suffix != ".zip" or out.is_dir():
         raise ValueError(f"--out must be a .zip file, got {str(out)!r}")
@@ -42,8 +42,8 @@ def make_gradescope(
     chapters, given = work.chapters, work.given
     below = {other.name: other for graded in chapters for other in chapters_below(graded, root)}
     own = [other for other in below.values() if other not in given]
-    # Grading a chapter does not need its own reference. The second run needs the reference of
-    # earlier chapters. Without a sandbox, student code could read it, so it is left out then.
+    # Grading a chapter does not need the reference of that chapter, but the second run needs the
+    # reference of earlier ones. Without a sandbox, student code could read it, so it is left out.
     reference = [*given] if unsafe else [*given, *own]
     there = {chapter.name: chapter for chapter in [*chapters, *given, *own]}
     files = [*_files(root, chapters, reference, list(there.values()))]
@@ -72,7 +72,7 @@ def make_gradescope(
 def _files(
     root: Path, chapters: list[Chapter], reference: list[Chapter], there: list[Chapter]
 ) -> Iterator[Path]:
-    """Yield the files of this repository that go into the zip."""
+    """Yield the files of this repository that the zip file contains."""
     yield root / "pyproject.toml"
     yield root / "requirements.lock"
     yield root / "LICENSE"
@@ -90,7 +90,7 @@ def _files(
 
 
 def _hidden(work: Work) -> dict[str, bytes]:
-    """Return the hidden checks of the graded chapters, in a folder of the zip."""
+    """Return the hidden checks of the graded chapters, keyed by their paths in the zip file."""
     return {
         f"{HIDDEN}/{chapter.name}/{file.name}": file.read_bytes()
         for chapter in work.chapters
@@ -99,12 +99,12 @@ def _hidden(work: Work) -> dict[str, bytes]:
 
 
 def _zipped(contents: dict[str, bytes]) -> bytes:
-    """Return a zip of these files, sorted by name, in which the scripts are executable."""
+    """Return the bytes of a zip with these files, sorted by name. The scripts are executable."""
     memory = io.BytesIO()
     with zipfile.ZipFile(memory, "w") as file:
         for name in sorted(contents):
             entry = zipfile.ZipInfo(name, FIRST_DATE)
-            entry.create_system = 3  # Unix, the only system whose modes are read
+            entry.create_system = 3  # Unix, because modes are read only for this system
             entry.external_attr = (0o100755 if name in SCRIPTS else 0o100644) << 16
             file.writestr(entry, contents[name], zipfile.ZIP_DEFLATED)
     return memory.getvalue()

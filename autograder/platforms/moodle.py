@@ -1,4 +1,4 @@
-"""Write moodle.csv, which Moodle's gradebook imports, and the worksheet of an assignment."""
+"""Write moodle.csv, which Moodle's gradebook can import, and an assignment's grading worksheet."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from autograder.reports.gradebook import as_cell
 from autograder.reports.texts import number, replace_file
 from autograder.submissions.class_list import ClassList
 
-MOST = 100.0  # the largest grade that Moodle imports, unless the site allows unlimited grades
+MOST = 100.0  # largest grade that Moodle imports, unless the site allows more
 NO_GRADE = "-"  # Moodle reads an empty cell as 0 if the column becomes a new grade item
 WORKSHEET = [
     *("Identifier", "Full name", "Grade", "Maximum Grade", "Grade can be changed"),
@@ -20,10 +20,12 @@ WORKSHEET = [
 
 
 def write_moodle(path: Path, people: ClassList, grades: Mapping[str, float], title: str) -> None:
-    """Write a row for each student of the roster, because an unknown student would stop the import.
+    """Write a row for each student of the roster.
 
-    If the cell that identifies a student were empty, Moodle would give the grade to the student
-    above. For this reason, the columns for logins and emails are written only if every student has
+    A student whom Moodle does not know stops its import.
+
+    If the cell that identifies a student were empty, Moodle would give the grade to the student in
+    the row above. The columns for logins and emails are therefore written only if every student has
     one.
     """
     students = [(member, member.student) for member in people.members if member.student]
@@ -40,11 +42,11 @@ def write_moodle(path: Path, people: ClassList, grades: Mapping[str, float], tit
 def write_worksheet(
     path: Path, people: ClassList, grades: Mapping[str, float], points: float
 ) -> bool:
-    """Write the grading worksheet of the assignment, and return whether there was one to write.
+    """Write the grading worksheet of the assignment. Return whether there was anything to write.
 
-    This needs no roster, because the folders that Moodle creates name the participants. If no
-    submission comes from Moodle, nothing is written. The worksheet has no column for comments,
-    since empty cells in it would delete the comments in Moodle.
+    The worksheet does not need a roster, because Moodle's folder names contain the participants. If
+    no submission comes from Moodle, no worksheet is written. It has no column for comments, because
+    empty cells in that column would delete the comments in Moodle.
     """
     rows = []
     for member in people.members:

@@ -1,4 +1,4 @@
-"""Write the grades of a class in the forms that Canvas and Moodle import."""
+"""Write the grades of a class in the formats that Canvas and Moodle import."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from autograder.reports.report import StudentReport
 from autograder.scores import possible, shown
 from autograder.submissions.class_list import ClassList
 
-CANVAS_ID = re.compile(r" \([0-9]+\)$")  # of an assignment, at the end of its title
+CANVAS_ID = re.compile(r" \([0-9]+\)$")  # the id at the end of an assignment's title
 
 
 @dataclass(frozen=True)
 class Column:
-    """The column for the grades on a platform.
+    """The column with the grades on a platform.
 
     ``title`` may end with the id of an assignment, as in "Lab 1 (12345)". ``points`` is the maximum
-    of the assignment on the platform. Grades are rescaled to it.
+    of the assignment on the platform, to which the grades are rescaled.
     """
 
     title: str = ""
@@ -42,10 +42,10 @@ def write_uploads(
     reports: Sequence[StudentReport],
     column: Column,
 ) -> tuple[list[Path], list[str]]:
-    """Write canvas.csv and moodle.csv for a class with a roster, and a worksheet for Moodle.
+    """Write canvas.csv and moodle.csv for a class with a roster, and Moodle's worksheet.
 
     Returns:
-        The paths, and sentences for the instructor.
+        The paths of the files, and sentences for the instructor.
     """
     most = possible(exercise for chapter in chapters for exercise in chapter.exercises)
     for_canvas = column.points or most
@@ -75,16 +75,16 @@ def write_uploads(
         if points != most:
             lines.append(
                 f"{path.name}: rescaled from {shown(most)} points to {shown(points)}. "
-                "POINTS= gives other points, up to 100 for Moodle."
+                "Choose other points with POINTS=, up to 100 for Moodle."
             )
     if more := sum(total > most for total in totals.values()):
         lines.append(
-            f"Grades over {shown(for_moodle)}: {more}. Moodle would refuse them, so "
-            f"they are {shown(for_moodle)} there."
+            f"Grades over {shown(for_moodle)}: {more}. Moodle would reject them, so "
+            f"they are imported as {shown(for_moodle)}."
         )
     if waiting := sum(r.waiting > 0 for r in reports):
         lines.append(
-            f"Students with answers that wait for a person: {waiting}. These answers count "
-            "nothing in the grades for the platforms."
+            f"Students with answers that are not marked yet: {waiting}. These answers earn no "
+            "points in the grades for the platforms."
         )
     return paths, lines

@@ -1,1 +1,1 @@
-"""Release the reference after the deadline, next to each student's own passing solutions."""
+"""Release the reference after the deadline, and show students their own solutions beside it."""

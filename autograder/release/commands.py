@@ -1,4 +1,4 @@
-"""The command that releases the reference."""
+"""The command `release`, which gives students the reference after the deadline."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from autograder.manifest import load_chapters
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add release."""
+    """Add the command `release` to the command line."""
     command = commands.add_parser("release", help="release the reference after the deadline")
     what = "chapters whose reference to release, such as 2-3, unless there is an assignment"
     command.add_argument("chapters", nargs="?", default="", help=what)
@@ -26,7 +26,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_release(arguments: argparse.Namespace) -> int:
-    """Write the reference and the pages of the students, and print what was released."""
+    """Write the reference and the students' pages, and print what was released."""
     from autograder.release.run import release
 
     work = work_of(arguments, handed_out=True)
@@ -41,7 +41,7 @@ def run_release(arguments: argparse.Namespace) -> int:
 
 
 def refuse_early(work: Work, now: datetime) -> None:
-    """Raise ValueError if somebody may still hand in work for the assignment."""
+    """Raise ValueError if a student may still hand in work for the assignment."""
     if work.deadline is None:
         return
     dues = [work.deadline.due, *work.deadline.extensions.values()]

@@ -1,4 +1,4 @@
-"""Compare a student's solutions that passed with the reference, function by function."""
+"""Compare those solutions of a student that passed with the reference, function by function."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from autograder.similarity.code import Function, read_functions
 from autograder.similarity.compare import Passage
 from autograder.similarity.pages import pieces_of
 
-Texts = Mapping[str, str]  # of the modules of one chapter, keyed by file, such as vector.py
-OUTSIDE = ""  # the name of the code that is in no function
+Texts = Mapping[str, str]  # the texts of one chapter's modules, keyed by file name
+OUTSIDE = ""  # stands for code outside of functions
 
 
 @dataclass(frozen=True)
 class Code:
-    """The body of a function: its text without the first indentation, and its counts."""
+    """The body of a function: its text without the outer indentation, and its counts."""
 
     text: str
     counts: Counts
@@ -26,7 +26,10 @@ class Code:
 
 @dataclass(frozen=True)
 class Pair:
-    """A function of the student and of the reference. Either is None if it has no such function."""
+    """A student's function and the reference's function.
+
+    If one side lacks it, that side is None.
+    """
 
     name: str
     own: Code | None
@@ -35,14 +38,14 @@ class Pair:
 
 @dataclass(frozen=True)
 class Compared:
-    """An exercise or the other functions of a module, function by function."""
+    """The pairs of functions of one exercise, or of a module's functions outside the exercises."""
 
     title: str
     pairs: list[Pair]
 
 
 def compare_exercise(exercise: Exercise, own: Texts, reference: Texts) -> Compared:
-    """Compare the functions of one exercise."""
+    """Compare the functions that belong to one exercise."""
     pairs = []
     for edit in exercise.edit:
         module, name = edit.split(".", 1)
@@ -54,10 +57,10 @@ def compare_exercise(exercise: Exercise, own: Texts, reference: Texts) -> Compar
 def compare_others(
     chapter: Chapter, files: Iterable[str], own: Texts, reference: Texts
 ) -> list[Compared]:
-    """Compare the functions that belong to no exercise, such as helpers, for each of these modules.
+    """Compare the functions in these modules that belong to no exercise, such as helpers.
 
-    Functions that are the same in both, such as given ones, are left out. So is code outside of
-    functions.
+    Functions that are equal on both sides, such as given ones, are left out. Code outside of
+    functions is also left out.
     """
     edited = {name for exercise in chapter.exercises for name in exercise.edit}
     found = []
@@ -78,7 +81,7 @@ def compare_others(
 
 
 def _codes(file: str, texts: Texts) -> dict[str, Code]:
-    """Return the functions of a module, leaving out any part that cannot be read."""
+    """Return the functions of a module. Any part that cannot be read is left out."""
     text = texts.get(file, "")
     return {one.name: _code(file, text, one) for one in read_functions(text)[0]}
 

@@ -1,6 +1,7 @@
-"""Count what is written in a function: its lines, calls and constructed objects.
+"""Count the lines, the calls and the constructed objects that are written in a function.
 
-The tokens of the source are counted. Nothing is compiled or run, so a call in a loop counts once.
+The tokens of the source are counted. The code is neither compiled nor run, so a call inside a loop
+counts once.
 """
 
 from __future__ import annotations
@@ -16,11 +17,11 @@ END_OF_LINE = ";"
 
 @dataclass(frozen=True)
 class Counts:
-    """What is written in a body.
+    """The number of lines, calls and constructed objects in the body of a function.
 
-    ``lines`` are lines with code, not blank lines, comments or docstrings. ``calls`` are written
-    calls, such as v.dot(w), and ``objects`` are those among them that call a class, such as
-    Vector3(...). Errors that are raised count in neither.
+    ``lines`` counts lines with code, but not blank lines, comments or docstrings. ``calls`` counts
+    calls such as v.dot(w). ``objects`` counts those calls that construct an object, such as
+    Vector3(...). Errors that are raised are not counted as calls or objects.
     """
 
     lines: int
@@ -29,7 +30,7 @@ class Counts:
 
 
 def count(function: Function) -> Counts:
-    """Return what is written in the body of a function."""
+    """Count the lines, calls and objects in the body of a function."""
     words = [token.word.removeprefix(LOCAL) for token in function.tokens]
     called = [words[i - 1] for i, word in enumerate(words) if word == "(" and _is_call(words, i)]
     lines = {token.start[0] for token in function.tokens if token.word != END_OF_LINE}
@@ -38,7 +39,10 @@ def count(function: Function) -> Counts:
 
 
 def _is_call(words: Sequence[str], i: int) -> bool:
-    """Return whether the bracket at i calls something: not an expression, def, class or raise."""
+    """Return whether the bracket at index i makes a call.
+
+    Brackets also appear in expressions, and after def, class and raise, where they do not count.
+    """
     before = words[i - 1] if i else ""
     first = i - 1
     while first >= 2 and words[first - 1] == ".":

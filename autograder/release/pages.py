@@ -19,7 +19,7 @@ def write_page(
 ) -> Path:
     """Write students/<student>.html, and return its path.
 
-    ``not_compared`` names the released exercises in which the student's own solution did not pass.
+    ``not_compared`` names the released exercises that the student has not solved.
     """
     path = out / "students" / f"{file_name(student)}.html"
     page = render(

@@ -1,4 +1,4 @@
-"""Release files of the reference, with stubs for the exercises that are not released yet."""
+"""Release files of the reference. Exercises that are not released yet are replaced by stubs."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from autograder.stubs import messages_of, stub_module
 
 
 def chosen(chapters: Sequence[Chapter], exercises: Sequence[str]) -> list[Chapter]:
-    """Return the chapters with only the named exercises, or with all of them if none is named.
+    """Return the chapters reduced to the named exercises, or with all of them if none is named.
 
     Raises:
-        ValueError: An exercise is in none of the chapters.
+        ValueError: One of the exercises is in none of the chapters.
     """
     known = {e.id.lower(): e.id for chapter in chapters for e in chapter.exercises}
     wanted = {known.get(name.lower(), "") for name in exercises}
@@ -31,7 +31,7 @@ def chosen(chapters: Sequence[Chapter], exercises: Sequence[str]) -> list[Chapte
 
 
 def released_module(chapter: Chapter, whole: Chapter, file: str, root: Path = ROOT) -> str:
-    """Return the text of a module. The bodies of exercises that are not released are stubs."""
+    """Return the text of a module, in which exercises that are not released yet are stubs."""
     kept = {exercise.id for exercise in chapter.exercises}
     held_back = replace(whole, exercises=[e for e in whole.exercises if e.id not in kept])
     text = (root / "solutions" / whole.name / file).read_text(encoding="utf-8")
@@ -42,7 +42,7 @@ def released_module(chapter: Chapter, whole: Chapter, file: str, root: Path = RO
 def write_reference(
     out: Path, chapter: Chapter, whole: Chapter, root: Path = ROOT
 ) -> dict[str, str]:
-    """Write the files of one chapter, and return the texts of its modules, keyed by file."""
+    """Write the files of one chapter. Return the texts of its modules, keyed by file name."""
     folder = out / "reference" / whole.name
     folder.mkdir(parents=True)
     modules = {name: released_module(chapter, whole, name, root) for name in chapter.edited_files}
@@ -56,7 +56,7 @@ def write_reference(
 
 
 def _model_answers(chapter: Chapter, root: Path) -> str:
-    """Return the released model answers without their rubrics, or an empty text."""
+    """Return the released model answers without their rubrics, or an empty text without any."""
     file = root / "solutions" / chapter.name / FILE
     written = {exercise.id for exercise in chapter.exercises if exercise.kind == "written"}
     if not written or not file.is_file():

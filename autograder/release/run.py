@@ -1,4 +1,4 @@
-"""Release the reference of chapters or exercises, with a page for each student who solved some."""
+"""Release the reference of some chapters or exercises, with a page for each successful student."""
 
 from __future__ import annotations
 
@@ -34,13 +34,14 @@ def release(
     out: Path,
     root: Path = ROOT,
 ) -> int:
-    """Write the reference of chapters, or of some exercises in them, into a folder; return 0.
+    """Write the reference of chapters, or of some of their exercises, into a folder. Return 0.
 
-    If a class is named, by its submissions and the folder that it was graded into, there is also a
-    page for each student.
+    If the submissions and the graded results of a class are given, also write a page for each
+    student. It compares the student's own solutions with the reference.
 
     Raises:
-        ValueError: The folder cannot be used, or there is no such exercise, reference or class.
+        ValueError: The folder cannot be used, or an exercise, the reference or the class is
+            missing.
     """
     released = chosen(chapters, exercises)
     if missing := [chapter.name for chapter in released if not has_reference(chapter, root)]:
@@ -78,10 +79,10 @@ def release(
 
 
 def _prepare(out: Path, submissions: Path | None, root: Path) -> None:
-    """Create the folder, or empty that of an earlier release.
+    """Create the folder of a release, or empty it if it contains an earlier release.
 
     Raises:
-        ValueError: The folder has other contents, or is a place from which hand-outs are made.
+        ValueError: The folder contains something else, or hand-outs are made from its contents.
     """
     place = out.resolve()
     if place.is_relative_to(root.resolve()) and not place.is_relative_to(root.resolve() / "build"):
@@ -106,7 +107,7 @@ def _compare(
     reference: dict[str, dict[str, str]],
     root: Path,
 ) -> tuple[list[Compared], list[str], str]:
-    """Return what is compared of a submission, what is not, and why if nothing is."""
+    """Return the compared exercises of a submission, the others, and why if none is compared."""
     if report is None:
         return [], [], "the work was not graded"
     own = _own_texts(submission, report, root)
@@ -129,7 +130,7 @@ def _compare(
 def _own_texts(
     submission: Submission, report: StudentReport, root: Path
 ) -> dict[str, Texts] | None:
-    """Return a student's modules by chapter, or None if they are not those that were graded."""
+    """Return a student's modules by chapter, or None if they are not the graded ones."""
     chapters = load_chapters(root)
     with tempfile.TemporaryDirectory(prefix="release-") as folder:
         staged = stage(submission.path, chapters, Path(folder), root)

@@ -1,1 +1,1 @@
-"""The output of grading: results, feedback, the gradebook, and files for Gradescope."""
+"""Write the results of grading: reports, feedback pages, a gradebook, and files for Gradescope."""

@@ -1,4 +1,4 @@
-"""Statistics of a graded class: pass rates of the exercises, and the distribution of the scores."""
+"""Statistics of a graded class: pass rates of the exercises, and a histogram of the scores."""
 
 from __future__ import annotations
 
@@ -16,9 +16,10 @@ BINS = 10
 
 @dataclass(frozen=True)
 class ExerciseRate:
-    """The pass rate of one exercise over a class.
+    """The pass rate of one exercise in a class.
 
-    ``counted`` is the number of students with a score for it, without errors and waiting answers.
+    ``counted`` is the number of students who have a score for the exercise. A student whose answer
+    is not marked yet, or on whose submission the grader failed, has none.
     """
 
     exercise: Exercise
@@ -29,7 +30,7 @@ class ExerciseRate:
 
     @property
     def share(self) -> float | None:
-        """The fraction of counted students who pass; None for a written exercise."""
+        """The fraction of counted students who pass, or None for a written exercise."""
         if self.exercise.kind == "written" or not self.counted:
             return None
         return self.passed / self.counted
@@ -37,7 +38,7 @@ class ExerciseRate:
 
 @dataclass(frozen=True)
 class Bin:
-    """The number of students with a score of at least ``low`` and less than ``high`` percent."""
+    """The number of students whose score is at least ``low`` and below ``high`` percent."""
 
     low: int
     high: int
@@ -45,7 +46,7 @@ class Bin:
 
 
 def exercise_rates(chapters: list[Chapter], reports: Sequence[StudentReport]) -> list[ExerciseRate]:
-    """Return a rate for every exercise, in the order of the manifests."""
+    """Return the pass rate of every exercise, in the order of the manifests."""
     results: dict[str, list[ExerciseReport]] = {}
     for report in reports:
         for exercise in report.exercises:
@@ -55,16 +56,16 @@ def exercise_rates(chapters: list[Chapter], reports: Sequence[StudentReport]) ->
 
 
 def most_missed(rates: list[ExerciseRate]) -> list[ExerciseRate]:
-    """Return the exercises that the fewest students pass, with the lowest pass rate first.
+    """Return the exercises with the lowest pass rates, lowest first.
 
-    The result is empty if everybody passes everything.
+    The result is empty if every student passes every exercise.
     """
     missed = [rate for rate in rates if rate.share is not None and rate.share < 1]
     return sorted(missed, key=_pass_share_then_points)[:MOST_MISSED]
 
 
 def histogram(reports: Sequence[StudentReport]) -> list[Bin]:
-    """Return the scores in tenths of the points possible. Full marks are in the last bin."""
+    """Return a histogram of the scores with bins of 10 %. A full score is in the last bin."""
     counts: Counter[int] = Counter()
     for report in reports:
         if report.score is not None and report.points:

@@ -1,6 +1,7 @@
 """Write the pages of a graded class: one for each student, and an index for the instructor.
 
-The pages need neither a network nor scripts, and show untrusted content only as text.
+The pages work without a network connection and without scripts. Untrusted content appears on them
+only as text.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ from autograder.reports.texts import check_title, clean_all, replace_file
 from autograder.scores import PHYSICS_SHARE, place_on_chart, possible
 from autograder.submissions.find import file_name
 
-SYMBOLS = {  # beside the word, so that no status is shown by color alone
+SYMBOLS = {  # shown beside the word, so that no status depends on color alone
     "passed": "✓",
     "failed": "✗",
     "blocked": "⊘",
@@ -47,7 +48,7 @@ TO_FIX = ("failed", "inherited", "blocked")  # in the order in which to fix them
 
 @dataclass
 class LostChecks:
-    """Failed checks with the same message. Titles of hidden checks are secret and left out."""
+    """Failed checks that have the same message. The titles of hidden checks are left out."""
 
     status: Status
     message: str
@@ -59,10 +60,10 @@ class LostChecks:
 
 @dataclass(frozen=True, kw_only=True)
 class ShownExercise(ExerciseReport):
-    """An exercise as its page shows it: failures in full, and passing checks in short.
+    """An exercise as its page shows it, with failed checks in full and passed checks in short.
 
-    ``gains`` means that it earns more on given chapters, and ``uneven`` that the checks of a tier
-    have different weights.
+    ``gains`` is true if the exercise earns more on given chapters. ``uneven`` is true if the checks
+    of a tier have different weights.
     """
 
     anchor: str
@@ -106,7 +107,7 @@ def write_index(
     missing: Sequence[str] = (),
     unmatched: Sequence[str] = (),
 ) -> Path:
-    """Write index.html, the page of the class for its instructor, and return its path."""
+    """Write index.html, which shows the whole class to its instructor, and return its path."""
     path = out / "index.html"
     links = [f"feedback/{quote(file_name(report.student))}.html" for report in reports]
     clean = [clean_all(report) for report in reports]
@@ -159,7 +160,7 @@ def _shown(number_on_page: int, exercise: ExerciseReport) -> ShownExercise:
 
 
 def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
-    """Return the exercise to fix first: physics that fails comes before robust checks."""
+    """Return the exercise to fix first. Failing physics comes before failing robust checks."""
 
     def urgency(exercise: ShownExercise) -> tuple[bool, int]:
         works = all(passed == of for tier, passed, of in exercise.tiers if tier == "physics")
@@ -169,7 +170,7 @@ def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
 
 
 def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
-    """Return a chart for each open exercise in which at least one submission has a position."""
+    """Return a chart for each open exercise that at least one submission can be shown on."""
     found: dict[str, tuple[ExerciseReport, Chart]] = {}
     named: dict[str, list[tuple[str, Sequence[float]]]] = {}
     for report in reports:
@@ -181,12 +182,12 @@ def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
 
 
 def _possible(exercises: Sequence[ExerciseReport]) -> float:
-    """Return the points that these exercises can give, without extra credit."""
+    """Return the points that these exercises can earn, without extra credit."""
     return round(sum(e.points for e in exercises if not e.extra), 2)
 
 
 def _groups(checks: list[CheckReport]) -> list[LostChecks]:
-    """Group failed checks by message, because one unreadable file can make many checks fail."""
+    """Group failed checks by message, because one unreadable file can cause many equal failures."""
     groups: dict[tuple[Status, str, bool, bool], LostChecks] = {}
     for check in checks:
         shared = check.status, str(check.message), check.hidden, check.robust

@@ -1,4 +1,4 @@
-"""Write gradebook.csv, with a row per student and a column per exercise."""
+"""Write gradebook.csv, which has a row per student and a column per exercise."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from autograder.scores import possible
 MISSING = "nothing handed in"
 UNMATCHED = "not in the roster"
 COLUMNS = "student,status,score,score on given chapters,by hand,waiting"
-WITH_DUE_DATE = ["points", "late days", "penalty"]  # of an assignment of a course
-# A character that begins a formula, also in full width, at the start of a cell or after spaces. A
-# spreadsheet that separates columns by semicolons begins a cell after each of them.
+WITH_DUE_DATE = ["points", "late days", "penalty"]  # columns for an assignment with a due date
+# A character that begins a formula, even in full width, at the start of a cell or after spaces. If
+# a spreadsheet separates columns by semicolons, a cell also begins after each semicolon.
 FORMULA = re.compile(r"(^|;)(\s*)(?=[=+\-@＝＋－＠])")  # noqa: RUF001
 
 
@@ -30,13 +30,12 @@ def write_gradebook(
     missing: Sequence[str] = (),
     unmatched: Sequence[str] = (),
 ) -> Path:
-    """Write gradebook.csv, whose second row has the possible points, and return its path.
+    """Write gradebook.csv, whose second row contains the possible points, and return its path.
 
-    A cell is empty if there is no grade yet. This is the case if an answer still has to be marked,
-    if the grader failed, or if a student is ``missing`` because nothing was handed in.
-    ``unmatched`` are the students who are not in the roster. If there is a due date, the total is
-    the points minus the penalty, and the points, the late days and the penalty have their own
-    columns.
+    A cell is empty if there is no grade yet: an answer still has to be marked, the grader failed,
+    or the student is ``missing`` and has not handed in anything. ``unmatched`` lists the students
+    who are not in the roster. If there is a due date, the points, the late days and the penalty
+    have columns of their own, and the total is the points minus the penalty.
     """
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     written = possible(exercise for exercise in exercises if exercise.kind == "written")
@@ -73,11 +72,14 @@ def write_gradebook(
 
 
 def _late(report: StudentReport) -> list[float | None]:
-    """Return the points, the late days and the penalty. An unknown number of days is left empty."""
+    """Return the points, the late days and the penalty.
+
+    If the late days are unknown, they are None.
+    """
     days = report.late.days if report.late else None
     return [report.earned, days, None if report.earned is None else report.penalty]
 
 
 def as_cell(text: str) -> str:
-    """Return a text on one line that no spreadsheet reads as a formula."""
+    """Return a text on one line that no spreadsheet will interpret as a formula."""
     return FORMULA.sub(r"\1\2'", clean_line(text))

@@ -1,4 +1,4 @@
-"""Write a student's report as the results.json that Gradescope reads."""
+"""Write the report on a student as a results.json file for Gradescope."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ OURS = "error of the grader, retry: this is not the submission's fault and does 
 
 @dataclass(frozen=True)
 class ExerciseResult:
-    """The result of an exercise, which Gradescope calls a test. The score may be missing."""
+    """The result of one exercise, which Gradescope calls a test. It may have no score."""
 
     number: str
     name: str
@@ -32,7 +32,7 @@ class ExerciseResult:
 
 @dataclass(frozen=True)
 class GradescopeResults:
-    """The results.json of a submission. All text is plain, and standard output is hidden."""
+    """The contents of results.json. All text is plain text, and the standard output is hidden."""
 
     output: str
     output_format: Literal["text"]
@@ -58,9 +58,10 @@ def as_text(results: GradescopeResults) -> str:
 
 
 def gradescope_results(report: StudentReport) -> GradescopeResults:
-    """Return the report in Gradescope's form, with a test for each exercise.
+    """Convert a report to Gradescope's format, with one test per exercise.
 
-    If the grader failed, there is no score at all: neither zero nor full marks.
+    If the grader failed, the result contains no score, because neither zero nor full marks would be
+    right.
     """
     report = clean_all(report)
     failed = report.status != "graded" or report.score is None
@@ -73,7 +74,7 @@ def gradescope_results(report: StudentReport) -> GradescopeResults:
 
 
 def ungraded_results(reason: str) -> GradescopeResults:
-    """Return results in Gradescope's form for a submission that could not be graded at all."""
+    """Return results in Gradescope's format for a submission that could not be graded at all."""
     return _results(f"{OURS}\n{clean_all(reason)}", [])
 
 
@@ -126,16 +127,16 @@ def _exercise_result(exercise: ExerciseReport) -> ExerciseResult:
     return ExerciseResult(
         number=clean_line(exercise.id),
         name=clean_line(exercise.title),
-        max_score=0 if exercise.extra else exercise.points,  # they add up to the points possible
+        max_score=0 if exercise.extra else exercise.points,  # they add up to the possible points
         output=_output(exercise),
         visibility="visible",
         score=exercise.score if has_score else None,
-        status=verdict if has_score and status != "marked" else None,  # people give only points
+        status=verdict if has_score and status != "marked" else None,  # people give no verdict
     )
 
 
 def _output(exercise: ExerciseReport) -> str:
-    """Return the text on one exercise for the student: the messages of the failed checks."""
+    """Return the text that a student sees about an exercise: the messages of the failed checks."""
     status, checks = exercise.status, exercise.checks
     if status == "waiting":
         return f"waits for a person, who can give up to {number(exercise.points)} points"

@@ -1,4 +1,4 @@
-"""Marks that people give by hand: read marks.csv, and add the marks to reports."""
+"""Marks that people give to written answers: read marks.csv, and add the marks to reports."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from autograder.scores import shown
 from autograder.submissions.csv_rows import read_csv
 
 HEADER = ["student", "exercise", "points", "comment"]
-# A spreadsheet takes such a comment for a formula. An apostrophe is put before it, and taken away.
+# A spreadsheet would read such a comment as a formula, so it is stored with an apostrophe in front.
 FORMULA_START = re.compile(r"^(?='*[=+\-@＝＋－＠])")  # noqa: RUF001
 GUARDED = re.compile(r"^'(?='*[=+\-@＝＋－＠])")  # noqa: RUF001
 
 
 @dataclass(frozen=True)
 class Mark:
-    """The points that a person gave for one written exercise, and a comment."""
+    """The points that a person gave for one student's written answer, and a comment."""
 
     points: float
     comment: str
@@ -34,7 +34,7 @@ Marks = dict[tuple[str, str], Mark]  # keyed by student and exercise
 
 @dataclass(frozen=True)
 class Row:
-    """A mark in marks.csv, and the first and the last of its lines, counted from 1."""
+    """A mark in marks.csv, with its first and its last line in the file, counted from 1."""
 
     student: str
     exercise: str
@@ -44,10 +44,10 @@ class Row:
 
 
 def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> Marks:
-    """Read marks.csv: student,exercise,points,comment. Without the file, there are no marks.
+    """Read marks.csv, whose columns are student, exercise, points and comment.
 
-    Columns may be separated by semicolons, as in European spreadsheets. Decimals may then have a
-    comma.
+    If the file does not exist, there are no marks. Columns may be separated by semicolons, as in
+    European spreadsheets. In that case, numbers may have a decimal comma.
 
     Raises:
         ValueError: A line is not valid. The message names the line and the expected form.
@@ -59,7 +59,7 @@ def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> 
 def read_rows(
     path: Path, chapters: list[Chapter], students: Iterable[str]
 ) -> tuple[str, list[Row]]:
-    """Return the separator of marks.csv and its rows. Raises ValueError as read_marks does."""
+    """Return the separator and the rows of marks.csv. Raises ValueError as ``read_marks`` does."""
     if not path.exists():
         return ",", []
     exercises = {exercise.id: exercise for chapter in chapters for exercise in chapter.exercises}
@@ -93,7 +93,7 @@ def read_rows(
 
 
 def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> list[str]:
-    """Return the cells of a mark, written so that no spreadsheet reads them as formulas."""
+    """Return the cells of a row with a mark. No spreadsheet will interpret them as formulas."""
     harmless = as_cell(student)
     name = harmless if _names(students).get(harmless) == student else student
     comment = clean(mark.comment).strip()
@@ -101,12 +101,12 @@ def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> 
 
 
 def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
-    """Return the marks under the names that the reports show.
+    """Return the marks, keyed by the names that the reports show.
 
-    ``names`` maps every other name of a student to the name in the reports.
+    ``names`` maps each of a student's other names to the name in the reports.
 
     Raises:
-        ValueError: A student has two marks for an exercise, under two names.
+        ValueError: A student has two marks for the same exercise, under different names.
     """
     found: Marks = {}
     for (student, exercise), mark in marks.items():
@@ -120,9 +120,9 @@ def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
 
 
 def apply_marks(report: StudentReport, marks: Marks) -> StudentReport:
-    """Return the report with exactly these marks in it.
+    """Return the report with exactly these marks in it, in place of any earlier marks.
 
-    A written exercise without a mark waits for a person.
+    A written exercise without a mark is shown as waiting for one.
     """
     exercises = []
     given: list[float] = []
@@ -169,7 +169,7 @@ def _written(where: str, given: str, exercises: dict[str, Exercise]) -> Exercise
 
 
 def _names(students: Iterable[str]) -> dict[str, str]:
-    """Return the students, keyed by their names and by other forms that are unambiguous."""
+    """Return the students, keyed by each spelling of their names that is not ambiguous."""
     forms: dict[str, set[str]] = {}
     for name in students:
         for form in (name, _key(name), _key(as_cell(name))):
@@ -179,5 +179,5 @@ def _names(students: Iterable[str]) -> dict[str, str]:
 
 
 def _key(name: str) -> str:
-    """Return a name in normalized form, so that accented letters compare equal however typed."""
+    """Normalize a name, so that two encodings of the same accented letter compare equal."""
     return unicodedata.normalize("NFC", name.strip())

@@ -1,4 +1,4 @@
-"""Render the templates of all pages. Untrusted content appears only as text."""
+"""Render the templates of all pages. Untrusted content is inserted only as text."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ SHARED = Path(__file__).parent / "templates"
 
 
 def render(template: str, folder: Path = SHARED, **values: Any) -> str:
-    """Return a page. The template is in this folder, or among those that all pages share."""
+    """Return a page made from a template in ``folder`` or in the folder of shared templates."""
     environment = Environment(
         loader=FileSystemLoader([folder, SHARED]),
         autoescape=True,

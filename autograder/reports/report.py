@@ -1,4 +1,4 @@
-"""One student's results as they are graded, stored in results/<student>.json and read again."""
+"""The report on one student's submission, which is stored in results/<student>.json."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ ReportStatus = Literal["graded", "error, retry"]
 
 @dataclass(frozen=True)
 class CheckReport:
-    """The outcome of a check."""
+    """The outcome of one check."""
 
     name: str
     status: Status
@@ -27,9 +27,9 @@ class CheckReport:
 
 @dataclass(frozen=True)
 class Chart:
-    """The positions of a submission and of the reference on the chart of an open exercise.
+    """Where a submission and the reference are on the chart of an open exercise.
 
-    ``axes`` names the two coordinates, cost and error.
+    ``axes`` names the two coordinates, which are cost and error.
     """
 
     axes: list[str]
@@ -39,10 +39,10 @@ class Chart:
 
 @dataclass(frozen=True)
 class ExerciseReport:
-    """The outcome of an exercise. A score is None while it is unknown.
+    """The outcome of an exercise. A score that is not known yet is None.
 
-    ``score_on_given`` is the score on the reference's earlier chapters. The points of ``extra``
-    credit are not part of the points possible.
+    ``score_on_given`` is the score with the earlier chapters taken from the reference. The points
+    of ``extra`` credit are not part of the possible points.
     """
 
     chapter: int
@@ -61,9 +61,9 @@ class ExerciseReport:
 
 @dataclass(frozen=True)
 class Late:
-    """How late a submission is by the course's rules, and the points that this costs.
+    """How late a submission is by the rules of the course, and the points that this costs.
 
-    ``days`` is None if it is unknown. ``words`` explains the rest in sentences.
+    ``days`` is None if it is unknown. ``words`` contains further explanations, as sentences.
     """
 
     days: int | None
@@ -73,9 +73,9 @@ class Late:
 
 @dataclass(frozen=True)
 class RunKey:
-    """The conditions, besides the submission, under which a report stays valid.
+    """The conditions, besides the submission, under which a report remains valid.
 
-    ``points`` maps each graded exercise to its points, and ``extra`` lists those of extra credit.
+    ``points`` maps each graded exercise to its points. ``extra`` lists the extra-credit exercises.
     """
 
     seed: str
@@ -92,12 +92,12 @@ class RunKey:
 
 @dataclass(frozen=True)
 class StudentReport:
-    """One student's results.
+    """The results of one student.
 
     Checks can give ``points``. A person has given ``by_hand`` points, and can still give
     ``waiting`` points. ``earlier`` lists the student's own chapters on which the graded ones build.
-    ``submission`` is the digest of the graded files. Grading took ``seconds``. ``late`` is None if
-    nothing is due.
+    ``submission`` is the digest of the graded files. ``seconds`` is the time that grading took.
+    ``late`` is None if the work has no due date.
     """
 
     student: str
@@ -119,22 +119,25 @@ class StudentReport:
 
     @property
     def earned(self) -> float | None:
-        """The points from checks and people together, or None if the grader failed."""
+        """The points from checks and from people, or None if the grader failed."""
         return None if self.score is None else self.score + (self.by_hand or 0)
 
     @property
     def penalty(self) -> float:
-        """The points that lateness takes away, which are never more than the points earned."""
+        """The points deducted for lateness, which never exceed the points earned."""
         return min(self.late.deduction if self.late else 0.0, self.earned or 0.0)
 
     @property
     def total(self) -> float | None:
-        """The points earned without the penalty, or None if the grader failed."""
+        """The points earned minus the penalty, or None if the grader failed."""
         return None if self.earned is None else round(self.earned - self.penalty, 2)
 
 
 def tiers(checks: Sequence[CheckReport]) -> list[tuple[str, int, int]]:
-    """Return each tier that has checks: its name, how many pass, and how many there are."""
+    """Return the tiers that have checks.
+
+    Each has a name, a number of passed checks, and a total.
+    """
     found = []
     for name, robust in (("physics", False), ("robust", True)):
         states = [check.status for check in checks if check.robust is robust]

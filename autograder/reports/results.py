@@ -1,4 +1,4 @@
-"""Store the results of a graded class: a file per student, and everything made from these files."""
+"""Store the results of a graded class, and write all files that are based on them."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ from autograder.submissions.find import file_name
 
 
 def write_result(out: Path, report: StudentReport) -> Path:
-    """Write results/<student>.json in one step, and return its path."""
+    """Write results/<student>.json atomically, and return its path."""
     path = out / "results" / f"{file_name(report.student)}.json"
     keep_report(path, report)
     return path
 
 
 def keep_report(path: Path, report: StudentReport) -> None:
-    """Write a report in one step."""
+    """Write a report to a file atomically."""
     text = json.dumps(to_json(report), indent=1, ensure_ascii=False, allow_nan=False)
     replace_file(path, text + "\n")
 
 
 def read_result(path: Path) -> StudentReport | None:
-    """Return the report in a file, or None if it is missing, incomplete or in another form."""
+    """Return the report in a file, or None if the file is missing, incomplete or not a report."""
     try:
         data = json.loads(path.read_text(encoding="utf-8"), parse_constant=_refuse)
         return from_json(StudentReport, data)
@@ -42,7 +42,7 @@ def read_results(out: Path) -> list[StudentReport]:
     """Return all reports of a graded class, sorted by student.
 
     Raises:
-        ValueError: There are none, or one of them cannot be read.
+        ValueError: There are no reports, or one of them cannot be read.
     """
     reports = []
     for path in (out / "results").glob("*.json"):
@@ -56,7 +56,10 @@ def read_results(out: Path) -> list[StudentReport]:
 
 
 def write_student(out: Path, report: StudentReport) -> None:
-    """Write all files about one student. The results come last, since they mark it as complete."""
+    """Write all files about one student.
+
+    The results come last, because they mark it as complete.
+    """
     write_feedback(out, report)
     write_gradescope(out, report)
     write_result(out, report)
@@ -69,10 +72,10 @@ def write_class(
     missing: Sequence[str] = (),
     unmatched: Sequence[str] = (),
 ) -> list[Path]:
-    """Write the files about the whole class, and return the paths that the instructor needs.
+    """Write the files about the whole class, and return those paths that the instructor needs.
 
-    ``missing`` are the students of the roster who handed nothing in, and ``unmatched`` those who
-    handed something in and are not in the roster.
+    ``missing`` lists the students of the roster who have not handed anything in. ``unmatched``
+    lists the students who have handed something in but are not in the roster.
     """
     index = write_index(out, chapters, reports, missing, unmatched)
     gradebook = write_gradebook(out, chapters, reports, missing, unmatched)

@@ -1,6 +1,6 @@
-"""Lay out the chart of an open exercise: the cost of each submission against its error.
+"""Lay out the chart of an open exercise, which shows cost and error of each submission.
 
-Both axes are logarithmic. scatter.svg draws this layout in its own units.
+Both axes are logarithmic. The template scatter.svg draws this layout.
 """
 
 from __future__ import annotations
@@ -18,19 +18,22 @@ Point = Sequence[float]  # cost and error
 
 @dataclass(frozen=True)
 class Dot:
-    """One point on the chart: its owner, its numbers, and its drawn position."""
+    """One point on the chart: its owner, its cost and error, and its drawn position."""
 
     name: str
     cost: float
     error: float
     x: float
     y: float
-    best: bool  # no work of the same or a lower cost has a smaller error
+    best: bool  # whether nothing at the same or a lower cost has a smaller error
 
 
 @dataclass(frozen=True)
 class Scatter:
-    """A chart: axes with ticks (position, label), dots of students and the reference, the front."""
+    """A chart: two axes with ticks, dots for the students and the reference, and the front.
+
+    A tick is a pair of its position and its label.
+    """
 
     exercise: ExerciseReport
     axes: Sequence[str]
@@ -42,7 +45,7 @@ class Scatter:
 
 
 def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, Point]]) -> Scatter:
-    """Lay out named points, and the reference's point, for an exercise with this chart."""
+    """Lay out the chart of an exercise, with named points and the point of the reference."""
     reference = chart.reference
     points = [point for _, point in named] + ([reference] if reference else [])
     costs, errors = _ticks([cost for cost, _ in points]), _ticks([error for _, error in points])
@@ -78,7 +81,7 @@ def front(points: Sequence[Point]) -> list[list[float]]:
 
 
 def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return the corners of a front as stairs: each error holds until the next point's cost."""
+    """Return the corners of a front as stairs. An error holds until the next point's cost."""
     corners = line[:1]
     for x, y in line[1:]:
         corners += [(x, corners[-1][1]), (x, y)]

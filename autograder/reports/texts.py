@@ -1,4 +1,4 @@
-"""Text handling in all reports: clean untrusted text, and write it in one step."""
+"""Handle text in reports: clean untrusted text, format numbers, and write files atomically."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from autograder.scores import shown
 
 T = TypeVar("T")
 
-LONGEST = 4000  # characters of one text in a report; a check's own message has a few hundred
+LONGEST = 4000  # characters of a text in a report; a check's message has a few hundred
 
 
 def clean_all(value: T) -> T:
-    """Return a report, or a part of one, with every text in it cleaned and shortened."""
+    """Return a report, or a part of one, in which every text is cleaned and shortened."""
     return cast(T, _cleaned(value))
 
 
@@ -32,23 +32,23 @@ def _cleaned(value: Any) -> Any:
 
 
 def _clean_and_cut(text: str) -> str:
-    """Return a clean text that is not too long for a report."""
+    """Return a text, cleaned and cut to a length that is suitable for a report."""
     if len(text) > LONGEST:
         text = f"{text[:LONGEST]}\n... and {len(text) - LONGEST} more characters"
     return clean(text)
 
 
 def number(value: float | None) -> str:
-    """Format points for people to read: 18.27, 2.5 or 3, and nothing for None."""
+    """Format points for people to read, such as 18.27, 2.5 or 3. None becomes an empty text."""
     return "" if value is None else shown(value)
 
 
 def check_title(name: str) -> str:
-    """Return a check's name as words: test_clear_leaves_zero is "clear leaves zero"."""
+    """Return the name of a check as words: test_clear_leaves_zero becomes "clear leaves zero"."""
     return clean_line(name).removeprefix("test_").replace("_", " ")
 
 
 def replace_file(path: Path, text: str) -> None:
-    """Write a text in one step, so that no file is ever half written."""
-    # Invalid characters in a student's message or name are written as escapes.
+    """Write a text to a file atomically, so that no file is ever half written."""
+    # Characters in a student's message or name that cannot be encoded are escaped.
     replace_bytes(path, text.encode("utf-8", errors="backslashreplace"))

@@ -1,1 +1,1 @@
-"""Find submissions of a class that resemble each other more than the class as a whole does."""
+"""Find pairs of submissions that are more similar than is usual in their class."""

@@ -1,4 +1,4 @@
-"""Read the functions of a student's file as tokens. The code is never compiled, imported or run."""
+"""Read the functions in a student's file as tokens, without compiling, importing or running it."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 LONGEST = 100_000  # characters; a chapter's longest module has about ten thousand
-WIDEST = 2_000  # characters; Python 3.12 takes a time that grows with the square of a line's length
-LOCAL = "~"  # begins the word of a name that a student has chosen
+WIDEST = 2_000  # characters, since the time of Python 3.12 grows with the square of the length
+LOCAL = "~"  # marks a name that the student has chosen
 ALWAYS_KNOWN = frozenset({"self", *keyword.kwlist})
 _IN_NO_LINE = (tokenize.COMMENT, tokenize.NL, tokenize.INDENT, tokenize.DEDENT)
 _Line = list[tokenize.TokenInfo]
@@ -20,7 +20,7 @@ _Line = list[tokenize.TokenInfo]
 
 @dataclass(frozen=True)
 class Token:
-    """A word of the code, in the form that is compared, and its (line, column) in the file."""
+    """A token of the code in the form that is compared, with its (line, column) in the file."""
 
     word: str
     start: tuple[int, int]
@@ -29,7 +29,10 @@ class Token:
 
 @dataclass(frozen=True)
 class Function:
-    """A function or method with the tokens of its body. "" stands for code outside functions."""
+    """A function or method, with the tokens of its body.
+
+    The name "" stands for code outside functions.
+    """
 
     name: str
     tokens: list[Token]
@@ -40,12 +43,12 @@ class Function:
 
 
 def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list[Function], int]:
-    """Return the functions of a file, and the line after which it cannot be read, or 0.
+    """Return the functions in a file, and the line after which it cannot be read, or else 0.
 
-    Methods are called Particle.mass, and setters Particle.mass.setter. Signatures, comments and
-    docstrings are left out, because they are given or do not affect what the code does. All strings
-    count as equal, and so do 2 and 2.0. ``known`` are the names of the engine, which all students
-    share.
+    Methods have names such as Particle.mass, and setters have names such as Particle.mass.setter.
+    Signatures, comments and docstrings are left out, because they are given or do not change what
+    the code does. All strings count as equal, and so do 2 and 2.0. ``known`` contains the names in
+    the engine, which all students use.
     """
     text, stopped = _without_the_excessive(text)
     found: dict[str, list[Token]] = {}
@@ -77,7 +80,7 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
 
 
 def names_in(text: str) -> Iterator[str]:
-    """Yield the public names in one of our own files, and Python's own names."""
+    """Yield the public names in a file that the student did not write, and Python's own names."""
     yield from (*dir(builtins), *dir(math))
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
         if token.type == tokenize.NAME and not (
@@ -87,7 +90,7 @@ def names_in(text: str) -> Iterator[str]:
 
 
 def _without_the_excessive(text: str) -> tuple[str, int]:
-    """Return a text up to the first line that is too long, and the number of that line, or 0."""
+    """Return a text up to the first line that is too long, and that line's number, or else 0."""
     size = 0
     for number, line in enumerate(io.StringIO(text), start=1):
         if len(line) > WIDEST or size + len(line) > LONGEST:
@@ -97,7 +100,7 @@ def _without_the_excessive(text: str) -> tuple[str, int]:
 
 
 def _lines(text: str) -> Iterator[tuple[int, _Line]]:
-    """Yield each logical line with its depth of indentation."""
+    """Yield each logical line of the code with the depth of its indentation."""
     depth, nested = 0, 0
     line: _Line = []
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
@@ -117,7 +120,7 @@ def _lines(text: str) -> Iterator[tuple[int, _Line]]:
 
 
 def _tokens(line: _Line, known: frozenset[str]) -> Iterator[Token]:
-    """Yield the tokens of a logical line that are compared. A docstring has none."""
+    """Yield those tokens of a logical line that are compared. For a docstring, there are none."""
     if all(token.type in (tokenize.STRING, tokenize.NEWLINE) for token in line):
         return
     for before, token, after in zip([None, *line], line, [*line[1:], None], strict=False):
@@ -144,7 +147,7 @@ def _number(text: str) -> str:
 
 
 def _after_colon(line: _Line) -> _Line:
-    """Return the tokens after a signature in its line: none, or a body of one line."""
+    """Return the tokens that follow a signature on the same line, which form a body of one line."""
     open_brackets = 0
     for i, token in enumerate(line):
         if token.type == tokenize.OP:
@@ -156,7 +159,7 @@ def _after_colon(line: _Line) -> _Line:
 
 
 def _line_of(error: Exception) -> int:
-    """Return the line that an error of the tokenizer names, or the first."""
+    """Return the line that an error of the tokenizer names, or the first line if it names none."""
     place = error.args[1] if len(error.args) > 1 else ()
     numbers: Iterable[object] = place if isinstance(place, tuple) else ()
     return next((number for number in numbers if isinstance(number, int)), 1)

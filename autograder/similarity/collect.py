@@ -1,4 +1,7 @@
-"""Extract the code to compare from a class's submissions, staged as for grading."""
+"""Extract the code to compare from the submissions of a class.
+
+The submissions are copied and checked in the same way as for grading.
+"""
 
 from __future__ import annotations
 
@@ -14,16 +17,17 @@ from autograder.similarity.winnow import fingerprints, hashes
 from autograder.submissions.find import Submission
 from autograder.submissions.stage import stage
 
-SMALLEST = 30  # words of the reference, in an exercise that can be written in more than one way
+SMALLEST = 30  # tokens in the reference of an exercise that allows different solutions
 
 
 @dataclass(frozen=True)
 class Ground:
-    """The context in which a class's code is compared.
+    """The information that is needed to compare the code of a class.
 
-    ``parts`` names the exercise of each edited function, such as ch02_vectors/vector.py
-    Vector3.dot. ``known`` are the names of the engine, and ``given`` are the hashes of stubs, given
-    modules and the reference. ``small`` are the exercises that are left out.
+    ``parts`` maps each function that students edit, such as ch02_vectors/vector.py Vector3.dot, to
+    its exercise. ``known`` contains the names in the engine. ``given`` contains the hashes of
+    stubs, given modules and the reference. ``small`` lists the exercises that are too short to be
+    compared.
     """
 
     chapters: list[Chapter]
@@ -34,7 +38,7 @@ class Ground:
 
 
 def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
-    """Return the context in which submissions to these chapters are compared."""
+    """Return the information that is needed to compare submissions for these chapters."""
     names = [chapter.name for chapter in load_chapters(root)]
     known = frozenset(name for text in _our_files(root, names) for name in names_in(text))
     given: set[int] = set()
@@ -58,7 +62,7 @@ def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
 def collect(
     submissions: Iterable[Submission], ground: Ground, root: Path = ROOT
 ) -> Iterator[tuple[Work, list[str]]]:
-    """Yield the work of each student, and notes on files that could not be read."""
+    """Yield the work of each student, with notes on files that could not be read."""
     for submission in submissions:
         with tempfile.TemporaryDirectory(prefix="similarity-") as folder:
             staged = stage(submission.path, ground.chapters, Path(folder), root)
@@ -73,7 +77,10 @@ def collect(
 
 
 def work_of(student: str, files: dict[str, str], ground: Ground) -> tuple[Work, list[str]]:
-    """Return a student's work in these files, without given code and small exercises, and notes."""
+    """Return a student's work in these files, and notes on problems.
+
+    Given code and exercises that are too short are left out.
+    """
     parts: dict[str, Part] = {}
     notes = []
     for file, text in files.items():
@@ -91,7 +98,7 @@ def work_of(student: str, files: dict[str, str], ground: Ground) -> tuple[Work, 
 
 
 def _our_files(root: Path, chapters: list[str]) -> Iterator[str]:
-    """Yield the text of the reference, the stubs and the given modules of chapters."""
+    """Yield the texts of the reference, the stubs and the given modules of some chapters."""
     for folder in ("solutions", "chapters"):
         for name in chapters:
             for path in sorted((root / folder / name).glob("*.py")):

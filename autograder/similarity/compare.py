@@ -1,9 +1,12 @@
 """Compare the code of a class pair by pair, and rate how unusual the similarity of each pair is.
 
-A fingerprint has more weight if fewer students have it in the same exercise. The similarity of a
-pair is the mean over the exercises, in which no single exercise dominates. To rate it, the usual
-similarity of both students to others is subtracted. The difference, divided by its spread over the
-class, is called the surprise of the pair.
+Code is compared by its fingerprints. The fewer students share a fingerprint in the same exercise,
+the more weight it has. The similarity of a pair is its mean over the exercises, which are weighted
+so that no single exercise dominates.
+
+Some students write code that resembles everybody's. So the usual similarity of both students to
+others is subtracted. The difference, divided by its spread over the class, is the surprise of the
+pair.
 """
 
 from __future__ import annotations
@@ -17,14 +20,14 @@ from itertools import combinations
 
 from autograder.similarity.code import Token
 
-FEWEST = 12  # students, with whom there are 66 pairs; statistics on fewer would mislead
+FEWEST = 12  # students, who form 66 pairs; statistics on fewer would be misleading
 UPPER_DECILE = statistics.NormalDist().inv_cdf(0.9)
 FALSE_ALARMS = 0.002  # pairs beyond the line without copies, if pairs vary as a bell curve does
 
 
 @dataclass(frozen=True)
 class Passage:
-    """A function that a student has written: its position, its tokens, and the whole file."""
+    """A function that a student has written: its position, its tokens, and the text of its file."""
 
     file: str
     name: str
@@ -34,7 +37,7 @@ class Passage:
 
 @dataclass
 class Part:
-    """The code of a student for one exercise, or the other code in one file."""
+    """A student's code for one exercise, or the code in one file that belongs to no exercise."""
 
     passages: list[Passage] = field(default_factory=list)
     fingerprints: set[int] = field(default_factory=set)
@@ -42,7 +45,7 @@ class Part:
 
 @dataclass(frozen=True)
 class Work:
-    """The code of one student, by exercise."""
+    """All code of one student, divided into parts."""
 
     student: str
     parts: Mapping[str, Part]
@@ -50,7 +53,7 @@ class Work:
 
 @dataclass(frozen=True)
 class Pair:
-    """Two students: how similar their code is, from 0 to 1, and how surprising that is."""
+    """Two students, with the similarity of their code from 0 to 1 and how surprising it is."""
 
     one: Work
     other: Work
@@ -60,7 +63,7 @@ class Pair:
 
 @dataclass(frozen=True)
 class Shared:
-    """The code that a pair shares in one part. Its rarest code is used by ``rarest`` students."""
+    """The code that a pair shares in one part. Its rarest piece is used by ``rarest`` students."""
 
     name: str
     similarity: float
@@ -69,10 +72,10 @@ class Shared:
 
 
 class Comparison:
-    """All pairs of a class, the most surprising first.
+    """All pairs of a class, with the most surprising pair first.
 
-    A pair stands out if its surprise is above ``line``. A small class has neither surprises nor a
-    line.
+    A pair stands out if its surprise is greater than ``line``. If the class is small, there is
+    neither a surprise nor a line.
     """
 
     def __init__(self, pairs: list[Pair], line: float | None, measure: Measure) -> None:
@@ -81,18 +84,18 @@ class Comparison:
         self.measure = measure
 
     def stands_out(self, pair: Pair) -> bool:
-        """Return whether chance alone is unlikely to produce such a pair in a class like this."""
+        """Return whether a pair is too similar for chance to be a likely reason in this class."""
         if self.line is None or pair.surprise is None:
             return False
         return pair.surprise >= self.line
 
     @property
     def outstanding(self) -> int:
-        """The number of pairs that stand out. They come first."""
+        """The number of pairs that stand out. They are the first pairs in the list."""
         return sum(map(self.stands_out, self.pairs))
 
     def shared(self, pair: Pair) -> list[Shared]:
-        """Return the code that a pair shares, the parts with the most rare shared code first."""
+        """Return the code that a pair shares. Parts with the most rare code come first."""
         found = []
         for name in pair.one.parts.keys() & pair.other.parts.keys():
             both = pair.one.parts[name].fingerprints & pair.other.parts[name].fingerprints
@@ -103,7 +106,7 @@ class Comparison:
 
 
 def compare(works: list[Work]) -> Comparison:
-    """Compare every two students of a class."""
+    """Compare every pair of students in a class."""
     measure = Measure(works)
     pairs = [Pair(a, b, measure.similarity(a, b)) for a, b in combinations(works, 2)]
     if len(works) < FEWEST or (spread := _spread(_excesses(pairs))) is None:
@@ -120,7 +123,7 @@ def compare(works: list[Work]) -> Comparison:
 
 
 class Measure:
-    """The weights of fingerprints and exercises in this class."""
+    """The weights of the fingerprints and of the exercises in this class."""
 
     def __init__(self, works: list[Work]) -> None:
         self.students = len(works)
@@ -137,7 +140,10 @@ class Measure:
         self.usual = {name: statistics.median(values) for name, values in totals.items()}
 
     def similarity(self, one: Work, other: Work) -> float:
-        """Return the mean similarity over the exercises, 0 for each that one student lacks."""
+        """Return the mean similarity over the exercises.
+
+        An exercise that one student lacks counts as 0.
+        """
         found = sum(
             self.size(name) * self.similarity_in(name, one, other)
             for name in one.parts.keys() & other.parts.keys()
@@ -146,19 +152,22 @@ class Measure:
         return found / math.sqrt(math.prod(sizes)) if all(sizes) else 0.0
 
     def size(self, name: str) -> float:
-        """Return the weight of a part in the mean: the square root of its usual size."""
+        """Return the weight of a part in the mean, which is the square root of its usual size."""
         return math.sqrt(self.usual[name])
 
     def similarity_in(self, name: str, one: Work, other: Work) -> float:
-        """Return how similar two students' code is in one part, from 0 to 1."""
+        """Return the similarity of two students' code in one part, from 0 to 1."""
         both = one.parts[name].fingerprints & other.parts[name].fingerprints
-        # Who has written less than usual has less to share, and is not to stand out by that.
+        # A student who has written less has less to share, and must not stand out for that.
         sizes = [max(self.own[w.student, name], self.usual[name]) for w in (one, other)]
         shared = self.weight(name, both)
         return shared / math.sqrt(math.prod(sizes)) if shared else 0.0
 
     def weight(self, name: str, values: set[int]) -> float:
-        """Return the weight of fingerprints of a part: the larger, the fewer students have them."""
+        """Return the weight of some fingerprints in a part.
+
+        Fingerprints that few students have weigh more.
+        """
         return sum(math.log(self.students / self.holders[name, value]) for value in values)
 
 
@@ -174,10 +183,10 @@ def _excesses(pairs: list[Pair]) -> Iterator[float]:
 
 
 def _spread(values: Iterator[float]) -> tuple[float, float] | None:
-    """Return the median and a robust standard deviation, or None for no values.
+    """Return the median and a robust standard deviation, or None if there are no values.
 
-    A few copies do not change this standard deviation. It is computed from the upper half, which
-    has the longer tail.
+    The standard deviation is computed from the upper half of the values, which has the longer tail.
+    A few copies hardly change it.
     """
     found = [*values]
     deciles = statistics.quantiles(found, n=10, method="inclusive")

@@ -1,6 +1,6 @@
-"""Write the pages of a comparison: an index of pairs, and two students' code side by side.
+"""Write the pages of a comparison: an index of pairs, and the code of each pair side by side.
 
-Names and code are inserted only as text, and nothing is loaded from other hosts.
+Names and code are inserted only as text, and the pages load nothing from other hosts.
 """
 
 from __future__ import annotations
@@ -21,15 +21,15 @@ from autograder.similarity.compare import FEWEST, Comparison, Pair, Passage, Sha
 from autograder.similarity.winnow import covered
 
 TEMPLATES = Path(__file__).parent / "templates"
-FEWEST_ROWS = 30  # pairs on the index; all that stand out are on it
+FEWEST_ROWS = 30  # pairs on the index, or more if more pairs stand out
 MOST_LINES = 200  # of one function
 WIDEST = 500  # characters of a line
-RARE = 0.1  # of the class
+RARE = 0.1  # fraction of the class
 
 
 @dataclass(frozen=True)
 class Piece:
-    """A piece of code: shared by few ("rare"), shared by many ("common"), or not shared ("")."""
+    """A piece of code. Few students share it ("rare"), many do ("common"), or nobody does ("")."""
 
     text: str
     kind: str
@@ -37,7 +37,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Side:
-    """A function of one student, in pieces, and the line at which it begins."""
+    """A function of one student, divided into pieces, and the line at which it begins."""
 
     name: str
     file: str
@@ -48,13 +48,13 @@ class Side:
 def write_pages(
     out: Path, comparison: Comparison, chapters: list[Chapter], small: list[str], notes: list[str]
 ) -> Path:
-    """Write index.html and a page for each of its pairs, and return the path of the index."""
+    """Write index.html and a page for each pair that it lists. Return the path of the index."""
     shown = comparison.pairs[: max(FEWEST_ROWS, comparison.outstanding)]
     rows = [
         (f"pairs/pair-{number:03}.html", pair, comparison.shared(pair))
         for number, pair in enumerate(shown, start=1)
     ]
-    # The index goes first: if this run is killed, an earlier index must not lead to other pairs.
+    # Delete the old index first. If this run is killed, it must not link to pages of other pairs.
     (out / "index.html").unlink(missing_ok=True)
     for old in (out / "pairs").glob("pair-*.html"):
         old.unlink()
@@ -79,7 +79,10 @@ def write_pages(
 
 
 def pieces_of(passage: Passage, kinds: dict[int, str]) -> list[Piece]:
-    """Return the lines of a function in pieces. ``kinds`` maps token numbers to kinds."""
+    """Return the lines of a function, divided into pieces.
+
+    ``kinds`` maps token numbers to kinds.
+    """
     first, last = passage.tokens[0].start[0], passage.tokens[-1].end[0]
     lines = passage.text.split("\n")[first - 1 : min(last, first - 1 + MOST_LINES)]
     marks = [[""] * len(line) for line in lines]
@@ -92,7 +95,7 @@ def pieces_of(passage: Passage, kinds: dict[int, str]) -> list[Piece]:
             begin = token.start[1] if row == token.start[0] else 0
             end = token.end[1] if row == token.end[0] else len(lines[row - first])
             if previous[0] == row and previous[2] == kind:
-                begin = previous[1]  # what is between two marked tokens is marked too
+                begin = previous[1]  # text between two marked tokens is marked too
             line = marks[row - first]
             line[begin:end] = [kind] * len(line[begin:end])
             previous = (row, end, kind)
@@ -105,7 +108,7 @@ def pieces_of(passage: Passage, kinds: dict[int, str]) -> list[Piece]:
             pieces.append(Piece(clean(text[columns[0] : columns[-1] + 1]), kind))
         pieces.append(Piece(" ...\n" if len(text) > WIDEST else "\n", ""))
     if last - first >= MOST_LINES:
-        pieces.append(Piece(f"... and {last - first + 1 - MOST_LINES} lines more\n", ""))
+        pieces.append(Piece(f"... and {last - first + 1 - MOST_LINES} more lines\n", ""))
     return pieces
 
 
@@ -134,7 +137,7 @@ def _works(pair: Pair) -> tuple[Any, Any]:
 
 
 def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
-    """Return the functions of one student that contain shared code."""
+    """Return those functions of one student that contain shared code."""
     sides = []
     for passage in passages:
         kinds = dict.fromkeys(covered(passage.tokens, part.fingerprints), "common")
@@ -147,6 +150,6 @@ def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
 
 
 def _histogram(pairs: Sequence[Pair]) -> list[tuple[int, int]]:
-    """Return the number of pairs whose surprise is between one whole number and the next."""
+    """Return a histogram of the surprise of all pairs, in bins that are 1 wide."""
     counts = Counter(math.floor(p.surprise) for p in pairs if p.surprise is not None)
     return [(n, counts[n]) for n in range(min(counts), max(counts) + 1)] if counts else []

@@ -1,4 +1,4 @@
-"""The command similarity: compare the submissions of a class, and write the pages."""
+"""The command `similarity`, which compares the submissions of a class and writes the pages."""
 
 from __future__ import annotations
 
@@ -15,10 +15,11 @@ from autograder.wrapping import plain_console
 
 
 def similarity(folder: Path, out: Path, chapters: list[Chapter], root: Path = ROOT) -> int:
-    """Compare every two submissions in a folder, and write the pages into ``out``.
+    """Compare every pair of submissions in a folder, and write the pages into ``out``.
 
-    Raises ValueError if there is nothing to compare, and OSError if one of our own files cannot be
-    read or written.
+    Raises:
+        ValueError: There is nothing to compare.
+        OSError: A file of the repository cannot be read, or a page cannot be written.
     """
     if out.resolve().is_relative_to(folder.resolve()):
         raise ValueError(f"--out must not be in the folder of the class, got {str(out)!r}")
@@ -35,15 +36,15 @@ def similarity(folder: Path, out: Path, chapters: list[Chapter], root: Path = RO
         if work.parts:
             works.append(work)
         else:
-            notes.append(f"{work.student} is not compared: there is no code that could be shared")
+            notes.append(f"{work.student} is not compared: there is no code to compare")
     comparison = compare(works)
     index = write_pages(out, comparison, chapters, ground.small, notes)
     for note in notes:
         console.print(note, markup=False, soft_wrap=True)
     if comparison.line is None:
-        console.print(f"Nothing stands out: that takes {FEWEST} students, and code that differs.")
+        console.print(f"No pair can stand out without {FEWEST} students whose code differs.")
     else:
         of_all = f"{comparison.outstanding} of {len(comparison.pairs)}"
-        console.print(f"{of_all} pairs stand out. This proves nothing.")
-    console.print(f"Read both texts of a pair in {index}", markup=False, soft_wrap=True)
+        console.print(f"{of_all} pairs stand out. Similarity alone proves nothing.")
+    console.print(f"Read the code of each pair yourself: {index}", markup=False, soft_wrap=True)
     return 0

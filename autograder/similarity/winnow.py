@@ -1,10 +1,12 @@
-"""Fingerprints of code by winnowing (Schleimer, Wilkerson and Aiken, 2003).
+"""Compute fingerprints of code by winnowing (Schleimer, Wilkerson and Aiken, 2003).
 
-Every run of GRAM tokens is hashed, and of every WINDOW neighboring hashes the smallest is kept. Two
-texts that share GRAM + WINDOW - 1 tokens in a row therefore share a fingerprint. Within a run, a
-student's own names are numbered in the order in which they appear, so that renamed variables still
-match. A run is no longer than a short statement, so that reordered statements still share most
-fingerprints.
+Every sequence of GRAM consecutive tokens is hashed. Out of every WINDOW neighboring hashes, the
+smallest is kept as a fingerprint. Two texts that share GRAM + WINDOW - 1 tokens in a row therefore
+share at least one fingerprint.
+
+Within a sequence, the names that a student has chosen are numbered in the order in which they
+appear, so code matches even if its variables were renamed. A sequence is no longer than a short
+statement, so code shares most fingerprints even if its statements were reordered.
 """
 
 from __future__ import annotations
@@ -21,7 +23,7 @@ WINDOW = 4
 
 @cache
 def hashes(words: tuple[str, ...]) -> tuple[int, ...]:
-    """Return the hash of each run of tokens, keyed by the position at which the run begins."""
+    """Return the hash of each sequence of tokens, indexed by the position at which it begins."""
     return tuple(_hash(words[i : i + GRAM]) for i in range(len(words) - GRAM + 1))
 
 
@@ -33,7 +35,7 @@ def fingerprints(words: tuple[str, ...]) -> set[int]:
 
 
 def covered(tokens: list[Token], shared: Collection[int]) -> set[int]:
-    """Return the numbers of the tokens that belong to a run with one of these hashes."""
+    """Return the numbers of the tokens that are part of a sequence with one of these hashes."""
     found = hashes(tuple(token.word for token in tokens))
     starts: Iterable[int] = (i for i, value in enumerate(found) if value in shared)
     return {i for start in starts for i in range(start, start + GRAM)}

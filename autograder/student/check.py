@@ -1,4 +1,4 @@
-"""Check chapters for a student, and distinguish inherited failures from the student's own."""
+"""Run the checks for a student, and separate the student's own failures from inherited ones."""
 
 from __future__ import annotations
 
@@ -32,12 +32,13 @@ def check(
     *,
     only: bool = False,
 ) -> bool:
-    """Check the chapters, or one exercise and what it needs; print the results; return success.
+    """Check chapters or one exercise, print the results, and return whether everything passes.
 
-    With ``only``, the command shows just the physics checks of the exercise, and only these decide
-    success. The exercise's robust checks, and the exercises that it needs, are run but not shown.
-    ``given`` chapters are taken from the reference. A written exercise has no checks, so it is
-    shown and counts as a success. An unanswered question does not prevent success either.
+    If there is an ``exercise``, the exercises on which it depends are checked too. With ``only``,
+    the command shows just the physics checks of the exercise, and only these determine the result.
+    The robust checks, and the exercises on which it depends, are run but not shown. ``given``
+    chapters are taken from the reference. A written exercise has no checks, so it is shown and
+    counts as a success. An unanswered question does not prevent success either.
     """
     if exercise and exercise.kind == "written":
         print_written(ProgressBar().console, chapters[0], exercise, engine)
@@ -65,9 +66,10 @@ def report_on(
     run: Callable[..., list[Verdict]],
     progress: ProgressBar,
 ) -> Report:
-    """Return the report on a chapter, or on one exercise and what it needs.
+    """Return the report on a chapter, or on one exercise and those on which it depends.
 
-    ``run`` runs the checks. A check that fails only because of an earlier chapter is inherited.
+    ``run`` is the function that runs the checks. A check that fails only because of an earlier
+    chapter is marked as inherited.
     """
     progress.title = f"chapter {chapter.number}"
     wanted = with_needs(chapter, [exercise.id] if exercise else None)

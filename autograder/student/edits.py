@@ -1,4 +1,4 @@
-"""Find out which functions a student has edited since the last call."""
+"""Find out which functions a student has edited since the last time."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from autograder.manifest import Chapter, Exercise
 
 
 class Edits:
-    """Remembers functions and data of chapters, to find changes since the last ``look``."""
+    """Remembers the functions and data in chapters, and finds what has changed."""
 
     def __init__(self, engine: Path, chapters: list[Chapter]) -> None:
         self.engine = engine
@@ -20,10 +20,10 @@ class Edits:
         self.look()
 
     def look(self) -> list[tuple[Chapter, Exercise, list[str]]]:
-        """Return the exercises that were edited, each with its edited functions and files.
+        """Return the exercises edited since the last call, with what has changed in each.
 
-        Changes of the layout or of comments do not count. If a module cannot be read, any of its
-        functions may have been edited.
+        Changes to the layout or to comments do not count. If a module cannot be read, all of its
+        functions count as edited, because any of them may have changed.
         """
         edited = []
         for chapter in self.chapters:
@@ -35,7 +35,7 @@ class Edits:
         return edited
 
     def _look_at(self, chapter: Chapter, name: str) -> set[str]:
-        """Return the parts of a file that were edited, and remember its current content."""
+        """Return the parts of a file that have changed, and remember its current contents."""
         path = self.engine / chapter.name / name
         try:
             text = path.read_bytes()
@@ -55,9 +55,9 @@ class Edits:
 
 
 def _bodies(module: str, text: bytes) -> dict[str, str] | None:
-    """Return the code of each function, or None if the module cannot be read or has no functions.
+    """Return the code of each function, or None if a module cannot be read or has no functions.
 
-    Some editors empty a file before they write it.
+    A file may be empty for a moment, because some editors empty it before they write to it.
     """
     try:
         found = functions(ast.parse(text))
@@ -67,5 +67,5 @@ def _bodies(module: str, text: bytes) -> dict[str, str] | None:
 
 
 def _is_in(name: str, edited: set[str]) -> bool:
-    """Return whether a function or a file was edited, either by name or with its whole module."""
+    """Return whether a function or a file was edited, or is in a module that counts as edited."""
     return name in edited or f"{name.partition('.')[0]}.*" in edited

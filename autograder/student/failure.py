@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 class Failure:
     """A failed check: its diagnosis, the output of the student's code, and the next steps.
 
-    ``place`` is the position to open, and ``hints`` the exercise whose hints help. Both are empty
-    if an earlier chapter must be fixed first.
+    ``place`` is the position to open in an editor. ``hints`` is the exercise whose hints are
+    helpful. Both are empty if an earlier chapter must be fixed first.
     """
 
     heading: str
@@ -44,10 +44,10 @@ def failure_of(
     title: str = "",
     edited: Collection[str] = (),
 ) -> Failure | None:
-    """Return the first failure of an exercise, or None if no check fails.
+    """Return the failure of an exercise to show first, or None if no check fails.
 
-    A check that calls one of the ``edited`` functions comes first. A failure in written code comes
-    before a body that is not written yet.
+    Checks that call one of the ``edited`` functions come first. Failures of code that is already
+    written come before functions that are not written yet.
     """
     exercise = result.exercise
     candidates = [check for check in result.checks if check.status == result.status]
@@ -63,7 +63,7 @@ def failure_of(
     )
     message = failed.message
     inherited = failed.status == "inherited"
-    if inherited:  # the cause is not the one that a check of this chapter suggests
+    if inherited:  # then the cause that this chapter's check suggests is wrong
         message = replace(message, likely="", other="", read="")
     rows = [("check", failed.name), *message.rows(printed=False)]
     if failed.robust and exercise.robust:
@@ -93,7 +93,7 @@ def print_failure(console: Console, chapter: Chapter, result: Result, engine: li
 
 
 def few_printed(printed: str, lines: int, characters: int) -> list[Row]:
-    """Return a row with the first lines that the student's code printed, or no row without any."""
+    """Return a row with the first lines that the student's code printed, or an empty list."""
     return _printed(few_lines(printed, lines, characters)) if printed else []
 
 
@@ -102,7 +102,7 @@ def _printed(printed: str) -> list[Row]:
 
 
 def _is_about(check: Verdict, edited: Collection[str]) -> bool:
-    """Return whether a check calls one of these functions, or fails inside one."""
+    """Return whether a check calls one of these functions, or fails inside one of them."""
     called, where = check.message.called, check.message.where
     return any(
         calls(called, name) or (where and where.function == own_name(name).removesuffix(".setter"))

@@ -1,7 +1,7 @@
 """The screen at the end of a chapter, and the scenes that an exercise makes playable.
 
 A chapter is finished when the physics of its exercises works. Robust checks, questions, projects
-and going-further exercises may still be open. The screen lists them.
+and going-further exercises may still be open, in which case the screen lists them.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from autograder.student.screen import Report
 
 WIDTH = 79
-LABEL = 10  # columns of the label before each line
-DRAWN_WITH = "engine.txt"  # a file beside the pictures, which names the engine's folder
+LABEL = 10  # width of the label column
+DRAWN_WITH = "engine.txt"  # a file beside the pictures that names the engine's folder
 
 
 def print_finish(
@@ -33,7 +33,7 @@ def print_finish(
     engine: list[Path],
     given: list[Chapter],
 ) -> None:
-    """Print the lines of ``end_of``, below an empty line."""
+    """Print the lines that ``end_of`` returns, after an empty line."""
     lines = end_of(reports, exercise, engine, given)
     for words, style in [("", ""), *lines] if lines else []:
         console.print(words, style=style, markup=False, soft_wrap=True)
@@ -42,11 +42,11 @@ def print_finish(
 def end_of(
     reports: list[Report], exercise: Exercise | None, engine: list[Path], given: list[Chapter]
 ) -> list[tuple[str, str]]:
-    """Return the end of the chapter that was just finished, or the scenes that are now playable.
+    """Return the closing screen of a finished chapter, or a line about scenes that became playable.
 
-    Each line comes with its style. If no unfinished chapter has been begun, this is the end of the
-    last finished chapter. Otherwise it names the scenes that ``exercise`` has made playable or, by
-    default, the last exercise that works.
+    Each line comes with its style. If the student has not begun any unfinished chapter, the closing
+    screen of the last finished chapter is returned. Otherwise, the line names the scenes that
+    ``exercise`` makes playable. Without an ``exercise``, this is the last exercise that works.
     """
     unfinished = [report for report in reports if not is_finished(report)]
     begun = [report for report in unfinished if any(result.works for result in report.results)]
@@ -71,7 +71,7 @@ def is_finished(report: Report) -> bool:
 
 
 def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> list[str]:
-    """Return the screen at the end of a chapter: at most 20 lines of 80 columns."""
+    """Return the lines of a chapter's closing screen, which has at most 20 lines of 80 columns."""
     chapter = report.chapter
     lines = [f"Well done! Chapter {chapter.number} works: {chapter.title}.", ""]
     lines += [*textwrap.wrap(" ".join(chapter.you_can), WIDTH, break_on_hyphens=False), ""]
@@ -95,8 +95,8 @@ def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> li
 def play_words(report: Report, result: Result, engine: list[Path], given: list[Chapter]) -> str:
     """Return a sentence that names the scenes that this exercise makes playable.
 
-    Return an empty string if this exercise or an earlier one is open, or if an earlier chapter is
-    broken.
+    The sentence is empty if this exercise or an earlier one does not work yet, or if an earlier
+    chapter has failures.
     """
     exercise = result.exercise
     if not (exercise.play and result.works):
@@ -119,7 +119,7 @@ def _is_extra(exercise: Exercise) -> bool:
 
 
 def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
-    """Return whether the text of a body of an exercise is still that of the stub."""
+    """Return whether a function of an exercise is still a stub, or its file is missing."""
     stub = re.compile(rf"raise NotImplementedError\(\s*[\"']Exercise {re.escape(exercise.id)}:")
     for file in {f"{name.partition('.')[0]}.py" for name in exercise.edit}:
         paths = [folder / chapter.name / file for folder in engine]
@@ -130,7 +130,7 @@ def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
 
 
 def _open(report: Report, engine: list[Path]) -> list[str]:
-    """Return the items of a finished chapter that are still open."""
+    """Return the parts of a finished chapter that the student can still work on."""
     words = []
     robust = [
         (result.exercise, check)
@@ -153,7 +153,7 @@ def _open(report: Report, engine: list[Path]) -> list[str]:
 
 
 def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
-    """Return where the picture drawn by this code is, or how to draw it."""
+    """Return the path of the picture that this code has drawn, or the command that draws it."""
     folder = ROOT / "build" / "plots" / chapter.name
     file, drawn_with = folder / f"{chapter.picture}.png", folder / DRAWN_WITH
     if file.is_file() and drawn_with.is_file():
@@ -166,7 +166,7 @@ def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
 
 
 def _last_change(chapter: Chapter, engine: Path) -> float:
-    """Return when the files that a picture of this chapter may depend on were last saved."""
+    """Return the time of the last change to any file that a chapter's picture may depend on."""
     files = [
         file
         for file in engine.glob("ch??_*/*.*")
@@ -180,13 +180,13 @@ def _lab(name: str, engine: list[Path], given: list[Chapter]) -> str:
 
 
 def _variables(engine: list[Path], given: list[Chapter]) -> dict[str, str]:
-    """Return the make variables that name the engine and the given chapters."""
+    """Return the make variables that select the engine and the given chapters."""
     numbers = ",".join(str(chapter.number) for chapter in given)
     return {**({"GIVEN": numbers} if given else {}), **engine_variables(engine)}
 
 
 def _labeled(label: str, words: str) -> list[str]:
-    """Wrap words into lines beside a label."""
+    """Wrap a text into lines, with a label in front of the first line."""
     width = WIDTH - LABEL
     lines = textwrap.wrap(words, width, break_long_words=False, break_on_hyphens=False)
     return [f"{label if i == 0 else '':{LABEL}}{line}" for i, line in enumerate(lines)]

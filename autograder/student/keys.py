@@ -1,4 +1,7 @@
-"""Read single keys from the terminal, without Enter: with termios, or msvcrt on Windows."""
+"""Read single keys from the terminal without waiting for Enter.
+
+The module uses termios, or msvcrt on Windows.
+"""
 
 from __future__ import annotations
 
@@ -13,13 +16,13 @@ END = "\x04"  # Ctrl-D, which also means the end of the input
 
 
 def available() -> bool:
-    """Return whether single keys can be read: whether the input is a terminal."""
+    """Return whether single keys can be read, which is the case if the input is a terminal."""
     return sys.stdin is not None and sys.stdin.isatty()
 
 
 @contextmanager
 def single_keys() -> Iterator[None]:
-    """Deliver each key immediately and without echo, and restore the terminal at the end."""
+    """Deliver each key immediately and without echo. At the end, restore the terminal."""
     if not available() or sys.platform == "win32":
         yield
         return
@@ -36,9 +39,10 @@ def single_keys() -> Iterator[None]:
 
 
 def pressed() -> str:
-    """Return the keys pressed since the last call, without waiting and without special keys.
+    """Return the keys pressed since the last call. Do not wait, and leave out special keys.
 
-    If the terminal has gone away, return END. The input must have been a terminal.
+    If the terminal has been closed, return END. Call this only if the input was a terminal at
+    first.
     """
     keys = ""
     if sys.platform == "win32":

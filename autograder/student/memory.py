@@ -1,7 +1,6 @@
-"""Remember verdicts for as long as the checked files stay unchanged, to save time.
+"""Reuse verdicts as long as the checked files stay the same, so that checks run faster.
 
-Verdicts are kept in memory only. They are never read from a file, because a student could edit the
-file.
+Verdicts are kept in memory only. They are never read from a file, because a student could edit it.
 """
 
 from __future__ import annotations
@@ -16,9 +15,9 @@ from autograder.manifest import Chapter
 
 
 class Memory:
-    """Runs checks, except for those that it has already run on the same files.
+    """Runs checks, unless it has already run them on exactly the same files.
 
-    ``run`` is a function with the parameters of ``run_checks``.
+    ``run`` is a function with the same parameters as ``run_checks``.
     """
 
     def __init__(self, seed: str, run: Callable[..., list[Verdict]] = run_checks) -> None:
@@ -34,7 +33,7 @@ class Memory:
         exercises: list[str] | None = None,
         on_verdict: Callable[[int, int], None] | None = None,
     ) -> list[Verdict]:
-        """Return the verdicts, as ``run_checks`` does."""
+        """Return the verdicts as ``run_checks`` does."""
         wanted = with_needs(chapter, exercises)
         state = state_of(engine, chapter)
         for ids in (with_needs(chapter, None), wanted):
@@ -43,13 +42,13 @@ class Memory:
         verdicts = self.run(
             chapter, engine, seed=self.seed, exercises=wanted, on_verdict=on_verdict
         )
-        if state_of(engine, chapter) == state:  # else it is unclear which was checked
+        if state_of(engine, chapter) == state:  # otherwise it is unclear which files were checked
             self.known[(state, *wanted)] = verdicts
         return verdicts
 
 
 def state_of(engine: list[Path], chapter: Chapter) -> str:
-    """Return a hash of the files that the checks of a chapter may depend on."""
+    """Return a hash of all files on which the checks of a chapter may depend."""
     state = hashlib.sha256()
     for number, folder in enumerate(engine):
         for file in sorted(folder.glob("ch??_*/*.*")):

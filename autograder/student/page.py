@@ -1,4 +1,4 @@
-"""The page that watch shows. It fits on the terminal, so that its heading and keys stay visible."""
+"""The page that watch shows. It fits on the terminal, so its heading and keys remain visible."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ Line = tuple[str, str]  # a text and its style
 
 @dataclass
 class Page:
-    """The lines of the page: the top, one failure, the bottom, and a note.
+    """The contents of the page: lines at the top, a failure, lines at the bottom, and a note.
 
-    If the diagnosis is too long for the terminal, the command ``whole`` shows it in full.
+    ``whole`` is the command that shows the diagnosis in full if it is too long for the terminal.
     """
 
     top: list[Line] = field(default_factory=list)
@@ -32,7 +32,10 @@ class Page:
         self.bottom.append((words, style))
 
     def draw(self, console: Console, *, with_keys: bool) -> None:
-        """Print the page. On a terminal, clear the screen first and make the page fit."""
+        """Print the page.
+
+        On a terminal, clear the screen first and shorten the page until it fits.
+        """
         keys = [(KEYS, "bold")] if with_keys else []
         if not console.is_terminal:
             lines = [*self.top, *self._diagnosis(), *self._below(), *keys]
@@ -44,7 +47,7 @@ class Page:
             _print(console, words, style)
 
     def fitted(self, width: int, height: int, keys: list[Line]) -> list[Line]:
-        """Return the lines for a terminal of this size, cutting the diagnosis in the middle."""
+        """Return the lines for a terminal of this size. Cut the middle of a long diagnosis."""
         top, below = _wrapped(self.top, width), _wrapped(self._below(), width)
         printed = [(words, "") for words in wrapped_rows(self._printed(), width)]
         diagnosis = wrapped_rows(self.failure.diagnosis if self.failure else [], width)
@@ -68,7 +71,7 @@ class Page:
         return few_printed(printed, MOST_PRINTED_LINES, MOST_PRINTED)
 
     def _below(self) -> list[Line]:
-        """Return what follows the failure: the next steps, the progress and the note."""
+        """Return the lines below the failure: the next steps, the progress and the note."""
         steps: list[Line] = []
         if self.failure is not None:
             first, *others = self.failure.steps

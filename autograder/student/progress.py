@@ -1,4 +1,4 @@
-"""A student's progress: which exercises work, and which one comes next."""
+"""Keep track of a student's progress: which exercises work, and which exercise is next."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from autograder.student.screen import ProgressBar, Report, bar
 
 
 class Progress:
-    """Runs the checks and remembers the last result of each exercise."""
+    """Runs checks, and remembers the latest result of each exercise."""
 
     def __init__(
         self, chapters: list[Chapter], folders: list[Path], given: list[Chapter], memory: Memory
@@ -26,7 +26,10 @@ class Progress:
         self.last: dict[tuple[str, str], Result] = {}
 
     def report(self, chapter: Chapter, exercise: Exercise | None = None) -> Report:
-        """Check a chapter, or an exercise with what it needs, and remember the results."""
+        """Check a chapter or an exercise, and remember the results.
+
+        If there is an exercise, those on which it depends are checked too.
+        """
         with ProgressBar() as progress:
             report = report_on(chapter, exercise, self.folders, self.given, self.memory, progress)
         for result in report.results:
@@ -55,7 +58,7 @@ class Progress:
         return not any(lacks_physics(r) for r in self._results(chapter) if r.exercise.id in wanted)
 
     def words(self, chapter: Chapter) -> str:
-        """Return how much of a chapter is done: first its physics, then all of its checks."""
+        """Return how much of a chapter is done, first of its physics, then of all checks."""
         wanted = {e.id for e in chapter.exercises if e.kind != "written" and not e.optional}
         results = [r for r in self._results(chapter) if r.exercise.id in wanted]
         of = len(wanted)
@@ -70,10 +73,10 @@ class Progress:
 
 
 def lacks_physics(result: Result) -> bool:
-    """Return whether the physics of an exercise does not pass yet."""
+    """Return whether the physics checks of an exercise do not all pass yet."""
     return result.status != "waiting" and not result.works
 
 
 def lacks_anything(result: Result) -> bool:
-    """Return whether any check of an exercise does not pass yet."""
+    """Return whether at least one check of an exercise does not pass yet."""
     return result.status not in ("passed", "waiting")

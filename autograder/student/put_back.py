@@ -1,4 +1,4 @@
-"""Restore deleted functions of a module, each at its position in the stub."""
+"""Restore functions that a student has deleted, at their original positions in the module."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from autograder.definitions import functions
 
 
 def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cst.Module:
-    """Return the module with the stub's functions of these names, such as Vector3.dot.
+    """Return the module with deleted functions, such as Vector3.dot, restored from the stub.
 
-    A class that is missing is restored as a whole.
+    If a whole class is missing, all of it is restored.
 
     Raises:
         ValueError: The stub does not define one of the names.
@@ -44,7 +44,7 @@ def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cs
 
 
 def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
-    """Return a class with the members of these names added from its stub."""
+    """Return a class to which the named members have been added from its stub."""
     members = [*node.body.body]
     if not isinstance(node.body, cst.IndentedBlock):  # the whole class is on one line
         members = [cst.SimpleStatementLine(members)]
@@ -73,7 +73,7 @@ def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
 
 
 def _name(node: Any) -> str:
-    """Return the manifest's name of a class or a function, or "" for any other node."""
+    """Return the name in the manifest of a class or a function, or "" for any other node."""
     if isinstance(node, cst.ClassDef):
         return str(node.name.value)
     if isinstance(node, cst.FunctionDef):

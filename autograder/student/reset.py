@@ -1,7 +1,8 @@
-"""Restore the stub of one exercise, and keep a copy of the file.
+"""Restore the stub of one exercise, after copying the student's file to a safe place.
 
-The stub is made from the student's own file and the manifest. If a function was deleted, its stub
-comes from the reference or, in a hand-out, from the folder stubs/.
+The stub is made from the student's own file and the manifest, so that other functions are not
+changed. If a function was deleted, its stub comes from the reference or, in a hand-out, from the
+folder stubs/.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ COPIES = ROOT / "build" / "reset"
 class Change:
     """The change that a reset makes to one file.
 
-    ``gone`` means that the functions ``names`` were deleted.
+    ``gone`` is true if the functions in ``names`` were deleted from the file.
     """
 
     file: Path
@@ -45,13 +46,13 @@ def reset(
     *,
     whole: bool = False,
 ) -> str:
-    """Restore the stub in the engine's files; return what was done and where the copies are.
+    """Restore the stubs of an exercise, and say what was done and where the copies are.
 
-    Only the bodies of the exercise change, unless ``whole`` restores its entire files. If some of
-    its functions were deleted, only these are restored.
+    Only the functions of the exercise change, unless ``whole`` is true, which restores entire
+    files. If some functions of the exercise were deleted, only these are restored.
 
     Raises:
-        ValueError: A file cannot be read or has no such body. Nothing has changed then.
+        ValueError: A file cannot be read or lacks a function. In that case, nothing is changed.
     """
     done = []
     for change in planned(chapter, exercise, engine, whole=whole):
@@ -94,7 +95,7 @@ def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = 
 def planned(
     chapter: Chapter, exercise: Exercise, engine: Path, *, whole: bool = False
 ) -> list[Change]:
-    """Return the changes that a reset would make, without making them.
+    """Return the changes that a reset would make, but do not make them.
 
     Raises:
         ValueError: As for ``reset``.
@@ -115,7 +116,7 @@ def planned(
 
 
 def _change(chapter: Chapter, exercise: Exercise, file: Path, messages: dict[str, str]) -> Change:
-    """Return the change of one file: all of its stubs, or only those that are missing."""
+    """Return the change to one file. If functions are missing, it restores only those."""
     try:
         before = file.read_bytes()
         tree, module = ast.parse(before), cst.parse_module(before)
@@ -160,7 +161,7 @@ def _whole_stub(chapter: Chapter, file: str) -> bytes:
 
 
 def _keep(file: Path, content: bytes, folder: Path) -> Path:
-    """Write a copy under the first number that is free; return its path."""
+    """Write a copy of a file under the first number that is not used yet, and return its path."""
     folder.mkdir(parents=True, exist_ok=True)
     for number in count(1):
         copy = folder / f"{file.stem}-{number}{file.suffix}"
@@ -172,5 +173,5 @@ def _keep(file: Path, content: bytes, folder: Path) -> Path:
 
 
 def _short(path: Path) -> Path:
-    """Return the path relative to the working folder if it is below it."""
+    """Return the path relative to the working folder if it is below that folder."""
     return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

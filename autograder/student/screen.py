@@ -1,7 +1,7 @@
-"""The student's screen: every exercise with its state, one failure in full, and the next step.
+"""The student's screen: the state of every exercise, one failure in full, and the next step.
 
-rich is imported only when it is needed. By then the checks are running in their own process, so the
-import costs no waiting time.
+rich is imported only when something is printed. The checks are then already running in their own
+process, so the time for the import does not add to the wait.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from autograder.wrapping import plain_console, print_wrapped
 if TYPE_CHECKING:
     from rich.console import Console
 
-URGENCY = {"blocked": 1, "inherited": 2}  # shown last, since another failure causes them
+URGENCY = {"blocked": 1, "inherited": 2}  # shown last, because another failure is their cause
 STYLES = {
     "passed": "green",
     "works": "green",
@@ -41,10 +41,10 @@ BAR = 40
 
 @dataclass(frozen=True)
 class Report:
-    """The results of a chapter: on the student's earlier chapters, and on the reference's.
+    """The results of a chapter with the student's earlier chapters, and with the reference's.
 
-    ``on_reference`` is empty if no second run was needed or possible. ``suspects`` are earlier
-    chapters that may have caused failures.
+    ``on_reference`` is empty if a second run was not necessary or not possible. ``suspects`` are
+    earlier chapters that may be the cause of failures.
     """
 
     chapter: Chapter
@@ -54,7 +54,7 @@ class Report:
 
 
 class ProgressBar:
-    """A progress bar on a terminal while the checks run. Elsewhere it shows nothing."""
+    """Shows the progress of the checks on a terminal. On other outputs, it shows nothing."""
 
     title = ""
     _bar = None
@@ -87,10 +87,10 @@ def print_report(
     engine: list[Path],
     given: list[Chapter],
 ) -> bool:
-    """Print the chapters one below the other, then the first failure; return whether all pass.
+    """Print the chapters, followed by the first failure, and return whether all checks pass.
 
-    Questions without an answer are listed as open, but they do not count, because no check can
-    judge them.
+    Unanswered questions are listed as open, but they do not affect the result, because no check can
+    judge an answer.
     """
     for report in reports:
         print_chapter(console, report, engine)
@@ -110,12 +110,12 @@ def print_report(
 
 
 def first_open(reports: list[Report], exercise: Exercise | None) -> tuple[Chapter, Result] | None:
-    """Return the open result to work on first, or None if all pass."""
+    """Return the open result that a student should work on first, or None if all checks pass."""
     everything = [(report.chapter, result) for report in reports for result in report.results]
     open_ones = [pair for pair in everything if pair[1].status not in ("passed", "waiting")]
     if not exercise:
         open_ones = [(c, r) for c, r in open_ones if r.exercise.id in asked_for(c)]
-    if exercise:  # of the exercises that it builds on, only the physics counts
+    if exercise:  # for the exercises that it builds on, only the physics counts
         open_ones = [p for p in open_ones if p[1].exercise == exercise or not p[1].works]
     # All physics comes before any robust check.
     return min(
@@ -133,7 +133,10 @@ def passed_words(
     *,
     changed: bool,
 ) -> str:
-    """Return the sentence that all checks pass. ``changed``: a given file was edited."""
+    """Return the sentence that says that all checks pass.
+
+    ``changed`` is true if a file that is given complete was edited.
+    """
     if changed:
         return "All checks pass here, but grading uses the original files."
     on_given = f" on the reference's {_named(given)}" if given else ""
@@ -143,7 +146,7 @@ def passed_words(
 
 
 def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
-    """Return a note on each edited file of a chapter that is given complete."""
+    """Return a note on each file of a chapter that is given complete but was edited."""
     return [
         f"{file} has been edited. It is not handed in, and grading uses the original, so code "
         "that needs your change fails there. Keep your own code in the files that the "
@@ -153,7 +156,7 @@ def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
 
 
 def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
-    """Print a chapter's table, its points, and the files that are not handed in."""
+    """Print a chapter's table and points, and a note on files that are not handed in."""
     from rich.table import Table
 
     chapter, results = report.chapter, report.results
@@ -195,7 +198,7 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
 
 
 def points_of(chapter: Chapter, result: Result) -> str:
-    """Return the points of an exercise for the table, or why it has none."""
+    """Return the points of an exercise as the table shows them, or the reason why it has none."""
     exercise = result.exercise
     if exercise.optional:
         return "needed" if exercise.id in asked_for(chapter) else "optional"
@@ -204,7 +207,7 @@ def points_of(chapter: Chapter, result: Result) -> str:
 
 
 def extra_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
-    """Return a note on the modules in a chapter's folder that no exercise names, if any."""
+    """Return a note on modules in a chapter's folder that belong to no exercise, if any."""
     known = {*chapter.edited_files, *chapter.complete}
     files = sorted(file.name for file in (engine[0] / chapter.name).glob("*.py"))
     extra = [name for name in files if name not in known]
@@ -218,7 +221,7 @@ def passing(checks: Sequence[Verdict]) -> str:
 
 
 def bar(part: float, whole: float) -> str:
-    """Return a progress bar that shows ``part`` of ``whole``."""
+    """Return a text that shows ``part`` of ``whole`` as a progress bar."""
     filled = min(BAR, int(BAR * part / whole)) if whole else 0
     return f"[{'#' * filled}{'.' * (BAR - filled)}]"
 
@@ -226,14 +229,14 @@ def bar(part: float, whole: float) -> str:
 def print_inherited(
     console: Console, report: Report, exercise: Exercise | None, engine: list[Path]
 ) -> None:
-    """Print how many checks fail because of an earlier chapter, and two ways to continue."""
+    """Print how many checks fail because of an earlier chapter, and the two ways to continue."""
     for note in inherited_notes(report, exercise, engine):
         print_wrapped(console, note, STYLES["inherited"])
         console.print()
 
 
 def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path]) -> list[str]:
-    """Return notes on earlier chapters that may cause failures in this one."""
+    """Return notes on earlier chapters that cause, or may cause, failures in this chapter."""
     chapter, notes = report.chapter, []
     lost = sum(check.status == "inherited" for result in report.results for check in result.checks)
     if lost:
@@ -257,7 +260,7 @@ def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path
 
 
 def _named(chapters: list[Chapter]) -> str:
-    """Return chapters in words, such as chapter 2 or chapters 2-5."""
+    """Return the numbers of chapters as words, such as "chapter 2" or "chapters 2-5"."""
     return f"chapter{'' if len(chapters) == 1 else 's'} {numbers_of(chapters)}"
 
 
@@ -275,12 +278,12 @@ def _state(result: Result, answered: set[str]) -> str:
 
 
 def _waits_for(exercise: Exercise, message: Message) -> bool:
-    """Return whether a check fails because a body of this exercise is not written yet."""
+    """Return whether a check fails because a function of this exercise is not written yet."""
     return message.kind is Kind.UNWRITTEN and message.exercise == exercise.id
 
 
 def states_of(report: Report, engine: list[Path]) -> list[str]:
-    """Return the state of each result in a word or two."""
+    """Return the state of each result, in one or two words."""
     questions = questions_of(report.chapter, engine)
     answered = {question.exercise.id for question in questions if question.answered}
     return [_state(result, answered) for result in report.results]

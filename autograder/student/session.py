@@ -1,4 +1,4 @@
-"""The exercise that a student is working on: which one it is, its state, and the next one."""
+"""Follow the exercise that a student is working on: find it, check it, and find the next one."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from autograder.student.progress import Progress, lacks_anything, lacks_physics
 from autograder.student.screen import STYLES, Report, inherited_notes
 from autograder.student.written import all_pass
 
-TROUBLE = (GraderError, ValueError, OSError)  # of one run: show it and go on
+TROUBLE = (GraderError, ValueError, OSError)  # errors of one run, after which watch continues
 
 
 class Session:
-    """The state of watch: the current exercise, or the finished one and the next."""
+    """The state of watch: the current exercise or, if that is finished, the exercise after it."""
 
     def __init__(
         self, progress: Progress, engine: list[Path], console: Console, *, has_keys: bool
@@ -35,12 +35,12 @@ class Session:
         self.current: tuple[Chapter, Exercise] | None = None
         self.next: tuple[Chapter, Exercise] | None = None
         self.edits = Edits(engine[0], progress.chapters)
-        self.edited: list[str] = []  # of the current exercise, at the last save
+        self.edited: list[str] = []  # functions of the current exercise in the last save
         self.page = Page()
         self.seen = ""
 
     def look(self) -> bool:
-        """Check again if the files have changed; return whether they have."""
+        """Run the checks again if files have changed. Return whether any have."""
         state = state_of(self.progress.folders, self.progress.chapters[-1])
         if state == self.seen:
             return False
@@ -63,13 +63,13 @@ class Session:
             self.current, self.edited = (chapter, exercise), names
 
     def go_on(self) -> None:
-        """Go to the next exercise, if there is one."""
+        """Make the next exercise the current one, if there is a next exercise."""
         if self.next:
             self.current, self.edited = self.next, []
             self.show()
 
     def show(self) -> None:
-        """Check the current exercise and show its state. If there is none, find the next one."""
+        """Check the current exercise, and show its state. If there is none, find the next one."""
         self.next = None
         self.page = Page()
         try:
@@ -80,15 +80,15 @@ class Session:
         self.draw()
 
     def draw(self) -> None:
-        """Draw the page."""
+        """Print the page on the console."""
         self.page.draw(self.console, with_keys=self.has_keys)
 
     def is_done(self, chapter: Chapter, exercise: Exercise) -> bool:
-        """Check an exercise with what it needs, and show its state; return whether it is done.
+        """Check an exercise, show its state, and return whether it is done.
 
-        If the physics of an exercise that it needs no longer passes, that exercise becomes the
-        current one. An exercise is done when its physics passes. Its robust checks count only after
-        the physics of the whole chapter passes.
+        The exercises on which it depends are checked too. If the physics of one of them no longer
+        passes, that exercise becomes the current one. An exercise is done when its physics passes.
+        Its robust checks count only after the physics of the whole chapter passes.
         """
         worked = self.progress.works(chapter, exercise)
         report = self.progress.report(chapter, exercise)
@@ -108,7 +108,7 @@ class Session:
         return True
 
     def say_failure(self, report: Report, tier: Result, kind: str) -> None:
-        """Show which check of one tier of an exercise fails, and how many pass."""
+        """Show the failing check in one tier of an exercise, and how many checks pass."""
         chapter, exercise, page = report.chapter, tier.exercise, self.page
         for note in inherited_notes(report, exercise, self.engine):
             page.top += [(note, STYLES["inherited"]), ("", "")]
@@ -141,7 +141,10 @@ class Session:
         self.page.top += [(words, "bold green"), ("", "")]
 
     def find_next(self) -> None:
-        """Find the next open exercise and show how to get there; at the start, go there."""
+        """Find the next open exercise, and show how to continue with it.
+
+        At the start, or if keys cannot be read, it becomes the current exercise immediately.
+        """
         self.next = self.progress.next_open()
         if self.current or self.next is None:
             self.say_end()
@@ -161,7 +164,7 @@ class Session:
             self.is_done(*self.next)
 
     def say_end(self) -> None:
-        """Show the end of a chapter, or the scenes that this exercise makes playable."""
+        """Show that a chapter is finished, or which scenes this exercise makes playable."""
         chapter, exercise = self.current or (self.progress.chapters[-1], None)
         report = self.progress.report(chapter)
         self.page.top += end_of([report], exercise, self.engine, self.progress.given)

@@ -1,4 +1,4 @@
-"""Check the exercise that a student works on whenever a file is saved, and react to keys."""
+"""Check the student's current exercise after every save, and carry out commands for keys."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from autograder.student.screen import print_chapter, print_report
 from autograder.student.session import TROUBLE, Session
 from autograder.wrapping import plain_console
 
-TICK = 100  # milliseconds between two checks for keys
+TICK = 100  # milliseconds between two looks for pressed keys
 
 
 def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Chapter]) -> None:
-    """Show the state of the current exercise, at once and after every save, until q is pressed.
+    """Show the state of the current exercise, and update it after every save until q is pressed.
 
-    The current exercise is the one that was edited last. At first, it is the first open one of
-    these chapters.
+    The current exercise is the one that was edited last. At the start, it is the first open
+    exercise in these chapters.
 
     Raises:
         ValueError: The reference of a given chapter is not in this folder.
@@ -39,7 +39,7 @@ def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Ch
         board = Keyboard(session)
         if not session.has_keys:
             board.say("There is no terminal, so keys do not work. Press Ctrl-C to stop.")
-        # The first check comes after the first tick. From then on, no change is missed.
+        # The first check runs after the first tick. After that, no change can be missed.
         for changes in changes_in(engine[0], rust_timeout=TICK, yield_on_timeout=True):
             if (changes or not session.seen) and session.look():
                 board.asking = False
@@ -50,7 +50,7 @@ def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Ch
 
 
 class Keyboard:
-    """Carries out the command of each key that the student presses."""
+    """Carries out the command for each key that the student presses."""
 
     def __init__(self, session: Session) -> None:
         self.session = session
@@ -58,7 +58,7 @@ class Keyboard:
         self.asking = False  # whether to reset the current exercise
 
     def press(self, key: str) -> None:
-        """Carry out the command of a key. Other keys do nothing."""
+        """Carry out the command for a key. A key without a command does nothing."""
         try:
             if self.asking:
                 self.answer(key)
@@ -75,16 +75,16 @@ class Keyboard:
             self.note(str(error), "magenta")
 
     def note(self, words: str, style: str = "") -> None:
-        """Show a note on the page, in place of the last note."""
+        """Show a note on the page. It replaces the previous note."""
         self.session.page.note = [(line, style) for line in words.splitlines()]
         self.session.draw()
 
     def say(self, words: str, style: str = "") -> None:
-        """Print words below the page."""
+        """Print a text below the page."""
         self.session.console.print(words, style=style, markup=False, soft_wrap=True)
 
     def hint(self) -> None:
-        """Show the exercise's next hint, or the last one again if all have been shown."""
+        """Show the next hint of the exercise. After the last hint, show that one again."""
         if not self.session.current:
             return
         exercise = self.session.current[1]
@@ -93,14 +93,14 @@ class Keyboard:
         self.note(f"Hint {number} of {of}: {exercise.hints[number - 1]}")
 
     def ask(self) -> None:
-        """Ask whether to restore the stubs of the current exercise."""
+        """Ask whether to reset the current exercise to its stubs."""
         if not self.session.current:
             return
         self.note(f"{question(*self.session.current, self.session.engine[0])} (y or n)", "bold")
         self.asking = True
 
     def answer(self, key: str) -> None:
-        """Reset the current exercise if the answer is yes."""
+        """Reset the current exercise if the student's answer is yes."""
         self.asking = False
         if key != "y" or not self.session.current:
             self.note("Nothing was reset.")
@@ -110,20 +110,20 @@ class Keyboard:
         self.note(done)
 
     def list(self) -> None:
-        """Print the table of the chapter."""
+        """Print the table of the current chapter."""
         session = self.session
         chapter = session.current[0] if session.current else session.progress.chapters[-1]
         print_chapter(session.console, session.progress.report(chapter), session.engine)
 
     def check_all(self) -> None:
-        """Run every check again, and print the same as make check."""
+        """Run all checks again, and print the same output as make check."""
         session, progress = self.session, self.session.progress
         progress.memory.known.clear()
         reports = [progress.report(chapter) for chapter in progress.chapters]
         print_report(session.console, reports, None, session.engine, progress.given)
 
     def plot(self) -> None:
-        """Draw a chapter's plots into files, in a separate process that opens no window."""
+        """Draw a chapter's plots to files, in a separate process that opens no window."""
         session = self.session
         chapter = session.current[0] if session.current else session.progress.chapters[-1]
         self.say(f"Drawing chapter {chapter.number} ...")

@@ -1,4 +1,4 @@
-"""Show a written exercise: the question until it is answered, then the model answer."""
+"""Show a written exercise: at first the question, and after the answer also the model answer."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 def print_written(
     console: Console, chapter: Chapter, exercise: Exercise, engine: list[Path], root: Path = ROOT
 ) -> None:
-    """Print the question until it is answered; then the answer, the model answer and the rubric.
+    """Print the question. Once it is answered, print the answer, the model answer and the rubric.
 
-    The model answer and the rubric are in solutions/. A hand-out contains neither of them, because
-    they are only for the instructor.
+    The model answer and the rubric are stored in solutions/. A hand-out contains neither of them,
+    because they are meant for the instructor only.
     """
     question = next(q for q in questions_of(chapter, engine) if q.exercise == exercise)
     points = "1 point" if exercise.points == 1 else f"{shown(exercise.points)} points"
@@ -49,7 +49,7 @@ def print_written(
 
 
 def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
-    """Return how many questions are unanswered, which ones, and where, or "" if there are none."""
+    """Return which questions are open, and in which files, as a text. Without any, return ""."""
     groups = [
         open_ones
         for chapter in chapters
@@ -63,7 +63,7 @@ def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
 
 
 def all_pass(chapters: list[Chapter], engine: list[Path], on_given: str = "") -> str:
-    """Return the sentence for checks that all pass, with the questions that are still open."""
+    """Return the sentence that says that all checks pass, and which questions are still open."""
     still = open_questions(chapters, engine)
     optional = any(exercise.optional for chapter in chapters for exercise in chapter.exercises)
     which = "All checks of the assigned exercises" if optional else "All checks"
@@ -75,7 +75,7 @@ def _is_open(question: Question) -> bool:
 
 
 def listed(words: list[str], last: str = "and") -> str:
-    """Return words as a list in a sentence, such as a, b and c."""
+    """Join words to a list as in a sentence, such as "a, b and c"."""
     return f" {last} ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
 
 
@@ -84,10 +84,10 @@ def _ids(questions: list[Question]) -> list[str]:
 
 
 def flowing(text: str) -> str:
-    """Return text with each paragraph and each list item on one line, for any screen width.
+    """Join the lines of each paragraph and each list item, so that the text fits any screen width.
 
-    Quotation marks of Markdown are removed. Indented lines, such as formulas, stay as they are, and
-    so does a text with blocks of code.
+    Markdown's quotation marks are removed. Indented lines, such as formulas, stay as they are. A
+    text that contains blocks of code is not changed at all.
     """
     text = re.sub(r"(?m)^> ?", "", text)
     if "```" in text:

@@ -1,4 +1,4 @@
-"""Determine who is in a class: match the students of the roster with the submissions."""
+"""Determine who is in a class, by matching the students in the roster with the submissions."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ _Index = defaultdict[str, list[Student]]
 
 @dataclass(frozen=True)
 class Member:
-    """A student of the roster, a submission, or both.
+    """A member of the class: a student in the roster, a submission, or both.
 
-    ``shown`` is the name in all reports. ``folder`` is the name that the submission itself gives.
+    ``shown`` is the name that all reports show. ``folder`` is the name in the submission itself.
     """
 
     shown: str
@@ -30,7 +30,7 @@ class Member:
 
     @property
     def aliases(self) -> tuple[str, ...]:
-        """Every name of the student in the folder and the roster."""
+        """All names that the submission and the roster have for the student."""
         who = self.student
         known = (who.name, who.id, who.email, who.login) if who else ()
         return tuple(name for name in (self.folder, *known) if name)
@@ -38,14 +38,14 @@ class Member:
 
 @dataclass(frozen=True)
 class ClassList:
-    """The members of a class. Without a roster, these are the students who handed something in."""
+    """The members of a class. Without a roster, they are the students who handed something in."""
 
     members: list[Member]
     has_roster: bool = False
 
     @property
     def submissions(self) -> list[Submission]:
-        """The submissions, each under the name that the reports show, sorted by it."""
+        """The submissions under the names that the reports show, sorted by these names."""
         renamed = [
             replace(member.submission, student=member.shown, aliases=member.aliases)
             for member in self.members
@@ -55,17 +55,17 @@ class ClassList:
 
     @property
     def missing(self) -> list[str]:
-        """The students of the roster who handed nothing in."""
+        """The students of the roster who have not handed anything in."""
         return [member.shown for member in self.members if not member.submission]
 
     @property
     def unmatched(self) -> list[str]:
-        """The submissions that belong to nobody in the roster."""
+        """The submissions that belong to no student in the roster."""
         return [m.shown for m in self.members if self.has_roster and not m.student]
 
     @property
     def names(self) -> dict[str, str]:
-        """The shown name of everybody who handed something in, by every name that is unique."""
+        """A dict from every unique name of a student who handed something in to the shown name."""
         claims = defaultdict(set)
         for member in self.members:
             for name in (member.shown, *member.aliases):
@@ -78,7 +78,10 @@ class ClassList:
         }
 
     def renamed(self, name: Callable[[Member], str]) -> ClassList:
-        """Return the class with another name shown for each member."""
+        """Return the class with different names to show.
+
+        ``name`` returns the name of each member.
+        """
         members = [replace(member, shown=name(member)) for member in self.members]
         return replace(self, members=sorted(members, key=lambda member: member.shown))
 
@@ -88,11 +91,11 @@ def match(
 ) -> ClassList:
     """Match each submission with a student of the roster, and return the class.
 
-    The class also contains submissions without a student and students without a submission.
+    The class also contains submissions that match no student, and students without a submission.
 
     Raises:
         ValueError: A submission matches two students, or a student matches two submissions. The
-            message names the lines of the roster, which is in ``path``.
+            message names the lines of the roster, which was read from ``path``.
     """
     if roster is None:
         return ClassList([Member(one.student, None, one) for one in submissions])
@@ -132,15 +135,15 @@ def match(
 
 
 def _students_of(submission: Submission, by_key: _Index, by_name: _Index) -> list[Student]:
-    """Return the students whom the name of a submission fits: one, unless something is wrong."""
+    """Return the students whose names match a submission. There should be one at most."""
     export = submission.export
     identity = submission.student
-    if export:  # Moodle's number is not the student's, but that of a participant in one assignment
+    if export:  # Moodle's number identifies a participant in one assignment, not a student
         identity = export.number if export.platform == "canvas" else ""
     alike = by_name[letters(export.name if export else submission.student)]
     same = by_key[key(identity)]
     if not same:
         return alike
     if export and alike and not any(student in alike for student in same):
-        return [*same, *alike]  # the id is that of another system
+        return [*same, *alike]  # the id comes from another system
     return same

@@ -1,4 +1,4 @@
-"""Replace names with codes, and keep a key file that assigns the codes to the students."""
+"""Replace the names of students with codes, and keep a key file that lists whose code is whose."""
 
 from __future__ import annotations
 
@@ -18,21 +18,21 @@ from autograder.submissions.csv_rows import read_csv
 
 COLUMNS = ["code", "id", "name", "email", "login", "submission"]
 CODE = re.compile(r"[a-z2-7]{5}-[a-z2-7]{5}")
-SECRET = "(secret)"  # the first cell of the row that holds it
+SECRET = "(secret)"  # first cell of the row that contains the secret
 QUOTED = re.compile(r"'.*'", re.DOTALL)
 
 
 def with_codes(people: ClassList, path: Path) -> ClassList:
     """Return the class with codes in place of names, and write the key file.
 
-    The key file shows which code belongs to which student. A code is computed from the secret in
-    the key file and from the student's id, or from the name of a submission that belongs to no
-    student in the roster. As long as the key file exists, each student therefore keeps the same
-    code.
+    The key file lists which code belongs to which student. A code is computed from a secret in the
+    key file and from the student's id. If a submission belongs to no student in the roster, its
+    name is used instead of the id. As long as the key file exists, each student therefore keeps the
+    same code.
 
     Raises:
-        ValueError: The key is damaged.
-        OSError: The key cannot be read or written.
+        ValueError: The key file is damaged.
+        OSError: The key file cannot be read or written.
     """
     secret = _secret_in(path) if path.exists() else "s" + secrets.token_hex(20)
     coded = people.renamed(lambda member: _code(secret, member))
@@ -48,7 +48,7 @@ def with_codes(people: ClassList, path: Path) -> ClassList:
 
 
 def key_path(roster: Path | None, out: Path) -> Path:
-    """Return the path of the key: beside the roster, or else beside the folder of the reports."""
+    """Return the path of the key file, next to the roster or else to the reports' folder."""
     beside = (roster or out).resolve()
     return beside.with_name(f"{beside.stem if roster else beside.name}-key.csv")
 
@@ -59,7 +59,7 @@ def without_names(note: str) -> str:
 
 
 def refuse_names(out: Path) -> None:
-    """Raise ValueError if a folder contains reports under names."""
+    """Raise ValueError if a folder contains reports that are filed under students' names."""
     for kind in ("results", "feedback", "gradescope"):
         for path in [*(out / kind).glob("*"), *(out / "earlier" / kind).glob("*")]:
             name = path.name if path.is_dir() else path.stem
@@ -88,7 +88,7 @@ def _secret_in(path: Path) -> str:
 
 
 def _write_private(path: Path, text: str) -> None:
-    """Write a file that only its owner can read, in one step."""
+    """Write a file atomically, so that only its owner can read it."""
     temporary = path.with_name(path.name + ".tmp")
     temporary.unlink(missing_ok=True)
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL

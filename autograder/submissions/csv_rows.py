@@ -1,4 +1,4 @@
-"""Read a CSV file that a person or a spreadsheet has written, and know the line of each row."""
+"""Read a CSV file that was written by a person or a spreadsheet, with the line of each row."""
 
 from __future__ import annotations
 
@@ -20,10 +20,11 @@ class Table:
     header: list[str]
 
     def rows(self, longest: str) -> Iterator[tuple[int, int, list[str]]]:
-        """Yield the rows below the header, each with its first and its last line.
+        """Yield the rows below the header, each with its first and last line, counted from 1.
 
-        Lines are counted from 1. Blank rows are skipped, and short rows are filled with empty
-        cells. ``longest`` names the kind of cell that is likely to contain a separator.
+        Blank rows are skipped, and missing cells at the end of a row are empty. ``longest`` names
+        the kind of cell that is likely to contain a separator by mistake, for use in error
+        messages.
 
         Raises:
             ValueError: A row is too long, or a quote is never closed. The message names the line.
@@ -51,7 +52,7 @@ class Table:
 
 
 def read_csv(path: Path) -> Table:
-    """Read a file in UTF-8. Columns are separated by commas, or by semicolons as in Europe.
+    """Read a CSV file in UTF-8. Its columns are separated by commas or by semicolons, as in Europe.
 
     Raises:
         ValueError: The file is not UTF-8. The message names the line.

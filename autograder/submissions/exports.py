@@ -1,4 +1,4 @@
-"""Read the names that Canvas and Moodle give to submissions when an instructor downloads them."""
+"""Interpret the names that Canvas and Moodle give to submissions that an instructor downloads."""
 
 from __future__ import annotations
 
@@ -6,13 +6,13 @@ import re
 from dataclasses import dataclass
 from typing import Literal
 
-# lastfirst_LATE_userid_uploadid_work-1.zip. LATE_ is there only if it is late.
+# lastfirst_LATE_userid_uploadid_work-1.zip. LATE_ appears only if the submission is late.
 CANVAS = re.compile(
     r"(?:(?P<late>LATE_)?anon_(?P<anonymous>[^_]+)|(?P<name>.+?)_(?P<too_late>LATE_)?(?P<id>[0-9]+))"
     r"_(?P<upload>[0-9]+)_(?P<file>.+)"
 )
-# Full Name_12345_assignsubmission_file, for a folder; older versions end in _. Without folders,
-# the name of the file follows.
+# A folder is called Full Name_12345_assignsubmission_file, with another _ in older versions. If
+# there are no folders, the name of the file follows.
 MOODLE = re.compile(
     r"(?P<name>.+)_(?P<id>[0-9]+)_assignsubmission_(?P<kind>[a-z]+)(?:_(?P<file>.*))?"
 )
@@ -21,11 +21,12 @@ RESUBMITTED = re.compile(r"-([0-9]+)$")
 
 @dataclass(frozen=True)
 class Exported:
-    """The information in the name of a submission.
+    """The information that the name of a submission contains.
 
-    For Canvas, ``name`` is the last and first name without spaces, and ``number`` is the user's id.
-    For Moodle, ``name`` is the full name, and ``number`` identifies the participant in this one
-    assignment only. A later upload has a larger ``order``.
+    For Canvas, ``name`` is the last name followed by the first name, without spaces, and ``number``
+    is the id of the user. For Moodle, ``name`` is the full name, and ``number`` identifies the
+    participant in this assignment only. If a student uploads several times, later uploads have a
+    larger ``order``.
     """
 
     platform: Literal["canvas", "moodle"]
@@ -37,12 +38,15 @@ class Exported:
 
     @property
     def student(self) -> str:
-        """The name under which the student is graded without a roster."""
+        """The name under which the student is graded if there is no roster."""
         return f"{self.name}_{self.number}"
 
 
 def read_export(name: str) -> Exported | None:
-    """Return what a platform's name says, without .zip at its end; None for any other name."""
+    """Return the information in a platform's name, or None if the name has another form.
+
+    ``name`` must not end with .zip.
+    """
     if found := MOODLE.fullmatch(name):
         order = 0, _resubmission(found["file"] or "")
         is_file = found["kind"] == "file"
@@ -57,6 +61,9 @@ def read_export(name: str) -> Exported | None:
 
 
 def _resubmission(file: str) -> int:
-    """Return 2 for the second resubmission, work-2.zip, and 0 for the first upload."""
+    """Return the number of a resubmission, such as 2 for work-2.zip.
+
+    For the first upload, return 0.
+    """
     found = RESUBMITTED.search(file)
     return int(found[1]) if found else 0

@@ -1,4 +1,4 @@
-"""Find the submissions of a class, and choose file names for their reports."""
+"""Find the submissions of a class, and choose the file names of their reports."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ HASHED = re.compile(r".*-[0-9a-f]{8}")
 
 @dataclass(frozen=True)
 class Submission:
-    """A student's submission: a folder or a zip file.
+    """A student's submission, which is a folder or a zip file.
 
-    ``export`` is what its name says if a platform has given it. ``aliases`` are the other names of
-    the student: that of the folder or file, and those in the roster.
+    ``export`` contains the information in its name if a platform has chosen the name. ``aliases``
+    are the student's other names, which come from the folder or file and from the roster.
     """
 
     student: str
@@ -36,25 +36,26 @@ class Submission:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Every name of the student."""
+        """All names of the student."""
         return (self.student, *self.aliases)
 
     @property
     def late(self) -> bool:
-        """Whether the platform has marked the submission as late. Only Canvas does so."""
+        """Whether the platform has marked the submission as late, which only Canvas does."""
         return self.export is not None and self.export.late
 
 
 def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
     """Return the submissions in a class's folder, sorted by student, and notes on other entries.
 
-    A submission is a folder or a .zip file that is named after the student, or as Canvas and Moodle
-    name it. If one student has uploaded several files there, the last one counts. Links are never
-    followed. Hidden files, caches, and the instructor's own files are skipped without a note.
+    A submission is a folder or a .zip file whose name is that of the student, or has the form that
+    Canvas or Moodle uses. If a student has uploaded several files there, the last one counts. Links
+    are never followed. Hidden files, caches and the instructor's own files are skipped without a
+    note.
 
     Raises:
-        ValueError: The path is not a folder, contains no submission, or contains two of one
-            student.
+        ValueError: The path is not a folder, or it contains no submissions, or it contains two
+            submissions of one student.
         OSError: The folder cannot be read.
     """
     if not folder.is_dir():
@@ -101,10 +102,10 @@ def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
 
 
 def file_name(student: str) -> str:
-    """Return a safe and unique name, without a suffix, for the files about a student.
+    """Return a safe and unique file name, without a suffix, for the files about a student.
 
-    A name that is harmless and short is used as it is. Otherwise unsafe characters are replaced,
-    the name is cut, and a hash of the whole name is appended.
+    A short and harmless name is used as it is. In any other name, unsafe characters are replaced,
+    the result is cut, and a hash of the original name is appended.
     """
     # A name that seems to end with a hash could equal the file name of another student.
     harmless = _clean(student) == student and not HASHED.fullmatch(student)
@@ -116,19 +117,19 @@ def file_name(student: str) -> str:
 
 
 def printable(text: str) -> str:
-    """Return a text with unprintable characters escaped.
+    """Return a text in which unprintable characters are escaped.
 
-    Backslashes are doubled, so that two different texts stay different.
+    Backslashes are doubled, so that different texts remain different.
     """
     return "".join(map(visible, text.replace("\\", "\\\\")))
 
 
 def _order(submission: Submission) -> tuple[int, int]:
-    """Return a number that is larger for a later upload to a platform."""
+    """Return a sort key, which is larger for a later upload to a platform."""
     return submission.export.order if submission.export else (0, 0)
 
 
 def _clean(name: str) -> str:
-    """Replace the characters that have a special meaning on some file system."""
+    """Replace the characters that have a special meaning in some file system."""
     kept = [char if char.isprintable() and char not in '/\\<>:"|?*' else "_" for char in name]
     return re.sub(r"^\.", "_", "".join(kept))

@@ -11,23 +11,26 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-# Errors that are due to the machine, not to the submission: the grader's fault.
+# Errors that are caused by the machine rather than the submission. The grader is at fault.
 OURS = (errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.EIO, errno.ESTALE)
-DEEPEST = 3  # levels below the submission at which a chapter's folder may be
-MOST_ENTRIES = 5_000  # searched in one submission
+DEEPEST = 3  # levels below the submission at which a chapter's folder is found
+MOST_ENTRIES = 5_000  # that are searched in one submission
 
 
 class NotTakenError(Exception):
-    """Something handed in is not accepted. The text is a clause that gives the reason."""
+    """Raised when a file or a whole submission is rejected.
+
+    The text is a clause with the reason.
+    """
 
 
 @dataclass(frozen=True)
 class Found:
-    """A file of a chapter in a submission.
+    """A file of a chapter that was found in a submission.
 
-    ``place`` lists the folders down to the chapter's own. ``read`` takes the largest size allowed,
-    and returns the content or raises NotTakenError. A ``doubtful`` file is in a folder that cannot
-    be read; it counts only if there is no other.
+    ``place`` lists the folders that lead to the file, of which the last is the chapter's own.
+    ``read`` takes the maximum size, and returns the content or raises NotTakenError. A ``doubtful``
+    file is in a folder that cannot be read. It counts only if no other file was found.
     """
 
     place: tuple[str, ...]
@@ -39,7 +42,7 @@ class Found:
 def search_folder(
     submission: Path, wanted: Mapping[str, Sequence[str]]
 ) -> tuple[list[Found], list[str]]:
-    """Find the wanted files of each chapter; return them and notes for the instructor.
+    """Find the wanted files of each chapter. Return them with notes for the instructor.
 
     Raises:
         NotTakenError: The submission's folder cannot be read at all.
@@ -52,7 +55,7 @@ def search_folder(
         deeper: list[tuple[str, ...]] = []
         for place in level:
             folder = submission.joinpath(*place)
-            # Looked up by name, so that a chapter is found among any number of other files.
+            # Look chapters up by name, so that they are found among any number of other files.
             for chapter, files in wanted.items():
                 found += _search_chapter(folder / chapter, (*place, chapter), files)
             if depth == DEEPEST or left < 0:
@@ -76,12 +79,12 @@ def search_folder(
 
 
 def read_file(path: Path, largest: int, what: str = "it") -> bytes:
-    """Return the content of a regular file of at most ``largest`` bytes.
+    """Return the content of a regular file that has at most ``largest`` bytes.
 
-    ``what`` is the subject of the sentence in errors.
+    ``what`` is the subject of the sentence in error messages.
 
     Raises:
-        NotTakenError: It is too large, or it is a link, a pipe or something else.
+        NotTakenError: The file is too large, or it is a link, a pipe or something else.
     """
     try:
         _check_kind(path.lstat(), largest, what)
@@ -99,7 +102,7 @@ def read_file(path: Path, largest: int, what: str = "it") -> bytes:
 
 
 def refuse(reason: str) -> Callable[[int], bytes]:
-    """Return a function to use as ``read`` that raises NotTakenError."""
+    """Return a function that raises NotTakenError with this reason, to be used as ``read``."""
 
     def read(_: int) -> bytes:
         raise NotTakenError(reason)
@@ -108,22 +111,22 @@ def refuse(reason: str) -> Callable[[int], bytes]:
 
 
 def refuse_all(place: tuple[str, ...], files: Sequence[str], reason: str) -> list[Found]:
-    """Return the files of a folder that cannot be read."""
+    """Return an entry for each of the files in a folder that cannot be read."""
     return [Found(place, file, refuse(reason), doubtful=True) for file in files]
 
 
 def too_large(what: str, largest: int) -> NotTakenError:
-    """Return the exception for something that has more than ``largest`` bytes."""
+    """Return the exception for a file or an archive of more than ``largest`` bytes."""
     return NotTakenError(f"{what} is larger than {largest:,} bytes")
 
 
 def is_skipped(name: str) -> bool:
-    """Return whether a folder is hidden, or created by a system for its own use."""
+    """Return whether a folder is hidden, or was created by an operating system for its own use."""
     return name.startswith(".") or name in ("__MACOSX", "__pycache__")
 
 
 def _search_chapter(folder: Path, place: tuple[str, ...], files: Sequence[str]) -> list[Found]:
-    """Return the wanted files in a chapter's folder, whatever their kind."""
+    """Return those of the wanted files that exist in a chapter's folder, whatever their type."""
     found: list[Found] = []
     try:
         mode = _mode(folder)
@@ -140,7 +143,7 @@ def _search_chapter(folder: Path, place: tuple[str, ...], files: Sequence[str]) 
 
 
 def _mode(path: Path) -> int:
-    """Return the mode of a path, or 0 if nothing is there."""
+    """Return the mode of a path, or 0 if the path does not exist."""
     try:
         return path.lstat().st_mode
     except (FileNotFoundError, NotADirectoryError):
@@ -148,7 +151,7 @@ def _mode(path: Path) -> int:
 
 
 def _subfolders(folder: Path, most: int) -> tuple[list[str], int]:
-    """Return the folders among the first ``most`` entries, and the number of entries seen."""
+    """Return the folders among the first ``most`` entries, and the number of entries examined."""
     with os.scandir(folder) as entries:
         seen = list(itertools.islice(entries, most))
         names = [entry.name for entry in seen if entry.is_dir(follow_symlinks=False)]
@@ -156,7 +159,7 @@ def _subfolders(folder: Path, most: int) -> tuple[list[str], int]:
 
 
 def _open(path: str, flags: int) -> int:
-    """Open a file without following a link or waiting for a pipe."""
+    """Open a file. Do not follow a link, and do not wait for a pipe."""
     return os.open(path, flags | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
 
 
@@ -172,7 +175,10 @@ def _check_kind(status: os.stat_result, largest: int, what: str) -> None:
 
 
 def cause(error: OSError) -> str:
-    """Return why something cannot be read. If that is the grader's fault, raise the error."""
+    """Return the reason why something cannot be read.
+
+    If the grader is at fault, raise the error.
+    """
     if error.errno in OURS:
         raise error
     return error.strerror or type(error).__name__

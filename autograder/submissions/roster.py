@@ -1,4 +1,4 @@
-"""The roster of a class: a CSV with the columns id, name, email and login."""
+"""Read the roster of a class, a CSV file with the columns id, name, email and login."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from autograder.reports.gradebook import FORMULA
 from autograder.submissions.csv_rows import Table, read_csv
 
 COLUMNS = ("id", "name", "email", "login")
-UNIQUE = ("id", "email", "login")  # by which a platform finds a student
+UNIQUE = ("id", "email", "login")  # columns by which a platform identifies a student
 
 
 @dataclass(frozen=True)
 class Student:
-    """A row of the roster. ``email`` and ``login`` may be empty."""
+    """A student in the roster. ``email`` and ``login`` may be empty."""
 
     id: str
     name: str
@@ -26,14 +26,14 @@ class Student:
 
     @property
     def keys(self) -> set[str]:
-        """What alone identifies the student, in the form of ``key``."""
+        """The values that identify the student without a name, normalized by ``key``."""
         return {key(text) for text in (self.id, self.email, self.login) if text}
 
     @property
     def names(self) -> set[str]:
-        """The forms of the name that a folder or a platform may use, in the form of ``letters``.
+        """The forms of the name that a folder or a platform may use, normalized by ``letters``.
 
-        Canvas puts the last name first. A roster may do so too: "Doe, Jane".
+        Canvas puts the last name first. A roster may do the same, as in "Doe, Jane".
         """
         last, comma, first = self.name.partition(",")
         *given, family = self.name.split()
@@ -41,9 +41,9 @@ class Student:
 
 
 def read_roster(path: Path) -> list[Student]:
-    """Return the students in a roster, in its order.
+    """Return the students in a roster, in the order of the file.
 
-    The columns may be in any order and among others, and separated by commas or semicolons.
+    The file may contain other columns as well, in any order, separated by commas or semicolons.
 
     Raises:
         ValueError: The roster contains a mistake. The message names the line.
@@ -67,7 +67,7 @@ def read_roster(path: Path) -> list[Student]:
                 raise ValueError(f"{where}: the {name} is empty")
         for name in UNIQUE:
             value = values[name]
-            # A platform finds students by these cells, so nothing can be put before a formula.
+            # Platforms identify students by these cells, so a formula must not get a prefix.
             if FORMULA.search(value):
                 raise ValueError(
                     f"{where}: the {name} must not begin like a formula of a spreadsheet, "
@@ -86,18 +86,21 @@ def read_roster(path: Path) -> list[Student]:
 
 
 def key(text: str) -> str:
-    """Return an id, email or login in normalized form, so that two of them can be compared."""
+    """Normalize an id, email or login, so that two of them can be compared."""
     return unicodedata.normalize("NFC", text.strip()).casefold()
 
 
 def letters(name: str) -> str:
-    """Return only the letters and digits of a name, in lower case, as platforms drop the rest."""
+    """Return the letters and digits of a name in lower case.
+
+    Platforms drop all other characters.
+    """
     text = unicodedata.normalize("NFKC", name).casefold()
     return "".join(character for character in text if character.isalnum())
 
 
 def _places(table: Table) -> dict[str, int]:
-    """Return the position of each column."""
+    """Return the index of each column that the roster needs."""
     for name in COLUMNS:
         if (count := table.header.count(name)) != 1:
             problem = f"there are {count} columns {name!r}" if count else f"no column {name!r}"

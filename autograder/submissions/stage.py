@@ -1,4 +1,7 @@
-"""Copy the files that count into a new folder. Nothing else is ever imported."""
+"""Copy the files that are graded from a submission into a new folder.
+
+Nothing else in the submission is ever imported.
+"""
 
 from __future__ import annotations
 
@@ -19,12 +22,12 @@ LARGEST_FILE = 1_000_000  # bytes; a chapter's longest module has about ten thou
 
 @dataclass(frozen=True)
 class Staged:
-    """The outcome of copying a submission.
+    """The result of copying a submission.
 
-    ``missing`` maps a module such as ch02_vectors.vector to the reason why its file was not taken
-    although it was handed in. ``notes`` are for the instructor. They quote names that the student
-    has chosen, and nothing else. ``digest`` depends on everything that was taken or refused:
-    submissions with equal digests are graded alike.
+    ``missing`` maps a module such as ch02_vectors.vector to the reason why its file was rejected,
+    although it was handed in. ``notes`` are for the instructor. The only texts that they quote are
+    names that the student has chosen. ``digest`` depends on everything that was accepted or
+    rejected, so submissions with equal digests get equal grades.
     """
 
     missing: dict[str, str]
@@ -33,13 +36,13 @@ class Staged:
 
 
 def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROOT) -> Staged:
-    """Fill the box with an engine: the student's edited files, and the files that nobody edits.
+    """Fill ``box`` with an engine: the student's edited files, and the files that nobody edits.
 
-    The submission is a folder or a zip file, and may contain anything. Problems with it are
-    reported in the result. A file that is missing is not replaced with a stub or a solution.
+    The submission is a folder or a zip file, and may contain anything. Problems with it are part of
+    the result. A file that is missing is replaced neither with a stub nor with a solution.
 
     Raises:
-        OSError: The box cannot be written, or our own files cannot be read.
+        OSError: The box cannot be written, or a file of the repository cannot be read.
     """
     found, notes = _search(submission, chapters)
     missing: dict[str, str] = {}
@@ -67,7 +70,7 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
 
 
 def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], list[str]]:
-    """Return the chapters' files in a submission of any kind, and notes."""
+    """Return the chapters' files that are found in a submission of any kind, and notes."""
     wanted = {chapter.name: chapter.handed_in for chapter in chapters}
     try:
         mode = submission.lstat().st_mode
@@ -87,10 +90,10 @@ def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], lis
 
 
 def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], list[str]]:
-    """Return the files of the chapter's folder, and notes if there are several such folders.
+    """Return the files from one folder of a chapter, and notes if there are several such folders.
 
-    The shallowest folder is chosen, and the first by name among several. The folder in which a
-    hand-out keeps its stubs counts only if there is no other.
+    The folder that is nested least deeply is chosen. If there are several of these, the first by
+    name is chosen. The folder in which a hand-out keeps its stubs counts only if there is no other.
     """
     mine = [file for file in found if file.place[-1] == chapter.name]
     places = sorted(
@@ -108,7 +111,7 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
 
 
 def _text(content: bytes) -> bytes:
-    """Return the content of a text file.
+    """Return the content of a file unchanged if it is text.
 
     Raises:
         NotTakenError: The content is not text.

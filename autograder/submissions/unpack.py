@@ -1,6 +1,6 @@
-"""Unpack the zip of a whole class, as Canvas and Moodle create it, into a folder beside it.
+"""Unpack the zip of a whole class, as Canvas and Moodle create it, into a folder next to it.
 
-The zip contains files that students uploaded, so none of its contents are trusted.
+The files in the zip were uploaded by students, so none of its contents are trusted.
 """
 
 from __future__ import annotations
@@ -27,19 +27,19 @@ from autograder.submissions.zips import DAMAGED, UNREADABLE, is_unsafe, path_in_
 from autograder.wrapping import plain_console
 
 MARKER = ".unpacked.json"
-COUNTS = (".zip", ".py", ".md")  # all other files are ignored in a submission
+COUNTS = (".zip", ".py", ".md")  # files of all other types are ignored
 # Bytes. A student's zip may have 5 MB. A larger one is unpacked too, so that grading can report it.
 LARGEST_FILE = 50_000_000
 MOST_OF_ONE = 100_000_000  # of one student
 MOST_IN_ALL = 2_000_000_000
 MOST_FILES = 100_000
-# Errors that are due to a name in the zip, not to this machine.
+# Errors that are caused by a name in the zip rather than by this machine.
 NAMES = (errno.EEXIST, errno.ENOTDIR, errno.EISDIR, errno.ENAMETOOLONG, errno.EILSEQ, errno.EINVAL)
 
 
 @dataclass(frozen=True)
 class Unpacked:
-    """What the folder contains: from which zip, as a digest, and what was left out."""
+    """A record of what was unpacked: the digest of the zip, and which files were left out."""
 
     zip: str
     names: list[str]
@@ -48,19 +48,19 @@ class Unpacked:
 
 @dataclass(frozen=True)
 class _File:
-    """A file in the zip. The first of its ``parts`` names the student's submission."""
+    """A file in the zip. The first of its ``parts`` is the name of the student's submission."""
 
     parts: list[str]
     entry: zipfile.ZipInfo
 
 
 def class_folder(path: Path) -> Path:
-    """Return the folder of a class. If it is a zip, unpack it into a folder of the same name.
+    """Return the folder of a class. If it is a zip, unpack it into a folder with the same name.
 
-    If the zip has changed, it is unpacked again. The marks.csv in the folder stays.
+    A zip that has changed is unpacked again. The file marks.csv in the folder is kept.
 
     Raises:
-        ValueError: It is not a zip that can be unpacked, or the folder belongs to somebody else.
+        ValueError: The zip cannot be unpacked, or the folder was not created by this function.
         OSError: A file cannot be read or written.
     """
     if not path.is_file():
@@ -79,7 +79,7 @@ def class_folder(path: Path) -> Path:
 
 
 def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Console) -> Unpacked:
-    """Replace what an earlier zip has left in the folder with the content of this one."""
+    """Replace the files from an earlier version of the zip with the files from this version."""
     try:
         file = zipfile.ZipFile(path)
     except UNREADABLE as error:
@@ -92,7 +92,7 @@ def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Co
         for one in there:
             if one.name in names and one.name not in before.names:
                 raise ValueError(f"{one} is not from {path.name}: move it away")
-        # A run that is killed starts again, also if the earlier zip has come back by then.
+        # If a run is killed, the next one starts over, even if the earlier zip is back by then.
         _write_marker(folder, Unpacked("", before.names, []))
         for one in there:
             if one.name in before.names:
@@ -107,7 +107,7 @@ def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Co
 
 
 def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
-    """Return what to write, and notes on what is left out."""
+    """Return the files to write, and notes on files that are left out."""
     if len(file.infolist()) > MOST_FILES:
         raise ValueError(f"{path} contains more than {MOST_FILES:,} files and folders")
     files: list[_File] = []
@@ -127,7 +127,7 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
 
 
 def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[str]:
-    """Write the files that can count in a submission, and return notes on what is left out."""
+    """Write those files that can count in a submission. Return notes on files that are left out."""
     notes: list[str] = []
     sizes: Counter[str] = Counter()
     for one in files:
@@ -135,7 +135,7 @@ def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[
         target = folder.joinpath(*one.parts)
         try:
             if len(one.parts) > 1 or one.entry.is_dir():
-                (folder / student).mkdir(exist_ok=True)  # however little was handed in
+                (folder / student).mkdir(exist_ok=True)  # even if nothing in it counts
             if one.entry.is_dir() or not target.name.lower().endswith(COUNTS):
                 continue
             content = read_entry(file, one.entry, LARGEST_FILE)
@@ -145,7 +145,7 @@ def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[
             if sizes.total() > MOST_IN_ALL:
                 raise ValueError(f"{file.filename} contains more than {MOST_IN_ALL:,} bytes")
             target.parent.mkdir(parents=True, exist_ok=True)
-            with target.open("xb") as out:  # never through a link, or over another file
+            with target.open("xb") as out:  # does not follow a link or overwrite another file
                 out.write(content)
         except NotTakenError as error:
             notes.append(f"{'/'.join(one.parts)} was left out: {error}")
@@ -164,8 +164,8 @@ def _read_marker(folder: Path) -> Unpacked:
         return from_json(Unpacked, data)
     except (OSError, ValueError) as error:
         raise ValueError(
-            f"{folder} is already there, but not unpacked from {folder.name}.zip: grade that "
-            "folder, or move it away"
+            f"{folder} already exists, but was not unpacked from {folder.name}.zip: grade that "
+            "folder instead, or move it away"
         ) from error
 
 

@@ -1,4 +1,4 @@
-"""Find and read files in an untrusted zip. Nothing is ever extracted by name."""
+"""Find and read files in an untrusted zip, without ever extracting it to the disk."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ from autograder.submissions.folders import (
     too_large,
 )
 
-# Bytes. A submission has well under 100,000. At this size, a zip that is crafted to keep zipfile
-# busy takes about 2 s, and a larger one takes proportionally longer.
+# Bytes. A normal submission is well below 100,000. A zip of this size that is crafted to keep
+# zipfile busy takes about 2 s, and a larger one would take proportionally longer.
 LARGEST_ZIP = 5_000_000
-MOST_ZIPS = 5  # opened in one folder
+MOST_ZIPS = 5  # that are opened in one folder
 ENCRYPTED = 1 << 0  # the flag of an encrypted entry
 DAMAGED = "the zip is damaged, or not an ordinary zip: zip the folder again"
-# The exceptions of zipfile for a zip that is damaged, or of an unknown kind.
+# The exceptions that zipfile raises if a zip is damaged or has an unknown format.
 UNREADABLE = (
     zipfile.BadZipFile,
     zlib.error,
@@ -45,10 +45,10 @@ UNREADABLE = (
 
 
 def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Found], list[str]]:
-    """Find the wanted files of each chapter; return them and notes for the instructor.
+    """Find the wanted files of each chapter in a zip. Return them with notes for the instructor.
 
     Raises:
-        NotTakenError: The zip as a whole is not accepted.
+        NotTakenError: The zip as a whole is rejected.
     """
     if path.lstat().st_size > LARGEST_ZIP:
         limit = f"the zip is larger than {LARGEST_ZIP:,} bytes"
@@ -86,7 +86,7 @@ def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Fo
 def search_zips_in(
     folder: Path, wanted: Mapping[str, Sequence[str]]
 ) -> tuple[list[Found], list[str]]:
-    """Find the wanted files in the zips of a folder, as if each of them were unpacked there."""
+    """Find the wanted files in the zips of a folder, as if each zip were unpacked there."""
     with os.scandir(folder) as entries:
         names = [
             entry.name
@@ -110,21 +110,21 @@ def search_zips_in(
 
 
 def path_in_zip(entry: zipfile.ZipInfo) -> str:
-    """Return the path of an entry, in which slashes separate folders."""
+    """Return the path of an entry, with slashes between its folders."""
     # Some Windows tools write backslashes, and other tools begin paths with a dot.
     return entry.orig_filename.replace("\\", "/").removeprefix("./").removesuffix("/")
 
 
 def is_unsafe(name: str) -> bool:
-    """Return whether a path is absolute, or has parts that are empty or dots."""
+    """Return whether a path is absolute, or has a part that is empty or consists of dots."""
     return name[1:2] == ":" or any(part in f"/{name}" for part in ("//", "/./", "/../"))
 
 
 def read_entry(file: zipfile.ZipFile, entry: zipfile.ZipInfo, largest: int) -> bytes:
-    """Return the content of a regular file.
+    """Return the content of an entry that is a regular file.
 
     Raises:
-        NotTakenError: The entry is anything else.
+        NotTakenError: The entry is something else or too large, or its content cannot be read.
     """
     mode = entry.external_attr >> 16
     if stat.S_ISLNK(mode):

@@ -1,1 +1,1 @@
-"""Pictures of the chapters, drawn with the functions of an engine: `make plot`."""
+"""Pictures for the chapters, which `make plot` draws with the functions of an engine."""

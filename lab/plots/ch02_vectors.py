@@ -20,7 +20,7 @@ COLUMNS = ("vector", "x", "y", "z")
 
 
 def addition() -> Picture:
-    """Draw two vectors and their sum in the parallelogram that they span."""
+    """Draw two vectors, and their sum as the diagonal of the parallelogram that they span."""
     a, b = (4.0, 1.0, 0.0), (1.0, 3.0, 0.0)
     corner = (5.0, 4.0, 0.0)
     total = numbers(Vector3(*a) + Vector3(*b))

@@ -39,7 +39,7 @@ FORMS = (
 
 
 def damping_comparison() -> Picture:
-    """Draw the velocity lost in one second of fall against the frame rate (exercise 3.5)."""
+    """Plot the velocity lost in one second of free fall against the frame rate (exercise 3.5)."""
     fall = DragFlight("fall of a second", AT_REST, GRAVITY, KEPT, duration=1.0)
     undamped = -GRAVITY[1] * fall.duration
     exact = 1.0 + fall.exact(fall.duration).velocity[1] / undamped
@@ -78,7 +78,7 @@ def damping_comparison() -> Picture:
 
 
 def integration_error() -> Picture:
-    """Draw the error of the position in free fall against the time step (exercise 3.4)."""
+    """Plot the error of the position in free fall against the time step (exercise 3.4)."""
     counts = (10, 20, 50, 100, 200, 500, 1000, 3000)
     time, g = FREE_FALL.duration, -GRAVITY[1]
     rows = []
@@ -105,7 +105,7 @@ def integration_error() -> Picture:
 
 
 def trajectories() -> Picture:
-    """Draw a throw in long time steps with and without damping, next to the exact paths."""
+    """Draw a throw with long time steps, with and without damping, and the exact paths."""
     frame = 0.1
     frames = round(PROJECTILE.duration / frame)
     undamped = DragFlight("projectile", PROJECTILE.start, GRAVITY, 1.0, PROJECTILE.duration)

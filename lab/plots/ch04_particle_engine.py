@@ -36,7 +36,7 @@ LONGEST = 600  # frames, enough for every shot to land and every firework to bur
 
 
 def shots() -> Picture:
-    """Draw the paths of the five shots and the fraction of its energy that each shot keeps."""
+    """Draw the paths of the five shots, and what fraction of its energy each shot keeps."""
     figure, (paths, energies) = pyplot.subplots(
         2, 1, figsize=(9, 7), height_ratios=(2, 1), layout="constrained"
     )
@@ -62,7 +62,7 @@ def shots() -> Picture:
         kept[name] = 100.0 * whole[-1][6] if whole else math.nan
     k = -math.log(SHOT_TYPES["laser"].damping)
     times = [i * 0.1 for i in range(21)]
-    # Drag leaves the fraction d^2t of the kinetic energy, for the shot without gravity.
+    # For a shot without gravity, drag leaves the fraction d^2t of the kinetic energy.
     exact = [100.0 * math.exp(-2.0 * k * t) for t in times]
     energies.plot(times, exact, color=GRAY, lw=5, alpha=0.4, label="theory without gravity, d^2t")
     paths.axhline(0.0, color=GREEN, lw=1)
@@ -84,7 +84,7 @@ def shots() -> Picture:
 
 
 def fireworks() -> Picture:
-    """Draw every type of firework and the Catherine wheel, until all sparks have gone out."""
+    """Draw every type of firework, and the Catherine wheel, until all sparks have gone out."""
     rules = [*FIREWORK_TYPES, *(own_types() if is_written(own_types) else [])]
     figure, panels = pyplot.subplots(3, 4, figsize=(12, 7.4), layout="constrained")
     rows = []
@@ -115,7 +115,10 @@ def fireworks() -> Picture:
 
 
 def step_error() -> Picture:
-    """Draw the error of the step against the length of a frame, by the closed form."""
+    """Plot the error of the integration step against the length of a frame.
+
+    The error is the difference from the closed form.
+    """
     counts = (15, 30, 60, 120, 240, 480, 960, 1920)
     seconds = 2.0
     figure, axes = pyplot.subplots(figsize=(6.4, 5), layout="constrained")
@@ -154,7 +157,10 @@ PLOTS = (shots, fireworks, step_error)
 
 
 def _flight(name: str) -> Iterator[list[tuple[str, Numbers, Numbers]]]:
-    """Fire a shot and yield, after each frame, the type, position and velocity of its pieces."""
+    """Fire a shot.
+
+    After each frame, yield the type, the position and the velocity of each piece.
+    """
     at = BallisticRange()
     at.fire(name)
     for _ in range(LONGEST):
@@ -176,7 +182,10 @@ def _energy(name: str, velocity: Numbers, height: float) -> float:
 def _streaks(
     axes: Axes, show: FireworksShow, before: Callable[[], None], frames: int = LONGEST
 ) -> list[int]:
-    """Draw the fireworks of all frames into one picture, and return how many burned in each."""
+    """Draw all frames of a show into one picture.
+
+    Return the number of burning fireworks in each.
+    """
     seen: dict[int, tuple[list[float], list[float]]] = {}
     counts = []
     for _ in range(frames):
@@ -192,7 +201,7 @@ def _streaks(
             ys.append(y)
     for type, (xs, ys) in seen.items():
         color = SPARK_COLORS[(type - 1) % len(SPARK_COLORS)]
-        bursts = bool(show.rules[type].payloads)  # in gray, so that its sparks stand out
+        bursts = bool(show.rules[type].payloads)  # drawn in gray, so that its sparks stand out
         axes.plot(xs, ys, ".", ms=1.2, color=GRAY if bursts else color)
     axes.set(facecolor="black", xlim=(-16, 16), ylim=(0, 24), aspect="equal")
     axes.tick_params(labelsize=7)

@@ -1,4 +1,4 @@
-"""A picture of chapter 5: the cost of each force generator."""
+"""A picture of chapter 5 that shows how much time each force generator costs."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ DOWN = (0.0, -G, 0.0)
 
 
 def cost_of_a_generator() -> Picture:
-    """Draw the time per frame with each generator, relative to gravity as an acceleration."""
+    """Plot the time per frame with each generator, relative to gravity as an acceleration."""
     place, motion = Vector3(3.0, 1.0, 0.0), Vector3(0.0, 0.0, 5.0)
     brake = Airbrake(0.5)
     brake.on = True

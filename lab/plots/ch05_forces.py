@@ -31,7 +31,7 @@ PERIOD = 2.0 * math.pi
 
 
 def terminal_speeds() -> Picture:
-    """Draw falls with linear and with quadratic drag, and their terminal speeds."""
+    """Plot falls with linear and with quadratic drag, and their terminal speeds."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.6), layout="constrained")
     rows: list[Sequence[object]] = []
     worst = 0.0
@@ -85,7 +85,7 @@ def terminal_speeds() -> Picture:
 
 
 def fall_with_drag() -> Picture:
-    """Draw a fall with quadratic drag in long frames next to the closed form, and its errors."""
+    """Plot a fall with quadratic drag in long frames beside the closed form, and its errors."""
     k2, seconds, frame = 0.05, 4.0, 0.2
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.6), layout="constrained")
     count = round(seconds / frame)
@@ -128,7 +128,7 @@ def fall_with_drag() -> Picture:
 
 
 def orbit() -> Picture:
-    """Draw the energy and angular momentum of an orbit over 20 turns with the book's step."""
+    """Plot the energy and the angular momentum during 20 orbits, simulated with the book's step."""
     figure, (path, energies, momenta) = pyplot.subplots(
         1, 3, figsize=(14, 4.6), layout="constrained"
     )
@@ -147,7 +147,7 @@ def orbit() -> Picture:
             axes.plot(turns, values, color=color, lw=1.2, label=label)
             theory = [values[0] + drift * turn for turn in turns]
             axes.plot(turns, theory, color=color, lw=5, alpha=0.3)
-        # Compare the first turn only, between farthest points: later the orbit has changed.
+        # Compare only the first turn, between farthest points, because the orbit changes later.
         words.append(([values[40] - values[0] for values in (energy, momentum)], drifts))
         rows += [(frames, *row) for row in zip(turns, energy, momentum, strict=True)]
     path.plot([0], [0], "o", color=BLACK, ms=6)
@@ -180,7 +180,10 @@ PLOTS = (terminal_speeds, fall_with_drag, orbit, cost_of_a_generator)
 def _fall(
     mass: float, k1: float, k2: float, frame: float, frames: int
 ) -> list[tuple[float, float]]:
-    """Let a particle fall from rest with drag, and return its distance and speed per frame."""
+    """Let a particle fall from rest with drag.
+
+    Return its distance and its speed after each frame.
+    """
     particle = Particle(acceleration=Vector3(*DOWN), mass=mass)
     drag = Drag(k1, k2)
     seen = [(0.0, 0.0)]
@@ -192,7 +195,7 @@ def _fall(
 
 
 def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers]]:
-    """Move a particle around mu = 1 from its farthest point. Return every n-th state."""
+    """Move a particle around mu = 1, starting from its farthest point. Return every n-th state."""
     farthest = 1.0 + ECCENTRICITY
     slowest = math.sqrt((1.0 - ECCENTRICITY) / farthest)
     particle = Particle(Vector3(-farthest, 0.0, 0.0), Vector3(0.0, -slowest, 0.0))

@@ -41,7 +41,7 @@ FRAME = 1.0 / 60.0
 
 
 def force_against_length() -> Picture:
-    """Draw the forces of springs and ropes against their length, and of lifts against height."""
+    """Plot the forces of springs and ropes against length, and of lifts against height."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     k, rest = 10.0, 2.0
     other = Particle()
@@ -94,7 +94,7 @@ def force_against_length() -> Picture:
 
 
 def three_regimes() -> Picture:
-    """Draw the closed form of a damped spring in its three regimes, and time steps beside it."""
+    """Plot the exact motion of a damped spring in its three regimes, and simulations beside it."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     k, frames = 100.0, 90
     times = [i * FRAME for i in range(frames + 1)]
@@ -133,7 +133,7 @@ def three_regimes() -> Picture:
 
 
 def energy_over_time() -> Picture:
-    """Draw the energy of an undamped spring over ten seconds, for every method."""
+    """Plot the energy of an undamped spring over ten seconds, for each integration method."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5.2), layout="constrained")
     k, frames = 100.0, 600
     rows: list[Sequence[object]] = []
@@ -178,7 +178,7 @@ def energy_over_time() -> Picture:
 
 
 def error_against_work() -> Picture:
-    """Draw the largest error of every method in one second against its force evaluations."""
+    """Plot the largest error of every method within one second against its force evaluations."""
     figure, panels = pyplot.subplots(1, 4, figsize=(16, 5.6), layout="constrained", sharey=True)
     rows: list[Sequence[object]] = []
     words = []
@@ -199,7 +199,7 @@ def error_against_work() -> Picture:
                 work = pull.count or len(run.places) - 1  # one solution of a solver counts as one
                 error = math.inf if run.message else largest_error(run.places, chi, steps)
                 rows.append((k, name, steps, work, error))
-                # Until watched is written, an exploded run may have such an error.
+                # As long as watched is not written, an exploded run may have such an error.
                 if not error < 1e6:
                     axes.plot(steps * cost, 10.0 * 3.0**height, "x", color=color, ms=4)
                 else:

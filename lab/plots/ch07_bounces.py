@@ -37,7 +37,7 @@ COLORS = {"explicit Euler": RED, "semi-implicit Euler": BLUE, "time division": G
 
 
 def bounce_heights() -> Picture:
-    """Draw a ball that falls from 2 m and bounces, with restitution 1 and restitution 0.5."""
+    """Plot the height of a ball that falls from 2 m and bounces, with restitution 1 and 0.5."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
     rows: list[Sequence[object]] = []
     found = written(
@@ -73,13 +73,13 @@ def bounce_heights() -> Picture:
     left.set_ylim(top=max([1.25 * HEIGHT, *_finite(found.values())]) * 1.15)
     left.legend(fontsize=8, ncols=3, loc="upper center")
     right.legend(fontsize=8)
-    # At restitution 0.5 time division is expected to report an end.
+    # With restitution 0.5, time division should report that the impacts end.
     _notes(figure, {key: run for key, run in found.items() if key != ("time division", 0.5)})
     return Picture(figure, ("method", "restitution", "time, s", "height, m"), rows)
 
 
 def resting_jitter() -> Picture:
-    """Draw a ball at rest with the resting rule, without it, and with a rule that is too strict."""
+    """Plot a ball at rest with the resting rule, without it, and with a rule that is too strict."""
     figure, panels = pyplot.subplots(1, 3, figsize=(16, 5.4), layout="constrained")
     rows: list[Sequence[object]] = []
     rules = {"resting rule": None, "no rule": without_rule}
@@ -147,7 +147,7 @@ def resting_jitter() -> Picture:
 
 
 def restitution_of_materials() -> Picture:
-    """Draw the restitution of measured drops, with and without the square root (exercise 7.1)."""
+    """Plot the restitution of measured drops, with and without the square root (exercise 7.1)."""
     path, drops = _drops()
     table = table_of_drops(drops)
     singles = [(material, number(restitution_of_drop(a, b))) for material, a, b in drops]
@@ -162,7 +162,7 @@ def restitution_of_materials() -> Picture:
         dots = [value for name, value in singles if name == material]
         ratios = [b / a for name, a, b in drops if name == material and a]
         printed = statistics.fmean(ratios) if ratios else math.nan
-        # A ball dropped from 1 m should bounce to the square of its restitution.
+        # A ball dropped from 1 m should bounce to the square of its restitution, in m.
         off.append(abs(mean * mean - printed))
         printed_off.append(abs(printed * printed - printed))
         spread = [i + 0.05 * (j - 0.5 * (len(dots) - 1)) for j in range(len(dots))]
@@ -210,7 +210,10 @@ def _bouncing(name: str, restitution: float, frames: int) -> Callable[[], Track]
 def _resting(
     name: str, restitution: float, rule: Resolve | None, generated: bool
 ) -> Callable[[], Track]:
-    """Return a run that starts above the ground, so that explicit Euler first has no contact."""
+    """Return a run that starts slightly above the ground.
+
+    With this start, explicit Euler has no contact at first.
+    """
     return lambda: ball(STEPS[name], 1e-6, restitution, 120, rule, generated)
 
 
@@ -219,7 +222,7 @@ def _falling(height: float, restitution: float, rule: Resolve | None) -> Callabl
 
 
 def _finite(runs: Iterable[Track]) -> list[float]:
-    """Return the heights that fit into a picture. A wrong engine may lose the ball."""
+    """Return those heights that fit into a picture. With a wrong engine, the ball may be lost."""
     return [height for run in runs for height in run.values if abs(height) < 10.0 * HEIGHT]
 
 
@@ -237,7 +240,10 @@ def _rise(run: Track) -> float:
 
 
 def _drops() -> tuple[str, list[tuple[str, float, float]]]:
-    """Return a file's name and its drops. It is the student's file, or the sample if empty."""
+    """Return the name of a file and the drops in it.
+
+    The file is the student's own or, if that is empty, the sample file.
+    """
     for name in ("drops.csv", "drops_sample.csv"):
         try:
             drops = read_drops(find_drops(name))

@@ -23,7 +23,7 @@ from studies.runs.piles import pile, residuals, stack
 
 
 def resolver_convergence() -> Picture:
-    """Draw the largest closing velocity and depth in a pile against the number of resolutions."""
+    """Plot the largest closing velocity and depth in a pile against the number of resolutions."""
     figure, panels = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     counts = [*range(31), *range(32, 100, 4), *range(100, 401, 20)]
     found = written(
@@ -58,7 +58,7 @@ def resolver_convergence() -> Picture:
 
 
 def stack_height() -> Picture:
-    """Draw the sinking and overlap of stacks of 3 and 10 spheres by iterations per contact."""
+    """Plot how far stacks of 3 and 10 spheres sink and overlap, by iterations per contact."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     numbers_of = (1, 2, 5, 10, 20, 50)
     found = written(

@@ -47,7 +47,7 @@ Way = tuple[Callable[[], MassAggregate], int, float, str]  # with Hz, s and colo
 
 
 def energy_of_bridge() -> Picture:
-    """Draw the energy of the bridge at three frame rates, and with the default iterations."""
+    """Plot the energy of the bridge at three frame rates, and with the default iterations."""
     ways: dict[str, Way] = {
         f"{rate} Hz": (Bridge, rate, seconds, color) for rate, (color, seconds) in RATES.items()
     }
@@ -56,7 +56,7 @@ def energy_of_bridge() -> Picture:
 
 
 def energy_of_platform() -> Picture:
-    """Draw the energy of the tilting platform under a weight at three frame rates."""
+    """Plot the energy of the tilting platform with a weight on it, at three frame rates."""
     ways: dict[str, Way] = {
         f"{rate} Hz": (loaded_platform, rate, seconds, color)
         for rate, (color, seconds) in RATES.items()
@@ -65,7 +65,7 @@ def energy_of_platform() -> Picture:
 
 
 def variable_frames() -> Picture:
-    """Draw a blob and a bridge in even and uneven frames, two of which last half a second."""
+    """Plot a blob and a bridge in even and in uneven frames, two of which last half a second."""
     figure, panels = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
     spikes, seconds = (1.0, 2.5), 4.0
     rows: list[Sequence[object]] = []
@@ -127,7 +127,7 @@ PLOTS: tuple[Callable[[], Picture], ...] = (
 
 
 def _energies(what: str, ways: dict[str, Way]) -> Picture:
-    """Draw energies over time, and at rest their deviations in percent from their middle."""
+    """Plot energies over time, and how far they deviate from their middle at rest, in percent."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
     found = written(
         {name: _energy_of(make, rate, time) for name, (make, rate, time, _) in ways.items()},

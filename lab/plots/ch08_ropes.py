@@ -33,7 +33,7 @@ THROUGH = 1e3  # %, where an infinite excess length is drawn
 
 
 def mass_ratios() -> Picture:
-    """Draw the excess length of the bridge's cables under balls of 1 kg to 1 t, by method."""
+    """Plot how far the bridge's cables stretch under balls of 1 kg to 1 t, for each method."""
     figure, axes = pyplot.subplots(figsize=(10, 5.8), layout="constrained")
     ratios = (1, 10, 30, 100, 300, 1000)
     # Cases that take the longest and are accurate enough anyway are left out.
@@ -89,10 +89,10 @@ def mass_ratios() -> Picture:
 
 
 def hanging_rope() -> Picture:
-    """Draw how far a rope between two nails sinks below its position at rest, and the work."""
+    """Plot how far a rope between two nails sinks below its rest position, and the work for it."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
-    # A rope that starts at rest should stay there, and DirectChain's stays to 1e-8 m. So that rope
-    # also starts from a V.
+    # A rope that starts at rest should stay there, and DirectChain keeps it there to 1e-8 m. So
+    # DirectChain is also shown with a rope that starts in the shape of a V.
     scenes: dict[tuple[int, str], Callable[[], Hanging]] = {
         (links, f"rods, {substeps} substep{'s' * (substeps > 1)}"): partial(
             hang_by_rods, links, 60, substeps, 1.0
@@ -163,7 +163,7 @@ def hanging_rope() -> Picture:
 
 
 def _late(run: Track, since: float) -> float:
-    """Return the largest value from a time on, or infinity if the engine failed earlier."""
+    """Return the largest value after a time, or infinity if the engine failed before that time."""
     late = [value for time, value in run.points if time >= since]
     return max(late, default=math.inf) if not run.message else math.inf
 
@@ -171,7 +171,7 @@ def _late(run: Track, since: float) -> float:
 def _ended(
     scene: Callable[[], Hanging], key: tuple[int, str], notes: list[str]
 ) -> Callable[[], Hanging | None]:
-    """Return a scene that adds a note and returns None if the engine raises an error."""
+    """Return a scene that adds a note and returns None if the engine raises an error in it."""
 
     def run() -> Hanging | None:
         hung: list[Hanging] = []

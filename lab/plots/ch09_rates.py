@@ -52,7 +52,7 @@ WAYS: dict[str, tuple[Step, Velocity, float, str, str]] = {
 
 
 def drift_of_first_order() -> Picture:
-    """Draw the errors of Eq. 9.5 in length and angle, and the errors of better methods."""
+    """Plot the errors of Eq. 9.5 in length and in angle, and the errors of better methods."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.4), layout="constrained")
     rows: list[Sequence[object]] = []
     notes: list[str] = []
@@ -98,7 +98,7 @@ def drift_of_first_order() -> Picture:
 
 
 def gimbal_lock() -> Picture:
-    """Draw the map of the Euler rates near 90°, where it loses a direction and rates grow."""
+    """Plot how the map of Euler rates loses a direction near 90°, and how the rates grow there."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
     x, z = 0.4, 1.1  # rad; any values would do
     degrees = range(-90, 91, 3)

@@ -63,7 +63,7 @@ SMALL = LABEL | {"fontsize": 9}
 
 
 def turning_motion() -> Picture:
-    """Draw a thrown disc that wobbles as it flies, with its axes at seven times."""
+    """Draw a thrown disc that wobbles as it flies, and its axes at seven different times."""
     rates = (120, 240, 480)
     throws = {rate: throw_disc(rate) for rate in rates}
     shown = throws[240]
@@ -114,7 +114,7 @@ def turning_motion() -> Picture:
 
 
 def order_of_turns() -> Picture:
-    """Draw an L rotated by 90° about the world's X and then Y, and about Y and then X."""
+    """Draw a letter L, rotated by 90° about the world's X and then Y, and in the opposite order."""
     figure = pyplot.figure(figsize=(10.5, 7.2), layout="constrained")
     grid = figure.add_gridspec(2, 3)
     quarter = {
@@ -171,7 +171,7 @@ PLOTS: tuple[Callable[[], Picture], ...] = (
 
 
 def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
-    """Return the arrows rotated by the engine. If it raises an error, add a note instead."""
+    """Return the arrows as the engine rotates them. If it raises an error, add a note about it."""
     found: list[Arrows] = []
     if message := stopped(lambda: found.append(arrows_by_engine(q))):
         notes.append(message)
@@ -179,7 +179,7 @@ def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
 
 
 def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> list[Arrows]:
-    """Return the arrows rotated by matrices: initially, after one rotation, and after both."""
+    """Return the arrows rotated by matrices: at the start, after one rotation, and after both."""
     found: list[Arrows] = []
 
     def act() -> None:
@@ -193,7 +193,7 @@ def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> lis
 
 
 def _letter(space: Any, found: Arrows) -> None:
-    """Draw a letter L, upright and facing along Z, rotated like the arrows."""
+    """Draw an upright letter L that faces along Z, rotated in the same way as the arrows."""
     if is_drawable(*found):
         for x, y in (((-0.1, 0.1), (-0.1, 0.8)), ((0.1, 0.5), (-0.1, 0.1))):
             _block(space, found, (x, y, (-0.1, 0.1)))
@@ -212,7 +212,7 @@ def _block(space: Any, found: Arrows, sides: Sequence[tuple[float, float]]) -> N
 
 
 def _disc(space: Any, place: Numbers, found: Arrows) -> None:
-    """Draw a disc of 0.45 m about its own Y, rotated like the arrows."""
+    """Draw a disc of 0.45 m about its own Y axis, rotated in the same way as the arrows."""
     if is_drawable(*found):
         around = [math.radians(angle) for angle in range(0, 360, 10)]
         rim = [(0.45 * math.cos(a), 0.0, 0.45 * math.sin(a)) for a in around]
@@ -234,7 +234,7 @@ def _along(place: Numbers, v: Numbers, length: float) -> Numbers:
 
 
 def _point(v: Numbers) -> Numbers:
-    """Return X, Y, Z in matplotlib's order, in which the third axis points up."""
+    """Return X, Y and Z in matplotlib's order, in which the third axis points up."""
     return v[2], v[0], v[1]
 
 

@@ -1,4 +1,4 @@
-"""A picture of chapter 9: the balance lines of a box of stones, and their errors."""
+"""A picture of chapter 9: the balance lines of a box of stones, and the errors of these lines."""
 
 from __future__ import annotations
 

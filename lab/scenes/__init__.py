@@ -1,1 +1,1 @@
-"""The scenes of the lab, in modules named after their chapters."""
+"""The scenes of the lab. Each module is named after its chapter."""

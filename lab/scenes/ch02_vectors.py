@@ -1,4 +1,4 @@
-"""Scenes of chapter 2: two products of vectors that the reader can drag."""
+"""Scenes of chapter 2: the scalar and the vector product of vectors that the reader can drag."""
 
 from __future__ import annotations
 
@@ -14,13 +14,16 @@ TIP = 0.14  # m, radius of the draggable tip of a vector
 
 
 def rotated(x: float, y: float, angle: float) -> tuple[float, float]:
-    """Return a pair rotated counter-clockwise by an angle in radians."""
+    """Return the point (x, y), rotated counter-clockwise by an angle in radians."""
     c, s = math.cos(angle), math.sin(angle)
     return c * x - s * y, s * x + c * y
 
 
 class Projection(Scene):
-    """The component of one vector along another: its scalar product with a unit vector."""
+    """A scene about the component of one vector along another vector.
+
+    The component is the scalar product with a unit vector.
+    """
 
     chapter = 2
     title = "Projection: how much of a points along b?"
@@ -86,7 +89,7 @@ class Projection(Scene):
 
 
 class CrossProduct(Scene):
-    """Two vectors on the ground and their vector product, which points up or down."""
+    """A scene with two vectors on the ground and their vector product, which points up or down."""
 
     chapter = 2
     title = "Cross product: a direction and an area"

@@ -16,7 +16,10 @@ COLORS = ("red", "orange", "blue")
 
 
 class FrameRates(Scene):
-    """The same throw with the book's integrator at three step rates, next to the exact path."""
+    """A scene that runs the same throw at three step rates, next to the exact path.
+
+    The throw is simulated with the book's integrator.
+    """
 
     chapter = 3
     title = "One throw at three step rates"
@@ -103,7 +106,10 @@ class FrameRates(Scene):
 
 
 class DampingForms(Scene):
-    """Three identical pucks that slow down by Eq. 3.5, by Eq. 3.6 and by the exact solution."""
+    """A scene with three identical pucks that are slowed down by damping in three ways.
+
+    One follows Eq. 3.5, one follows Eq. 3.6, and one follows the exact solution.
+    """
 
     chapter = 3
     title = "Damping per step, or per second?"

@@ -16,7 +16,7 @@ Point = tuple[float, float]
 
 
 class Throw(Scene):
-    """A ball that the student's engine moves step by step, next to its exact path."""
+    """A ball that the student's engine moves step by step, shown next to its exact path."""
 
     chapter = 3
     title = "Throw a ball at the hoop"
@@ -68,13 +68,13 @@ class Throw(Scene):
         return self.HOOPS[self.passed % len(self.HOOPS)]
 
     def flight(self) -> DragFlight:
-        """Return the current throw as plain numbers, together with its exact solution."""
+        """Return the current throw in plain numbers, together with its exact solution."""
         angle = math.radians(self.angle)
         velocity = (self.speed * math.cos(angle), self.speed * math.sin(angle), 0.0)
         return DragFlight("throw", State((*self.HAND, 0.0), velocity), GRAVITY, self.damping, 6.0)
 
     def new_ball(self) -> Particle:
-        """Return a particle that leaves the hand as the current throw does."""
+        """Return a particle with the position and velocity at the start of the current throw."""
         start = self.thrown.start
         return Particle(
             Vector3(*start.position),
@@ -120,16 +120,16 @@ class Throw(Scene):
                 self.land()
 
     def land(self) -> None:
-        """End the throw, and report where both paths pass the hoop."""
+        """End the throw, and report where the ball and the exact path passed the hoop."""
         yours, exact = self.past_hoop(self.path), self.past_hoop(self.truth)
         self.message = f"Your ball: {self.told(yours)}. The exact path: {self.told(exact)}."
         self.score += self.is_in(yours)
         self.flies, self.rest = False, self.REST
 
     def past_hoop(self, path: list[Point]) -> float | None:
-        """Return how far past the rim's center, in m, a path comes down to the rim's height.
+        """Return how far beyond the rim's center, in m, a path comes down to the rim's height.
 
-        Returns None if the path never comes down through that height.
+        The result is None if the path never comes down through that height.
         """
         x, y = self.hoop
         for (x1, y1), (x2, y2) in pairwise(path):

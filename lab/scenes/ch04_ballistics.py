@@ -26,7 +26,7 @@ MIDDLE = -20.0  # y at which the view from above is drawn, below the view from t
 
 
 class Ballistics(Scene):
-    """Shots at blocks, seen from the side and, below that view, from above."""
+    """A range with shots at blocks, seen from the side and, below that view, from above."""
 
     chapter = 4
     title = "The ballistic range"
@@ -105,7 +105,7 @@ class Ballistics(Scene):
         pen.arrow((0.0, MIDDLE), above, COLORS.get(self.name, "pink"))
 
     def muzzle(self) -> float:
-        """Return the elevation in radians: the player's choice, or the default of the shot type."""
+        """Return the elevation in radians that the player chose, or the shot type's default."""
         vx, vy, vz = SHOT_TYPES[self.name].velocity
         own = math.atan2(vy, math.hypot(vx, vz))
         return own if self.elevation is None else self.elevation
@@ -202,7 +202,7 @@ class Artillery(Scene):
         return position.x, position.y
 
     def landing(self, elevation: float) -> tuple[float, float]:
-        """Return the range of a shell in m and its flight time in s, found by bisection."""
+        """Return the range of a shell in m and its flight time in s, as found by bisection."""
         low, high = 0.01, 20.0  # s; the shell is above the ground at first and below it at last
         while high - low > 1e-9:
             middle = 0.5 * (low + high)
@@ -249,7 +249,7 @@ class Artillery(Scene):
 
 
 def can_throw() -> bool:
-    """Return whether the student has written the behavior of a grenade."""
+    """Return whether the student has already written the code of the grenade."""
     return is_written(lambda: grenade_after(Shot("grenade", Particle())))
 
 

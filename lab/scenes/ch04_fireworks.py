@@ -18,7 +18,7 @@ WHEEL_SPARK = FireworkRule(12, 0.5, 0.9, (-1.5, -1.5, -1.5), (1.5, 1.5, 1.5), da
 
 
 class Fireworks(Scene):
-    """A display that lasts as long as the player clicks on its rockets, and a Catherine wheel."""
+    """A display that lasts as long as the player clicks on its rockets, with a Catherine wheel."""
 
     chapter = 4
     title = "Keep the fireworks alive"
@@ -53,7 +53,10 @@ class Fireworks(Scene):
             self.display.show.update(duration)
 
     def ended(self) -> bool:
-        """Return whether the game is over, if its rules are written."""
+        """Return whether the game is over.
+
+        It is never over if the student has not written its rules.
+        """
         return self.plays and is_over(self.display)
 
     def draw(self, pen: Pen) -> None:
@@ -93,7 +96,7 @@ class Fireworks(Scene):
             click(self.display, x, y)
 
     def play(self, time: float) -> None:
-        """Click on each rocket just before it bursts, but let the display end in the last 3 s."""
+        """Click on each rocket just before it bursts. In the last 3 s, let the display end."""
         if time > self.seconds - 3.0:
             return
         if not self.plays:
@@ -107,7 +110,7 @@ class Fireworks(Scene):
 
 
 def can_turn() -> bool:
-    """Return whether the wheel is written, by testing whether it throws sparks."""
+    """Return whether the student has written the wheel, by testing whether it throws sparks."""
     trial = FireworksShow([WHEEL_SPARK], capacity=9, seed=1)
     return is_written(lambda: make_wheel(trial, Vector3()).update(1.0))
 

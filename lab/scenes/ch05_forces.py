@@ -25,7 +25,7 @@ def lands_first(scene: FallInAir) -> int:
 
 
 class FallInAir(Scene):
-    """Two balls that fall from a tower with quadratic drag."""
+    """A scene in which two balls fall from a tower with quadratic drag."""
 
     chapter = 5
     title = "Which ball lands first?"
@@ -97,7 +97,10 @@ class FallInAir(Scene):
         return [ball.position.y for ball in self.fallers]
 
     def exact(self, time: float) -> list[float]:
-        """Return the exact heights. A ball that has landed no longer contributes to the error."""
+        """Return the exact heights.
+
+        Once a ball has landed, it no longer contributes to the error.
+        """
         heights = []
         for ball, landed, (mass, k2, _) in zip(
             self.fallers, self.landed, self.balls(), strict=True
@@ -121,7 +124,10 @@ class FallInAir(Scene):
 
 
 class Orbit(Scene):
-    """A planet around a star. A step updates either the position first, as in the book, or last."""
+    """A planet that orbits a star, with a step that updates the position first or last.
+
+    The book's step updates the position first.
+    """
 
     chapter = 5
     title = "An orbit that should close"

@@ -25,7 +25,10 @@ COLORS = ("sky", "water", "blue")  # of the rings, from the outside in
 
 
 class Sniper(Scene):
-    """Targets at four distances, seen through a scope. The view's unit is a milliradian."""
+    """A shooting range with targets at four distances, seen through a scope.
+
+    The unit of the view is a milliradian.
+    """
 
     chapter = 5
     title = "The sniper range"
@@ -47,7 +50,7 @@ class Sniper(Scene):
         self.begin()
 
     def begin(self) -> None:
-        """Begin a round with winds that differ from those of the last round."""
+        """Begin a new round, with winds that differ from those of the last round."""
         self.seed += 1
         self.range = SniperRange(self.seed)
         self.aim = (0.0, 0.0)
@@ -112,7 +115,7 @@ class Sniper(Scene):
         self.shoot(-x / 1000.0, y / 1000.0)
 
     def shoot(self, azimuth: float, elevation: float) -> None:
-        """Aim as near to these angles as the rifle can turn, and fire if no bullet is in flight."""
+        """Aim as close to these angles as the rifle can turn. Fire if no bullet is in flight."""
         self.aim = (limited(azimuth), limited(elevation))
         self.range.shoot(*self.aim)
 
@@ -136,7 +139,10 @@ SCENES = (Sniper,)
 
 
 def seen(x: float, y: float, z: float) -> tuple[float, float]:
-    """Return where a point appears from the muzzle, in milliradians. World +x is to the left."""
+    """Return where a point appears as seen from the muzzle, in milliradians.
+
+    World +x is to the left.
+    """
     along = max(z, 1.0)
     return -1000.0 * x / along, 1000.0 * (y - MUZZLE[1]) / along
 

@@ -15,7 +15,10 @@ from lab.stepped import STEPS, Stepped
 
 
 class SpringBridge(Stepped):
-    """A walker on planks that hang on springs (G6.2), which may be too stiff for the time step."""
+    """A bridge of planks that hang on springs, with a walker (G6.2).
+
+    If the springs are too stiff for the time step, the bridge explodes.
+    """
 
     chapter = 6
     title = "A bridge on springs"
@@ -43,7 +46,10 @@ class SpringBridge(Stepped):
         self.x, self.owed = 0.5, 0.0
 
     def step(self, duration: float) -> None:
-        """Make the steps that are due. Before each step, add the walker's weight to the planks."""
+        """Make the steps that are due.
+
+        Before each step, add the walker's weight to the planks below.
+        """
         length = 1.0 / self.rate
         self.owed += duration
         while self.owed > 0.5 * length:
@@ -157,5 +163,5 @@ SCENES = (SpringBridge, Cloth)
 
 
 def oblique(place: Vector3) -> tuple[float, float]:
-    """Return the drawn position of a point, in a view from the side and slightly from above."""
+    """Return where a point is drawn, as seen from the side and slightly from above."""
     return place.x + place.z / 3.0, place.y + place.z / 3.0

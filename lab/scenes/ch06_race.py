@@ -29,7 +29,10 @@ FAR = 3.0  # m; a ball farther out is not drawn
 
 
 class IntegratorRace(Scene):
-    """Balls on identical springs. In the drawn plane, the exact motion is a circle."""
+    """A scene that plots balls on identical springs by position and velocity.
+
+    In the drawn plane, the exact motion is a circle.
+    """
 
     chapter = 6
     title = "Energy of seven integrators"
@@ -74,7 +77,7 @@ class IntegratorRace(Scene):
                 self.trails[name] = [*self.trails[name][-90:], self.phase(ball)]
 
     def phase(self, ball: Particle) -> tuple[float, float]:
-        """Return the position, and the velocity scaled so that the exact path is a circle."""
+        """Return a ball's position, and its velocity scaled so that the exact path is a circle."""
         return ball.position.x, ball.velocity.x / math.sqrt(self.stiffness / self.MASS)
 
     def draw(self, pen: Pen) -> None:

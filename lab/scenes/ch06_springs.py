@@ -16,14 +16,14 @@ from lab.stepped import Stepped
 
 
 def explodes(scene: OneSpring) -> int:
-    """Return the index of the correct option, according to the stability limits of chapter 6."""
+    """Return the index of the correct option, based on the stability limits of chapter 6."""
     number = scene.stiffness / scene.rate**2 / scene.mass
     limits = {"explicit Euler": 0.0, "leapfrog": 4.0, "Runge-Kutta 4": 8.0}
     return 1 if number > limits.get(scene.integrator, 4.0) else 0
 
 
 class OneSpring(Stepped):
-    """A ball on a spring that moves along a line. Its exact motion is known."""
+    """A scene in which a ball on a spring moves along a line. Its exact motion is known."""
 
     chapter = 6
     title = "One spring, five integrators"
@@ -95,7 +95,7 @@ class OneSpring(Stepped):
         self.let_go(max(-2.0, min(2.0, x)), 0.0)
 
     def let_go(self, x: float, v: float) -> None:
-        """Set the ball's state, and restart the exact motion from it."""
+        """Set the ball's position and velocity, and restart the exact motion from there."""
         self.ball.position.x, self.ball.velocity.x = x, v
         self.since, self.x0, self.v0 = self.time, x, v
 

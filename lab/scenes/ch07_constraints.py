@@ -27,13 +27,13 @@ def no_forces(duration: float) -> None:
 
 
 def rises(scene: Bounce) -> int:
-    """Return the index of the option that describes the last bounces: as high, higher or lower."""
+    """Return the index of the correct option: the last bounces are as high, higher, or lower."""
     share = max(y for _, y in scene.path) / scene.HEIGHT
     return 1 if share > 1.02 else 2 if share < 0.98 else 0
 
 
 class Bounce(Scene):
-    """A ball that falls to the ground and keeps all or part of its speed in a bounce."""
+    """A scene with a ball that keeps all or part of its speed when it bounces on the ground."""
 
     chapter = 7
     title = "A ball that bounces"
@@ -154,7 +154,10 @@ Bounce.peers = {"pymunk": PymunkBounce}
 
 
 class Stack(Scene):
-    """A stack of spheres. The reader can drag the top sphere and watch the resolver's work."""
+    """A scene with a stack of spheres.
+
+    The reader can drag the top sphere and watch the resolver.
+    """
 
     chapter = 7
     title = "A stack of spheres"

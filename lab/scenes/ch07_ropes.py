@@ -24,7 +24,10 @@ def no_forces(duration: float) -> None:
 
 
 class Ropes(Scene):
-    """A rope that should keep its length: with one step per frame, substeps, or a direct solve."""
+    """A scene with a rope that should keep its length, simulated by three methods.
+
+    The methods are one step per frame, substeps, and a direct solve.
+    """
 
     chapter = 7
     title = "One rope, three methods"
@@ -53,7 +56,7 @@ class Ropes(Scene):
         self.chain = DirectChain(self.ropes[2][1:], Vector3())
 
     def rope(self) -> list[Particle]:
-        """Return an immovable particle and a straight chain of particles that hangs from it."""
+        """Return an immovable particle, and a straight chain of particles that hangs from it."""
         a, link = math.radians(self.angle), LENGTH / self.count
         direction, down = Vector3(math.sin(a), -math.cos(a)), Vector3(0.0, -9.81)
         chain = [

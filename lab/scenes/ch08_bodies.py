@@ -19,14 +19,17 @@ DIRECTIONS = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "down": (0.0, -1.0), "up
 
 
 def lower_end(scene: Platform) -> int:
-    """Return which end goes down: 0 for the left end, 1 for the right end, 2 for neither."""
+    """Return the index of the end that goes down: 0 for left, 1 for right, or 2 for neither."""
     ends = tilting_platform.LEFT + tilting_platform.RIGHT
     torque = 2.0 * tilting_platform.MASS * ends + scene.mass * scene.x
     return 2 if abs(torque) < 1e-9 else int(torque > 0.0)
 
 
 class Platform(WorldScene):
-    """A weight on a platform that tilts on a pivot. The pivot can be freed (mini-project 8.1)."""
+    """A platform that tilts on a pivot, with a weight on it (mini-project 8.1).
+
+    The reader can free the pivot.
+    """
 
     chapter = 8
     title = "A platform that tips"
@@ -110,7 +113,10 @@ class Platform(WorldScene):
 
 
 class Blob(WorldScene):
-    """A blob of bonds that break and heal. It can be pushed around and held together by cables."""
+    """A blob of bonds that break and heal.
+
+    The reader can push it, and hold it together by cables.
+    """
 
     chapter = 8
     title = "A blob that tears"
@@ -170,7 +176,7 @@ class Blob(WorldScene):
         self.contacts.draw(pen, 2.0)
 
     def holding(self) -> int:
-        """Return the number of bonds that are not broken."""
+        """Return the number of bonds that are intact."""
         return sum(bond.holds for bond in self.blob.bonds)
 
     def chart(self) -> dict[str, float]:

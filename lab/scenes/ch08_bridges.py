@@ -17,7 +17,10 @@ LATE = 0.5  # s, duration of a late frame
 
 
 class Bridge(WorldScene):
-    """A heavy ball that walks across a rope bridge. The reader can make some of the frames late."""
+    """A rope bridge across which a heavy ball walks.
+
+    The reader can make some of the frames late.
+    """
 
     chapter = 8
     title = "A rope bridge"
@@ -65,7 +68,7 @@ class Bridge(WorldScene):
         self.contacts.draw(pen, 1.0)
 
     def too_long(self) -> float:
-        """Return by how many percent the most overstretched cable exceeds its allowed length."""
+        """Return the percentage by which the worst cable exceeds its allowed length."""
         return over_length(self.bridge.world.contact_generators)
 
     def chart(self) -> dict[str, float]:
@@ -96,7 +99,7 @@ class Bridge(WorldScene):
 
 
 class BallGame(Scene):
-    """A game: bounce from plank to plank without falling (project 8.1)."""
+    """A game in which the player bounces from plank to plank without falling (project 8.1)."""
 
     chapter = 8
     title = "A game on the bridge"
@@ -148,7 +151,7 @@ class BallGame(Scene):
             self.game.direction = {"left": -1, "down": 0, "right": 1}[key]
 
     def play(self, time: float) -> None:
-        """Win a game by steering to the next row that is not yet visited, then lose another."""
+        """Win a game by steering to the next row that has not been visited, and lose another."""
         frame = round(60.0 * time)
         if frame == 424:
             self.press("n")
@@ -158,7 +161,7 @@ class BallGame(Scene):
             self.press(self.next_key())
 
     def next_key(self) -> str:
-        """Return the key that steers toward the first row that is not yet visited."""
+        """Return the key that steers toward the first row that has not been visited."""
         ball = self.game.ball
         for row, (a, b) in enumerate(self.game.rows):
             if row not in self.game.rules.visited:

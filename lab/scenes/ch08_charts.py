@@ -17,7 +17,10 @@ METHODS = list(dict.fromkeys(model.name for scene in CHARTED.values() for model 
 
 
 class Charts(Scene):
-    """A scene of the charts. The model computes all frames first, and then they are shown."""
+    """A scene from the charts.
+
+    The model computes all frames in advance, and then they are shown.
+    """
 
     chapter = 8
     title = "Speed against accuracy"
@@ -48,7 +51,10 @@ class Charts(Scene):
         self.size = max(max(xs) - min(xs), max(ys) - min(ys), 1e-9)  # m
 
     def chosen(self) -> Model:
-        """Return the chosen model, or the scene's first model if the scene does not have it."""
+        """Return the chosen model.
+
+        If the scene does not have that model, return its first model.
+        """
         models = {model.name: model for model in self.scene.models}
         return models.get(self.method, self.scene.models[0])
 
@@ -56,7 +62,7 @@ class Charts(Scene):
         self.frame = min(self.frame + 1, len(self.places) - 1)
 
     def seen(self, place: Place) -> list[tuple[float, float]]:
-        """Return the points to draw for a position, scaled so that the whole path fits the view."""
+        """Return the points to draw for a position, scaled so that the whole path fits."""
         x0, y0 = self.middle
         return [(2.0 * (x - x0) / self.size, 2.0 * (y - y0) / self.size) for x, y in points(place)]
 
@@ -89,7 +95,7 @@ class Charts(Scene):
 
 
 def points(place: Place) -> list[tuple[float, float]]:
-    """Return the points of a position, which contains pairs of x and y or a single height."""
+    """Return the points in a position, which consists of pairs of x and y or of a single height."""
     numbers = [float(number) for number in place]
     if len(numbers) == 1:
         return [(0.0, numbers[0])]

@@ -16,7 +16,7 @@ from studies.runs.links import ends_of
 
 
 class Wheel(WorldScene):
-    """A wheel of rods that is driven at its rim (mini-project 8.3)."""
+    """A wheel made of rods, which is driven at its rim (mini-project 8.3)."""
 
     chapter = 8
     title = "A wheel of rods"
@@ -116,7 +116,7 @@ class PymunkWheel(Wheel):
 
 
 class Cube(WorldScene):
-    """A cube of rods that falls on a corner, with some rods removed (mini-project 8.2)."""
+    """A cube of rods that falls on a corner, with some of its rods removed (mini-project 8.2)."""
 
     chapter = 8
     title = "A cube of rods"
@@ -177,7 +177,7 @@ class Cube(WorldScene):
 
 
 def tilted(place: Vector3) -> tuple[float, float]:
-    """Return the point at which a position is drawn, in a view from a corner and from above."""
+    """Return where a position is drawn, as seen from a corner and from above."""
     across, away = 0.87 * place.x - 0.5 * place.z, 0.5 * place.x + 0.87 * place.z
     return across, 0.94 * place.y + 0.34 * away
 

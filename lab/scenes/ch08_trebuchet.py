@@ -18,7 +18,10 @@ Point = tuple[float, float]
 
 
 class Trebuchet(WorldScene):
-    """The student's own design, with an adjustable counterweight and release angle."""
+    """The trebuchet of the student's own design.
+
+    The reader can change its counterweight and its release angle.
+    """
 
     chapter = 8
     title = "A trebuchet"
@@ -57,7 +60,7 @@ class Trebuchet(WorldScene):
             self.look()
 
     def look(self) -> None:
-        """Record the path and the energies, and end the throw as soon as the projectile lands."""
+        """Record the path and the energies. End the throw as soon as the projectile lands."""
         engine = self.engine
         weight, projectile = engine.weight, engine.projectile
         self.way.append((projectile.position.x, max(0.0, projectile.position.y)))
@@ -74,7 +77,7 @@ class Trebuchet(WorldScene):
             )
 
     def share(self) -> float:
-        """Return the fraction of the counterweight's lost energy that the projectile received."""
+        """Return the fraction of the counterweight's lost energy that went to the projectile."""
         return self.gained / self.lost if self.lost > 0.0 else 0.0
 
     def draw(self, pen: Pen) -> None:

@@ -17,7 +17,7 @@ SPINS = ("smallest", "middle", "largest")
 
 
 class Spin(Scene):
-    """A box like a thick book that spins about one of its axes, and slightly about another."""
+    """A box like a thick book, which spins about one of its axes and slightly about another one."""
 
     chapter = 9
     title = "A book thrown into the air"

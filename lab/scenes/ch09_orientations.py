@@ -21,7 +21,7 @@ PLACES = {"matrix": -2.4, "quaternion": 0.0, "Euler angles": 2.4}
 
 
 class Orientations(Scene):
-    """Three boxes with the same angular velocity, which store their orientations differently."""
+    """Three boxes with the same angular velocity that store their orientations differently."""
 
     chapter = 9
     title = "Matrix, quaternion, Euler angles"
@@ -64,7 +64,10 @@ class Orientations(Scene):
             self.step_angles(h)
 
     def step_matrix(self, h: float) -> None:
-        """Move each column, which is an axis of the box, by the velocity w x column of its tip."""
+        """Move each column of the matrix by its velocity, which is w x column.
+
+        Each column is an axis of the box, so this is the velocity of the tip of the axis.
+        """
         for column in self.columns:
             column.add_scaled(self.velocity.cross(column), h)
         if self.repair == "yes":
@@ -100,7 +103,7 @@ class Orientations(Scene):
         }
 
     def errors(self) -> list[float]:
-        """Return the largest error of an axis of each box, in percent of the axis's length."""
+        """Return the largest error of an axis for each box, in percent of the axis's length."""
         speed = self.velocity.magnitude()
         right = Quaternion.from_axis_angle(self.velocity, speed * self.time)
         axes = [right.rotate(a) for a in (Vector3(1.0), Vector3(0.0, 1.0), Vector3(0.0, 0.0, 1.0))]

@@ -1,1 +1,1 @@
-"""Speed against accuracy: the cost and the error of every model in the same scenes."""
+"""Compare speed and accuracy, by measuring the cost and the error of every model in each scene."""

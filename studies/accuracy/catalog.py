@@ -1,4 +1,4 @@
-"""All scenes, which a command can select by part of a name."""
+"""All scenes of the accuracy study. A command selects scenes by a part of their name."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from studies.accuracy.scenes.springs import SPRINGS
 
 
 def scenes_with(part: str) -> list[Scene]:
-    """Return the scenes whose names contain this text, or all scenes for an empty text.
+    """Return the scenes whose names contain this text. An empty text selects all scenes.
 
     Raises:
-        ValueError: If no scene matches. The message lists all names.
+        ValueError: No scene matches. The message lists all names.
     """
     every = [make() for make in (*FLIGHTS, *SPRINGS, *IMPACTS, *LINKED, *BRIDGES, *NETS)]
     if found := [scene for scene in every if part in scene.name]:

@@ -1,4 +1,4 @@
-"""Draw a scene's error over processor time and over work, and an overview of all scenes."""
+"""Draw the charts: each scene's error over processor time and over work, and an overview."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ COLUMNS = (
 
 
 def draw(points: Sequence[Point], counted: str, png: Path) -> None:
-    """Write the chart of one scene, and a table of its points."""
+    """Write the chart of one scene and a table of its points."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.5), layout="constrained")
     styles = styles_of(points)
     edge = front(points)
@@ -89,7 +89,7 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
 def _draw_extrapolated(
     axes: Axes, points: Sequence[Point], styles: dict[str, dict[str, Any]]
 ) -> None:
-    """Draw a dotted line to the tightest tolerance for which pymunk's time is extrapolated."""
+    """Draw a dotted line to the tightest tolerance to which pymunk's time is extrapolated."""
     sides = [(tolerance, row(points, tolerance).pymunk) for tolerance in TOLERANCES]
     found = [(tolerance, side) for tolerance, side in sides if side.order is not None]
     if not found:
@@ -105,12 +105,14 @@ def _draw_extrapolated(
 
 
 def draw_overview(rows: Sequence[Row], png: Path) -> None:
-    """Write a chart of pymunk's time relative to our best model, for each scene and tolerance.
+    """Draw pymunk's time relative to our best model's, for each scene and each tolerance.
 
-    An open mark is a ratio in which pymunk's time is extrapolated from its order of convergence. An
-    open mark with an arrow is a bound, because one side did not reach the tolerance in the time it
-    was given. If a side can never reach it, the word "never" is at the edge. If neither side
-    reaches it, nothing is drawn.
+    - An open mark shows a ratio for which pymunk's time was extrapolated from its order of
+      convergence.
+    - An open mark with an arrow shows a bound, because one side did not reach the tolerance in the
+      time that it was given.
+    - The word "never" at the edge shows that one side can never reach the tolerance.
+    - Nothing is drawn if neither side reaches the tolerance.
     """
     scenes = list(dict.fromkeys(row.scene for row in rows))[::-1]
     tolerances = sorted({row.tolerance for row in rows}, reverse=True)
@@ -140,10 +142,10 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
 
 
 def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None:
-    """Draw the ratio of one row of the table as a mark, which is open if a time is extrapolated.
+    """Draw the ratio in one row of the table as a mark.
 
-    A bound is drawn as an open mark with an arrow. If one side can never reach the tolerance, the
-    word "never" is written at the edge instead.
+    The mark is open if a time is extrapolated. A bound is an open mark with an arrow. If one side
+    can never reach the tolerance, the word "never" is written at the edge instead of a mark.
     """
     if found.ratio:
         face = "none" if found.is_extrapolated else color
@@ -161,7 +163,7 @@ def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None
 
 
 def said(found: Row) -> str:
-    """Return a row of the table as a sentence."""
+    """Describe a row of the table in a sentence."""
     ours, theirs = found.ours, found.pymunk
     start = f"at an error of {found.tolerance:g} of the scale, "
     if ours.time is None or theirs.time is None:
@@ -176,9 +178,9 @@ def said(found: Row) -> str:
 
 
 def told(side: Side) -> str:
-    """Describe one side of a row: its model and time, or the reason why it has none.
+    """Describe one side of a row by its model and time, or by the reason why it has no time.
 
-    A time that is extrapolated is marked with its order of convergence.
+    If the time is extrapolated, the order of convergence is added.
     """
     if side.time is not None:
         time = f"{side.model}, {_number(1e3 * side.time)} ms"
@@ -187,9 +189,9 @@ def told(side: Side) -> str:
 
 
 def told_ratio(found: Row) -> str:
-    """Return pymunk's time as a multiple of ours, as text: a number, a bound, or an empty string.
+    """Return pymunk's time as a multiple of ours: a number, a bound, or an empty string.
 
-    A number that is based on an extrapolated time begins with "~".
+    A number for which the time was extrapolated begins with "~".
     """
     low, high = found.bounds
     if found.ratio:
@@ -200,7 +202,7 @@ def told_ratio(found: Row) -> str:
 
 
 def _number(value: float) -> str:
-    """Return a number with three digits, or all digits before the point: 0.0277, 5.51, 4,190."""
+    """Format a number with three digits, or all digits before the point: 0.0277, 5.51, 4,190."""
     return f"{value:.3g}" if value < 1000.0 else f"{float(f'{value:.3g}'):,.0f}"
 
 

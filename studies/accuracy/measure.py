@@ -1,10 +1,11 @@
 """Measure the error, the work and the time of every model in some scenes.
 
-The error and the work of a model are always the same, so they are measured only once. Times vary,
-so they are measured in several rounds. Each round times all models in random order, so that other
-load on the machine does not affect only one of them. The results are saved after every round. If a
-run is interrupted, the next run resumes from the saved results, as long as the code and the
-versions are the same.
+The error and the work of a model are the same in every run, so they are measured only once. Times
+vary, so they are measured in several rounds. Each round times all models in random order, so that
+other load on the machine does not affect only one of them.
+
+The results are saved after every round. If a run is interrupted, the next run resumes from the
+saved results, as long as the code and the versions have not changed.
 """
 
 from __future__ import annotations
@@ -35,10 +36,10 @@ LONG, FEW = 1.0, 2  # s, rounds: a run that takes longer is timed only in the fi
 
 @dataclass
 class Point:
-    """The results of a model with one choice of its steps.
+    """The results of a model for one choice of its steps.
 
-    ``steps`` is the number of steps per frame, or 1 / tolerance for a model that takes a tolerance.
-    ``times`` contains one time in s per round.
+    ``steps`` is the number of steps per frame. For a model that takes a tolerance, it is 1 /
+    tolerance. ``times`` contains one time in s per round.
     """
 
     scene: str
@@ -71,10 +72,10 @@ class Measured:
 def explore(
     scenes: Sequence[Scene], slowest: float, theirs: float, hear: Callable[[str], None]
 ) -> Measured:
-    """Measure the error and the work of each model in these scenes, but no times yet.
+    """Measure the error and the work of each model in these scenes. Times are measured later.
 
-    Each model runs with more and more steps. It stops when it is exact or when a run takes longer
-    than ``slowest`` s. For pymunk's models, the limit is ``theirs`` s instead.
+    Each model is run with more and more steps, until it is exact or until a run takes longer than
+    ``slowest`` seconds. For pymunk's models, the limit is ``theirs`` seconds.
     """
     points = []
     for scene in scenes:
@@ -92,7 +93,7 @@ def explore(
 
 
 def run(model: Model, steps: int) -> Outcome | None:
-    """Run a model. Return None if it fails, which may happen if its steps are too long."""
+    """Run a model. Return None if it fails, as it may if its steps are too long."""
     try:
         return model.run(steps)
     except (ArithmeticError, ValueError):
@@ -100,7 +101,7 @@ def run(model: Model, steps: int) -> Outcome | None:
 
 
 def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], None]) -> None:
-    """Add one round of times to all points, in random order."""
+    """Time all points once, in random order, and add these times as one round."""
     models = {(scene.name, model.name): model for scene in scenes for model in scene.models}
     for point in random.sample(measured.points, len(measured.points)):
         if len(point.times) < FEW or point.time < LONG:
@@ -110,7 +111,10 @@ def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], No
 
 
 def seconds_of(model: Model, steps: int) -> float:
-    """Return the processor time of a run in s. A short run is repeated and averaged."""
+    """Return the processor time of a run in s.
+
+    A short run is repeated, and its mean time returned.
+    """
     count = 0
     start = time.process_time()
     while (taken := time.process_time() - start) < LEAST or not count:
@@ -120,13 +124,13 @@ def seconds_of(model: Model, steps: int) -> float:
 
 
 def save(measured: Measured, path: Path, sign: str) -> None:
-    """Save the results atomically, with a signature of what was measured."""
+    """Save the results atomically, together with a signature of what was measured."""
     data = {"sign": sign, "rounds": measured.rounds, "points": [*map(asdict, measured.points)]}
     replace_bytes(path, json.dumps(data).encode())
 
 
 def load(path: Path, sign: str) -> Measured | None:
-    """Return the saved results, or None if there are none with this signature."""
+    """Return the saved results, or None if there are no results with this signature."""
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
         if data["sign"] != sign:
@@ -137,7 +141,7 @@ def load(path: Path, sign: str) -> Measured | None:
 
 
 def sign_of(names: Sequence[str], slowest: float, theirs: float) -> str:
-    """Return a signature of these scenes, of all code that they run, and of the versions."""
+    """Return a signature of these scenes, of all code that they run, and of the versions used."""
     digest = hashlib.sha256(f"{[*names]} {slowest} {theirs}".encode())
     for folder in ("solutions", "chapters", "studies"):
         for file in sorted((ROOT / folder).rglob("*.py")):

@@ -1,4 +1,7 @@
-"""Find the time that each model needs to meet a tolerance, and the best model of each side."""
+"""Find the time that each model needs to meet a tolerance, and the fastest model of each side.
+
+The two sides are our models and pymunk's models.
+"""
 
 from __future__ import annotations
 
@@ -17,13 +20,13 @@ FARTHEST = 1000.0  # an error is extrapolated to a thousandth of the smallest er
 
 @dataclass(frozen=True)
 class Side:
-    """The fastest model of one side, ours or pymunk's, that meets a tolerance, and its time in s.
+    """The fastest model of one side that meets a tolerance, and its time in s.
 
-    Both are None if no model meets the tolerance. In that case, every model that might still meet
-    it with more steps has been run for at least ``longest`` s. If no model could ever meet it,
-    ``never`` is true.
+    Both are None if no model meets the tolerance. In that case, every model that might meet it with
+    more steps has been run for at least ``longest`` seconds. ``never`` is true if no model could
+    ever meet it.
 
-    If ``order`` is not None, the model has not actually been run with enough steps. Its time is
+    If ``order`` is not None, the model has not been run with enough steps. Its time is then
     extrapolated from this order of convergence.
     """
 
@@ -36,7 +39,7 @@ class Side:
 
 @dataclass(frozen=True)
 class Row:
-    """The results of both sides for a scene and a tolerance."""
+    """The results of both sides for one scene and one tolerance."""
 
     scene: str
     tolerance: float
@@ -57,7 +60,7 @@ class Row:
 
     @property
     def bounds(self) -> tuple[float, float]:
-        """The lowest and highest possible ratio, if a side did not reach the tolerance in time."""
+        """The smallest and largest possible ratio if a side did not meet the tolerance in time."""
         low = 0.0 if self.ours.time is None else self._of(self.pymunk) / self.ours.time
         high = math.inf if self.pymunk.time is None else self.pymunk.time / self._of(self.ours)
         return low, high
@@ -70,8 +73,8 @@ class Row:
 def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
     """Return the index of the first point from which on a model meets a tolerance, or None.
 
-    ``ordered`` is sorted by steps. All points with more steps must meet the tolerance as well,
-    because a single point may meet it by chance.
+    ``ordered`` is sorted by steps. A single point may meet the tolerance by chance. So all points
+    with more steps must meet it as well.
     """
     outside = [i for i, point in enumerate(ordered) if not point.error <= tolerance]
     first = outside[-1] + 1 if outside else 0
@@ -79,7 +82,7 @@ def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
 
 
 def time_to(points: Sequence[Point], tolerance: float) -> float | None:
-    """Return the time in s that one model needs for a tolerance, or None if it never reaches it.
+    """Return the time in s that a model needs to meet a tolerance, or None if it never meets it.
 
     The time is interpolated between two measured numbers of steps, on logarithmic scales.
     """
@@ -96,10 +99,11 @@ def time_to(points: Sequence[Point], tolerance: float) -> float | None:
 
 
 def stalls(points: Sequence[Point]) -> bool:
-    """Return whether a model's error has not even halved while its number of steps grew eightfold.
+    """Return whether a model's error no longer decreases when it makes more steps.
 
-    At order 1, the error would fall to an eighth. A model that stalls is therefore assumed to never
-    reach smaller errors. An error of a tenth of the scale or more is too large to draw this
+    A model stalls if its error has not even been halved while its number of steps grew eightfold.
+    At order 1, the error would have fallen to an eighth. A model that stalls is assumed to never
+    reach smaller errors. If the error is a tenth of the scale or more, it is too large for this
     conclusion.
     """
     ordered = sorted(points, key=lambda point: point.steps)
@@ -108,11 +112,11 @@ def stalls(points: Sequence[Point]) -> bool:
 
 
 def order_of(points: Sequence[Point]) -> float | None:
-    """Return a model's order of convergence over the last eightfold increase of its steps, or None.
+    """Return a model's order of convergence, measured over its last eightfold increase of steps.
 
-    The order is the exponent p if the error is proportional to 1 / steps^p. It is unknown if the
-    error does not fall steadily, which means that the order varies between doublings. It is also
-    unknown if the error is a tenth of the scale or more, or if there are fewer than four points.
+    The order is the exponent p in an error that is proportional to 1 / steps^p. The result is None
+    if the order is unknown, which is the case if the error does not fall steadily, if it is a tenth
+    of the scale or more, or if there are fewer than four points.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     last = [point for point in ordered if EIGHTFOLD * point.steps >= ordered[-1].steps]
@@ -127,10 +131,11 @@ def order_of(points: Sequence[Point]) -> float | None:
 
 
 def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None:
-    """Return the time in s that a model would need for a tolerance, from its order of convergence.
+    """Return the time in s that a model would need to meet a tolerance, if it had enough steps.
 
-    Each step is assumed to take as long as in the run with the most steps. The result is None if
-    the model has no steady order, or if it is still too far from the tolerance.
+    The time follows from the model's order of convergence. Each step is assumed to take as long as
+    in the run with the most steps. The result is None if the model has no steady order, or if it is
+    too far from the tolerance.
     """
     finest = max(points, key=lambda point: point.steps)
     order = order_of(points)
@@ -140,7 +145,7 @@ def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None
 
 
 def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
-    """Return the points of each model by its name, in their original order."""
+    """Group points by the name of their model, and keep their order."""
     found: dict[str, list[Point]] = {}
     for point in points:
         found.setdefault(point.model, []).append(point)
@@ -148,7 +153,7 @@ def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
 
 
 def side_of(points: Sequence[Point], tolerance: float) -> Side:
-    """Return the side with the model that reaches a tolerance in the shortest time."""
+    """Return a side, with the model that meets a tolerance in the shortest time."""
     models = models_of(points)
     open_ones = [own for own in models.values() if not stalls(own)]
     times = {name: time for name, own in models.items() if (time := time_to(own, tolerance))}
@@ -158,10 +163,10 @@ def side_of(points: Sequence[Point], tolerance: float) -> Side:
 
 
 def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, Point | None]:
-    """Return the cheapest point that is reliably within a tolerance, and the next cheaper point.
+    """Return the cheapest point that reliably meets a tolerance, and the next cheaper point.
 
-    A point is reliable if its model stays within the tolerance with more steps. Each result is None
-    if there is no such point.
+    A point is reliable if its model still meets the tolerance with more steps. If there is no such
+    point, the result for it is None.
     """
     within = []
     for own in models_of(points).values():
@@ -174,13 +179,13 @@ def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, P
 
 
 def split(points: Sequence[Point]) -> tuple[list[Point], list[Point]]:
-    """Return our points, including the book's, and pymunk's points."""
+    """Return two lists: our points, which include the book's, and pymunk's points."""
     ours = [point for point in points if point.by != "pymunk"]
     return ours, [point for point in points if point.by == "pymunk"]
 
 
 def row(points: Sequence[Point], tolerance: float) -> Row:
-    """Return the results of one scene for a tolerance."""
+    """Return the results of one scene for one tolerance."""
     ours, theirs = split(points)
     side = side_of(theirs, tolerance)
     if side.time is None:
@@ -211,9 +216,9 @@ def table(points: Sequence[Point]) -> list[Row]:
 
 
 def front(points: Sequence[Point]) -> list[Point]:
-    """Return the points to which no other point is superior in both time and error, by time.
+    """Return the points for which no other point is better in both time and error, sorted by time.
 
-    All errors that come only from rounding count as equal.
+    Errors that come only from rounding all count as equal.
     """
     kept: list[Point] = []
     nearest = math.inf

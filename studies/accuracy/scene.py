@@ -1,9 +1,9 @@
-"""The subject of a chart: a scene, its exact solution, and the models that run it.
+"""What a chart is about: a scene, its exact solution, and the models that run the scene.
 
-A model returns the positions at the end of every frame, at 60 frames per second, and may make any
-number of steps in between. Its error is the largest deviation of any coordinate from the exact
-solution at any of these times, in units of the scene's scale. Being right at a single moment is
-therefore not enough.
+A model returns the positions at the end of every frame, at 60 frames per second. It may make any
+number of steps per frame. Its error is the largest deviation of any coordinate from the exact
+solution at the end of any frame, as a fraction of the scene's scale. Being right at a single moment
+is therefore not enough.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ Pull = Callable[[float, float, float, float], tuple[float, float]]  # N, from x,
 
 @dataclass(frozen=True)
 class Outcome:
-    """The positions at the end of every frame, and the number of evaluations of the forces."""
+    """The positions at the end of every frame, and how often the forces were evaluated."""
 
     places: list[Place]
     work: int
@@ -61,9 +61,11 @@ class Scene:
     """A scene that runs for a number of frames, with its exact solution and its models.
 
     ``truth`` returns the exact position at a time in s. ``scale`` is the size of the scene in m.
-    ``counted`` describes what the models count as their work. If the truth is neither a closed form
-    nor SciPy's solution of a single equation, ``differs`` checks it. This function computes the
-    truth in two independent ways and returns the difference, in units of the scale.
+    ``counted`` describes what the models count as their work.
+
+    If ``truth`` is neither a closed form nor SciPy's solution of a single equation, ``differs``
+    checks it. This function computes the exact solution in two independent ways, and returns the
+    difference as a fraction of the scale.
     """
 
     name: str
@@ -75,7 +77,7 @@ class Scene:
     differs: Callable[[], float] | None = None
 
     def error(self, outcome: Outcome) -> float:
-        """Return the largest error of a coordinate in units of the scale, or inf for a NaN."""
+        """Return the largest error of a coordinate as a fraction of the scale, or inf for NaN."""
         worst = 0.0
         for frame, place in enumerate(outcome.places, 1):
             for found, true in zip(place, self.truth(frame / RATE), strict=True):
@@ -89,11 +91,12 @@ def solved(
     place: Callable[[Any], Place],
     frames: int,
 ) -> Callable[[float], Place]:
-    """Return the exact solution of a scene without a closed form, from its equations of motion.
+    """Return the exact solution of a scene that has no closed form, from its equations of motion.
 
-    ``rates`` are the equations for SciPy, as a function of time and state. ``start`` is the initial
-    state, and ``place`` converts a state to positions. SciPy solves the equations at the first
-    call, for the end of every frame. The error of about 1e-11 is far below the tightest tolerance.
+    ``rates`` are the equations, as a function of time and state, in the form that SciPy expects.
+    ``start`` is the initial state, and ``place`` converts a state to positions. At the first call,
+    SciPy solves the equations for the end of every frame. The error of about 1e-11 is far below the
+    tightest tolerance.
     """
 
     @cache
@@ -111,7 +114,7 @@ def solved(
 def in_frames(
     step: Callable[[float], object], place: Callable[[], Place], frames: int, steps: int
 ) -> list[Place]:
-    """Run frames with a number of steps each. Return the positions at the end of every frame."""
+    """Run frames with this number of steps each. Return the positions at the end of each frame."""
     places: list[Place] = []
     duration = 1.0 / (RATE * steps)
     for _ in range(frames):
@@ -122,7 +125,10 @@ def in_frames(
 
 
 def by_integrators(make: Callable[[], Made], frames: int) -> list[Model]:
-    """Return a model for each integrator of chapter 6, for one particle and its forces."""
+    """Return one model for each integrator of chapter 6.
+
+    Each moves one particle under its forces.
+    """
     fixed = [
         Model(
             name,

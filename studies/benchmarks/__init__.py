@@ -1,1 +1,1 @@
-"""The measurements of make bench: one module per subject, each with a function ``lines``."""
+"""The measurements of make bench. Each module is about one subject and has a function ``lines``."""

@@ -1,12 +1,12 @@
 """Compare our models with pymunk at equal accuracy.
 
-Each line is pymunk's time as a multiple of the time of one of our models. The position is needed in
-every frame, within a tolerance in units of the scene's size. Each side makes the smallest number of
-steps per frame, out of the powers of two, that meets the tolerance. If even MOST steps are too few
-for pymunk, its time is extrapolated from its order of convergence, and the line says so. If its
-error does not decrease steadily either, the line is a lower bound.
+Each line is pymunk's time divided by the time of one of our models. The positions must be accurate
+in every frame, within a tolerance that is a fraction of the scene's size. Each side uses the
+smallest number of steps per frame, out of the powers of two, that meets the tolerance. If even MOST
+steps are too few for pymunk, its time is extrapolated from its order of convergence, and the line
+says so. If pymunk's error does not decrease steadily either, the line is a lower bound.
 
-The last lines compare the cost of a fixed step with that of `adaptive` for an orbit.
+The last lines compare the cost of fixed steps with that of `adaptive` for an orbit.
 """
 
 from __future__ import annotations
@@ -76,7 +76,7 @@ def lines_of_adaptive() -> list[Measurement]:
 def coarsest(
     scene: Scene, model: Model, choices: Sequence[int], tolerance: float
 ) -> tuple[int, Outcome]:
-    """Return the coarsest choice within a tolerance and its run, by bisection."""
+    """Find the coarsest choice that meets a tolerance, by bisection. Return it with its run."""
 
     def is_within(choice: int) -> bool:
         outcome = run(model, choice)
@@ -94,7 +94,7 @@ def line(
     target: Target | None = None,
     tolerance: float = TOLERANCE,
 ) -> Measurement:
-    """Return the line of pymunk's time for a tolerance over ours.
+    """Return the measurement of pymunk's time relative to ours, at the same tolerance.
 
     If ``ours`` is None, our fastest exact model is used.
     """
@@ -135,16 +135,20 @@ def is_exact(model: Model) -> bool:
 
 
 def fewest_steps(scene: Scene, model: Model, tolerance: float) -> tuple[int, float]:
-    """Return the fewest steps per frame that meet a tolerance, as a power of two, and the error.
+    """Return the smallest number of steps per frame that meets a tolerance, and the error.
 
-    If even MOST steps per run do not meet it, return the most steps that were tried.
+    The number is a power of two. If even MOST steps per run do not meet the tolerance, return the
+    largest number that was tried.
     """
     finest = tried_steps(scene, model, tolerance)[-1]
     return finest.steps, finest.error
 
 
 def tried_steps(scene: Scene, model: Model, tolerance: float) -> list[Point]:
-    """Return the points that were tried, with steps doubled up to the tolerance or MOST steps."""
+    """Return all points that were tried.
+
+    The steps double until they meet the tolerance or reach MOST.
+    """
     tried: list[Point] = []
     steps = 1
     while True:

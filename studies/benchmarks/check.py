@@ -1,4 +1,4 @@
-"""The time that a student waits for `make check`."""
+"""Measure how long a student waits for `make check`."""
 
 from __future__ import annotations
 

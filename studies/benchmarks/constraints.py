@@ -104,7 +104,7 @@ def by_direct_solve(rate: int) -> tuple[float, float]:
 
 
 def by_direct_net(rate: int) -> tuple[float, float]:
-    """Return the tip's position for the same chain as a net of rods."""
+    """Return the position of the tip of the same chain, simulated as a net of rods."""
     particles = chain_particles(LINKS, ANGLE)[1:]
     first = AnchoredRod(particles[0], Vector3(), LINK)
     net = DirectNet([first, *(Rod(a, b, LINK) for a, b in pairwise(particles))])
@@ -115,7 +115,7 @@ def by_direct_net(rate: int) -> tuple[float, float]:
 
 
 def by_pymunk(rate: int) -> tuple[float, float]:
-    """Return the tip's position for pymunk's pin joints, with the default of 10 iterations."""
+    """Return the position of the tip with pymunk's pin joints and its default of 10 iterations."""
     space = pymunk.Space()
     space.gravity = (0.0, -GRAVITY)
     before = space.static_body
@@ -133,8 +133,8 @@ def by_pymunk(rate: int) -> tuple[float, float]:
 def matching_rate() -> int:
     """Return the frame rate at which pymunk's tip is as accurate as ours.
 
-    The rate is doubled until this is the case. The exact position is approximated by DirectChain at
-    16 times its rate, at which its error is 256 times smaller.
+    Starting at four times our rate, the rate is doubled until that is the case. The exact position
+    is approximated by DirectChain at 16 times its rate, where its error is 256 times smaller.
     """
     true = by_direct_solve(16 * RATE)
     ours = math.dist(by_direct_solve(RATE), true)

@@ -1,4 +1,4 @@
-"""The cost of a force: the step with forces, compared with chapter 3's and with arithmetic."""
+"""Measure the cost of forces, compared with the step of chapter 3 and with plain arithmetic."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def generator_steps(frames: list[float]) -> Numbers:
 
 
 def forced_arithmetic(frames: list[float]) -> Numbers:
-    """Step under one force in local variables, and return the final position.
+    """Make the same steps under one force in local variables, and return the final position.
 
     The force is added to a sum, which the step uses and then clears.
     """

@@ -1,4 +1,4 @@
-"""The cost of running untrusted code in workers instead of in the process of the checks."""
+"""Measure the cost of running untrusted code in workers rather than in the checks' own process."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def lines() -> list[Measurement]:
 
 
 def _one_check(chapter: Chapter, behind: Behind, target: Target | None) -> Measurement:
-    """Return how many ms longer a check takes in a worker, including its share of the start."""
+    """Measure how many ms longer a check takes in a worker, including its share of the start-up."""
 
     def checked(where: Behind | None) -> int:
         return len(run_checks(chapter, ENGINE, seed="1", behind=where))

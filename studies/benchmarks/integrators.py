@@ -1,4 +1,4 @@
-"""The cost per step of each integrator, for one particle on an anchored spring."""
+"""Measure the cost of a step of each integrator, for one particle on an anchored spring."""
 
 from __future__ import annotations
 

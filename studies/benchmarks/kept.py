@@ -50,7 +50,10 @@ def rounded(figure: float) -> float:
 
 
 def kept(file: Path = FILE) -> dict[str, float]:
-    """Return the ratios of the last run by their descriptions. Before the first run it is empty."""
+    """Return the ratios of the last run, keyed by description.
+
+    Before the first run, it is empty.
+    """
     if not file.exists():
         return {}
     lines = json.loads(file.read_text(encoding="utf-8"))["lines"]
@@ -58,17 +61,17 @@ def kept(file: Path = FILE) -> dict[str, float]:
 
 
 def with_quotations(page: str, ratios: dict[str, float]) -> str:
-    """Return a page with its quotations updated to the figures of a run, with two digits.
+    """Return a page whose quotations are updated to the figures of a run, with two digits.
 
     Raises:
-        ValueError: If a quotation fits no line of the run, or more than one.
+        ValueError: A quotation fits no line of the run, or more than one.
     """
 
     def renewed(match: re.Match[str]) -> str:
         wanted = " ".join(match[2].split())
         found = [ratio for what, ratio in ratios.items() if what.startswith(wanted)]
         if len(found) != 1:
-            raise ValueError(f"{len(found)} lines of make bench begin with {wanted!r}, not one")
+            raise ValueError(f"one line of make bench must begin with {wanted!r}, got {len(found)}")
         return f"{match[1]}{float(f'{found[0]:.2g}'):,g}{match[4]}"
 
     return QUOTATION.sub(renewed, page)

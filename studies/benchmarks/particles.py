@@ -1,4 +1,4 @@
-"""The step of a particle, compared with its arithmetic, with operators and with pymunk."""
+"""Compare the step of a particle with plain arithmetic, with vector operators and with pymunk."""
 
 from __future__ import annotations
 
@@ -52,10 +52,10 @@ def lines() -> list[Measurement]:
 
 
 def _against_pymunk(bodies: int, *, read: bool) -> Measurement:
-    """Time the same number of damped falls in both engines.
+    """Measure the same number of damped falls in both engines.
 
     If ``read`` is true, every x and y is read after each step. This is cheap for our engine, whose
-    positions are Python objects, but pymunk has to fetch each position from its C library.
+    positions are Python objects. Pymunk has to fetch each position from its C library.
     """
     frames = max(1, 4000 // bodies)
     particles = [make_particle(DAMPED_FALL) for _ in range(bodies)]
@@ -93,7 +93,7 @@ def steps(particle: Particle, frames: list[float]) -> None:
 
 
 def operator_steps(particle: Particle, frames: list[float]) -> None:
-    """Step by the same equations with v + w and v * s. Assigned vectors are checked and copied."""
+    """Make the same steps with v + w and v * s. Assigned vectors are checked and copied."""
     for frame in frames:
         particle.position = particle.position + particle.velocity * frame
         keep = particle.damping**frame
@@ -101,7 +101,7 @@ def operator_steps(particle: Particle, frames: list[float]) -> None:
 
 
 def in_place_steps(particle: Particle, frames: list[float]) -> None:
-    """Step by the same equations with the methods of Vector3 that change a vector in place."""
+    """Make the same steps with those methods of Vector3 that change a vector in place."""
     position, velocity = particle.position, particle.velocity
     for frame in frames:
         position.add_scaled(velocity, frame)
@@ -110,10 +110,10 @@ def in_place_steps(particle: Particle, frames: list[float]) -> None:
 
 
 def arithmetic(frames: list[float]) -> Numbers:
-    """Step by the same equations in local variables, and return the final position.
+    """Make the same steps in local variables, and return the final position.
 
-    This time shows the cost of a step without any objects. It computes a power in every frame.
-    Particle.integrate avoids the power if a frame is as long as the frame before it.
+    This shows what a step costs without any objects. It computes a power in every frame, which
+    Particle.integrate avoids if a frame is as long as the previous one.
     """
     x, y, z = PROJECTILE.start.position
     vx, vy, vz = PROJECTILE.start.velocity

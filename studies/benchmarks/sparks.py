@@ -1,6 +1,6 @@
-"""Sparks that are stepped frame by frame, compared with their closed form.
+"""Compare sparks that are stepped frame by frame with the closed form of their motion.
 
-Both return lists of coordinates, as a screen needs them.
+Both return lists of coordinates, which is what a screen needs.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ def step(show: FireworksShow, frames: int, axes: str) -> list[list[float]]:
 
 
 def positions(speeds: list[list[float]], time: float, axes: str) -> list[list[float]]:
-    """Return the coordinates of the sparks along these axes after a time, by the closed form."""
+    """Return the coordinates of the sparks along these axes at a time, from the closed form."""
     return [
         burst_positions(START[axis], speeds[axis], GRAVITY[axis], DAMPING, time)
         for axis in range(len(axes))

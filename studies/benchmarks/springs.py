@@ -1,4 +1,7 @@
-"""Measure the cost of a cloth made with connect, with one Spring per end, and without objects."""
+"""Measure the cost of a cloth of springs, made in three ways.
+
+The cloth is made with connect, with a separate Spring for each end, or without any objects.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +28,10 @@ ROUNDS = 21
 
 
 def lines() -> list[Measurement]:
-    """Return all lines about springs. The cloths are built once and keep falling in every round."""
+    """Return all lines about springs.
+
+    Each cloth is built once and continues to fall in every round.
+    """
     whole, ends = make_cloth(DAMPING), make_cloth_of_ends()
     connected, apart = timer(lambda: steps(*whole)), timer(lambda: steps(*ends))
     return [
@@ -67,7 +73,7 @@ def make_cloth_of_ends() -> tuple[list[Particle], ForceRegistry]:
 
 
 def steps(knots: list[Particle], registry: ForceRegistry) -> float:
-    """Run a cloth with the book's step, and return its lowest height."""
+    """Run a cloth with the book's step, and return the height of its lowest knot."""
     for _ in range(FRAMES):
         registry.update_forces(FRAME)
         for knot in knots:
@@ -76,9 +82,9 @@ def steps(knots: list[Particle], registry: ForceRegistry) -> float:
 
 
 def cloth_arithmetic() -> float:
-    """Run the same cloth with lists of floats, and return its lowest height.
+    """Run the same cloth with lists of floats, and return the height of its lowest knot.
 
-    The forces of the springs are computed first.
+    In each step, the forces of the springs are computed first.
     """
     count = KNOTS * KNOTS
     x = [REST_LENGTH * (i % KNOTS) for i in range(count)]

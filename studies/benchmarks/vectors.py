@@ -1,4 +1,4 @@
-"""Vector3 compared with the vectors of other libraries that are installed."""
+"""Compare Vector3 with the vectors of those other libraries that are installed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Measure the cost of a world, of a sleeping world, and of a rope of rods."""
+"""Measure the cost of a world, of a world in which particles sleep, and of a rope of rods."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def lines() -> list[Measurement]:
 def asleep(
     what: str, make: Callable[[type[ParticleWorld]], ParticleWorld], target: Target
 ) -> Measurement:
-    """Compare a world of awake balls with the same world in which nine tenths of them sleep."""
+    """Measure a world with all balls awake, relative to one in which nine tenths of them sleep."""
     worlds = make(ParticleWorld), make(SleepingWorld)
     return Measurement(
         f"{BALLS} balls {what}: ParticleWorld / SleepingWorld with nine tenths of them asleep",
@@ -69,7 +69,7 @@ def asleep(
 
 
 def rope(links: int, rounds: int) -> Measurement:
-    """Compare a rope of rods with a direct solve of the same rope."""
+    """Measure a rope of rods, relative to a direct solve of the same rope."""
     rods = partial(hang_by_rods, links, 60, SUBSTEPS, 1.0)
     chain = partial(hang_by_direct_chain, links, RATE, 1.0)
     wanted = polygon_sag(links)
@@ -91,29 +91,29 @@ def flying() -> list[Particle]:
 
 
 def integrate(particles: Sequence[Particle]) -> None:
-    """Move particles by one frame, without a world."""
+    """Advance particles by one frame without using a world."""
     for particle in particles:
         particle.integrate(FRAME)
 
 
 def stepping(world: ParticleWorld) -> Callable[[], None]:
-    """Return a function that makes one frame of a world."""
+    """Return a function that advances a world by one frame."""
     return lambda: world.step(FRAME)
 
 
 def stepping_bare(step: Integrator, particles: Sequence[Particle]) -> Callable[[], None]:
-    """Return a function that makes one frame of an integrator, without a world."""
+    """Return a function that advances particles by one frame with an integrator, but no world."""
     return lambda: step(particles, no_forces, FRAME)
 
 
 def on_the_ground(kind: type[ParticleWorld]) -> ParticleWorld:
-    """Return balls that lie on the ground, a tenth of which roll."""
+    """Return a world of balls that lie on the ground, while a tenth of them roll."""
     balls = [Particle(Vector3(2.0 * i), acceleration=DOWN) for i in range(BALLS)]
     return settled(kind(balls, [GroundPlane(balls)]))
 
 
 def on_springs(kind: type[ParticleWorld]) -> ParticleWorld:
-    """Return balls that hang still on springs, a tenth of which fly away."""
+    """Return a world of balls that hang still on springs, while a tenth of them fly away."""
     balls = [Particle(Vector3(2.0 * i)) for i in range(BALLS)]
     world = kind(balls)
     for i, ball in enumerate(balls):
@@ -122,7 +122,7 @@ def on_springs(kind: type[ParticleWorld]) -> ParticleWorld:
 
 
 def settled(world: ParticleWorld) -> ParticleWorld:
-    """Return a world after enough frames for resting balls to sleep, if the world allows it."""
+    """Return a world after enough frames for resting balls to fall asleep, if they can."""
     for ball in world.particles[: BALLS // 10]:
         ball.velocity.z = 5.0
     for _ in range(FRAMES):

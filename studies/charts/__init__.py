@@ -37,7 +37,10 @@ FULL = (9, 0.6, 6.0)
 
 
 def main(arguments: list[str]) -> int:
-    """Measure and draw. Return 0. A scene that does not exist is an error of the command line."""
+    """Measure all models and draw the charts. Return 0.
+
+    If the scene does not exist, this is reported as an error in the command line.
+    """
     parser = argparse.ArgumentParser(prog="python -m studies charts", description=__doc__)
     parser.add_argument(
         "--quick", action="store_true", help="take a minute: fewer points, fewer rounds"

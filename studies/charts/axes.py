@@ -1,4 +1,4 @@
-"""Logarithmic axes of a chart in SVG: where a value is, and which powers of ten have a label."""
+"""Logarithmic axes for charts in SVG, which place values and label powers of ten."""
 
 from __future__ import annotations
 
@@ -19,12 +19,15 @@ class Axis:
     end: float
 
     def at(self, value: float) -> float:
-        """Return the coordinate of a value, rounded to a tenth. Values beyond an end are at it."""
+        """Return the coordinate of a value, rounded to 0.1.
+
+        Values beyond an end are placed at that end.
+        """
         share = math.log(value / self.low) / math.log(self.high / self.low)
         return round(self.start + min(max(share, 0.0), 1.0) * (self.end - self.start), 1)
 
     def ticks(self) -> list[tuple[float, str]]:
-        """Return the coordinates and labels of powers of ten, at most MOST of them."""
+        """Return the coordinates and labels of at most MOST powers of ten."""
         first, last = math.ceil(math.log10(self.low)), math.floor(math.log10(self.high))
         stride = max(1, math.ceil((last - first + 1) / MOST))
         first = math.ceil(first / stride) * stride  # so that 1 is one of them
@@ -32,7 +35,7 @@ class Axis:
 
 
 def axis_for(values: Iterable[float], start: float, end: float) -> Axis:
-    """Return an axis that has room for these positive values, and for a power of ten."""
+    """Return an axis that covers these positive values and contains at least one power of ten."""
     seen = [*values]
     low, high = min(seen) / 1.6, max(seen) * 1.6
     while math.ceil(math.log10(low)) > math.floor(math.log10(high)):
@@ -41,5 +44,5 @@ def axis_for(values: Iterable[float], start: float, end: float) -> Axis:
 
 
 def shown(power: int) -> str:
-    """Return a power of ten in figures, or as 1e-6 if it is long."""
+    """Return a power of ten as a plain number, or in a form such as 1e-6 if that is shorter."""
     return f"{10.0**power:g}" if -3 <= power <= 4 else f"1e{power}"

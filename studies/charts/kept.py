@@ -1,4 +1,7 @@
-"""What a full `make charts` keeps in the repository: the picture, its description and the page."""
+"""Update the files that a full `make charts` keeps in the repository.
+
+These are the overview picture, its description, and the page.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +21,7 @@ SHOWN = re.compile(r"!\[[^\]]*\](?=\([^)]*overview\.png\))")
 
 
 def keep(rows: Sequence[Row], out: Path, root: Path = ROOT) -> None:
-    """Copy the picture and the page of a run, and describe the picture where it is shown."""
+    """Copy the picture and the page of a run into the repository, and describe the picture."""
     replace_bytes(root / PICTURE, (out / "overview.png").read_bytes())
     replace_bytes(root / PAGE, (out / "index.html").read_bytes())
     for name in READMES:
@@ -33,7 +36,7 @@ def _wrapped(alt: str) -> str:
 
 
 def described(rows: Sequence[Row]) -> str:
-    """Return in words what the overview shows: how much longer, or shorter, pymunk takes."""
+    """Describe in words what the overview shows: how much longer, or less long, pymunk takes."""
     scenes = len({row.scene for row in rows})
     ratios = {row.ratio: row for row in rows if row.ratio}
     told = [
@@ -58,6 +61,6 @@ def described(rows: Sequence[Row]) -> str:
 
 
 def _rounded(value: float) -> str:
-    """Return a number with two digits, which is as much as a picture shows."""
+    """Format a number with two digits, because a picture does not show more."""
     digits = max(0, 1 - math.floor(math.log10(value)))
     return f"{float(f'{value:.2g}'):,.{digits}f}"

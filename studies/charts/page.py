@@ -1,4 +1,4 @@
-"""Write all charts as one page that needs no other file, and their data as CSV."""
+"""Write all charts to a single page that needs no other files, and their data to a CSV file."""
 
 from __future__ import annotations
 
@@ -25,7 +25,10 @@ COLUMNS = (
 
 
 def write(scenes: Sequence[Scene], points: Sequence[Point], how: str, out: Path) -> None:
-    """Write ``index.html`` and ``points.csv``. ``how`` is a sentence about the measurement."""
+    """Write ``index.html`` and ``points.csv``.
+
+    ``how`` is a sentence that describes the measurement.
+    """
     own = {scene.name: [p for p in points if p.scene == scene.name] for scene in scenes}
     panels = [panel(scene, own[scene.name]) for scene in scenes]
     data = csv_of(scenes, own)

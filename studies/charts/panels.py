@@ -1,4 +1,4 @@
-"""What the page shows of a scene: a chart of error over time, and a table of its points."""
+"""Prepare what the page shows about a scene: a chart of error over time, and a table of points."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ SIDES = {"pymunk": "pymunk", "the book": "the book's step"}  # ours need no rema
 
 @dataclass(frozen=True)
 class Drawn:
-    """The line of a model: its path, and its points as coordinates with their rows in the table."""
+    """The line of a model in the chart, and its points with their rows in the table."""
 
     name: str
     side: str
@@ -74,7 +74,7 @@ class Drawn:
 
 @dataclass(frozen=True)
 class Panel:
-    """A scene on the page."""
+    """Everything that the page shows about one scene."""
 
     name: str
     id: str
@@ -89,7 +89,7 @@ class Panel:
 
 
 def panel(scene: Scene, points: Sequence[Point]) -> Panel:
-    """Return the chart and the table of a scene from its measured points."""
+    """Return the chart and the table of a scene, made from its measured points."""
     # Errors that only rounding makes are drawn at the floor, and useless ones not at all.
     seen = [point for point in points if point.error < CEILING]
     x = axis_for([1e3 * point.time for point in seen] or [1.0], LEFT, RIGHT)
@@ -124,14 +124,14 @@ def panel(scene: Scene, points: Sequence[Point]) -> Panel:
 
 
 def _path(places: Sequence[tuple[float, float]]) -> str:
-    """Return a path through these places. A single place is a dot."""
+    """Return an SVG path through these places. A single place becomes a dot."""
     if len(places) == 1:
         return f"M{places[0][0]:g},{places[0][1]:g}h0"
     return "M" + "L".join(f"{a:g},{b:g}" for a, b in places) if places else ""
 
 
 def _row(scene: Scene, point: Point) -> tuple[str, ...]:
-    """Return a point as the texts of a row: model, choice, error, time, quartiles and work."""
+    """Return the texts of a row: the model, its choice, the error, the time, quartiles and work."""
     model = next(model for model in scene.models if model.name == point.model)
     choice = "1 step" if point.steps == 1 else f"{point.steps:,} steps"
     low, high = point.spread

@@ -1,4 +1,7 @@
-"""The last table of the page: pymunk's time as a multiple of ours, as a number and as a mark."""
+"""The last table of the page, which shows pymunk's time as a multiple of ours.
+
+Each ratio is shown as a number and as a mark on an axis.
+"""
 
 from __future__ import annotations
 
@@ -13,9 +16,10 @@ from studies.charts.axes import Axis, axis_for
 
 @dataclass(frozen=True)
 class Ratio:
-    """A row of the table. ``at`` is the position of its mark in %, and None if there is no mark.
+    """A row of the table.
 
-    ``kind`` is "exact", "extrapolated", or, for a bound, "more" or "less".
+    ``at`` is the position of its mark in percent, or None if it has no mark. ``kind`` is "exact" or
+    "extrapolated", or it is "more" or "less" if the ratio is only a bound.
     """
 
     scene: str
@@ -46,7 +50,7 @@ def ratios(rows: Sequence[Row]) -> tuple[Axis, list[Ratio]]:
 
 
 def _mark(row: Row) -> tuple[float | None, str]:
-    """Return the ratio that a mark shows, or its bound, and the kind of the mark."""
+    """Return the ratio or bound at which a mark is drawn, and the kind of the mark."""
     if row.ratio:
         return row.ratio, "extrapolated" if row.is_extrapolated else "exact"
     low, high = row.bounds

@@ -1,6 +1,7 @@
-"""A lamp of 2 kg that swings on a springy cord, with drag. It has no closed form.
+"""An example of a scene: a lamp of 2 kg that swings on a springy cord, with drag.
 
-Copy this file, describe your own scene, and run `make choose SCENE=my_scene.py TOLERANCE=1e-3`.
+There is no closed form for its motion. To use your own scene, copy this file, describe the scene,
+and run `make choose SCENE=my_scene.py TOLERANCE=1e-3`.
 """
 
 from ch02_vectors.vector import Vector3
@@ -13,7 +14,7 @@ DURATION = 2.0  # s
 
 
 def build() -> ParticleWorld:
-    """Return the scene at its start. It is built again for every run."""
+    """Return the scene in its initial state. Every run calls this function again."""
     lamp = Particle(Vector3(1.2, 0.0, 0.0), acceleration=Vector3(0.0, -9.81, 0.0), mass=2.0)
     world = ParticleWorld([lamp])
     world.registry.add(lamp, AnchoredSpring(Vector3(), 400.0, 1.0))
@@ -22,5 +23,8 @@ def build() -> ParticleWorld:
 
 
 def measure(world: ParticleWorld) -> Vector3:
-    """Return what must be accurate in every frame. Without this function it is all positions."""
+    """Return the values that must be accurate in every frame.
+
+    If a scene has no such function, these are the positions of all particles.
+    """
     return world.particles[0].position

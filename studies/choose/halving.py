@@ -1,10 +1,11 @@
-"""Estimate the error of runs without an exact solution, by halving their steps (Richardson).
+"""Estimate errors without an exact solution, by halving the steps (Richardson extrapolation).
 
-If a model has order p, halving its steps divides its error by 2^p. Therefore the difference d
-between a run and the same run with half the step size is close to the error of the first run, and d
-/ (2^p - 1) is close to the error of the second run. This works only if the order that the
-differences show is steady. It is not steady if bodies collide or if a motion is chaotic, and then
-the error cannot be estimated.
+If a model has order p, halving its steps divides its error by 2^p. The difference d between a run
+and the same run with half the step size is therefore close to the error of the first run, and d /
+(2^p - 1) is close to the error of the second run.
+
+This works only if the differences show a steady order. They do not if bodies collide or if the
+motion is chaotic, and then the error cannot be estimated.
 """
 
 from __future__ import annotations
@@ -16,17 +17,17 @@ from itertools import pairwise
 
 Run = Sequence[Sequence[float]]  # what is measured, for each frame
 
-ROUNDING = 1e-12  # a difference, as a fraction of what is measured, that comes from rounding
+ROUNDING = 1e-12  # fraction of the measured values below which a difference is rounding
 NEAR = 0.3  # between orders that agree, and between an order and the expected one, as a fraction
-LEAST = 0.7  # an order below this is no convergence
+LEAST = 0.7  # below this order, a model does not converge
 
 
 @dataclass(frozen=True)
 class Halved:
-    """The estimated error of each run, and the observed orders, from coarse steps to fine steps.
+    """The estimated error of each run, and the observed orders, from coarse to fine steps.
 
-    Without steady orders, the errors are only guesses. The runs are exact if they differ only by
-    rounding.
+    If the orders are not steady, the errors are only guesses. The runs are exact if they differ
+    only by rounding.
     """
 
     errors: list[float]
@@ -45,8 +46,8 @@ def halved(
     run is its distance from the finest run, plus the estimated error of the finest run.
 
     ``order`` is the highest order that the model can have. If a higher order is observed, it is a
-    coincidence and is not used. Normally two equal runs show that both are exact. If runs
-    ``may_repeat`` each other, they do not, because several tolerances can lead to the same steps.
+    coincidence and is not used. Two equal runs normally show that both are exact. This does not
+    hold if runs ``may_repeat`` each other, because several tolerances can lead to the same steps.
     """
     first = max((i + 1 for i, run in enumerate(runs) if run is None), default=0)
     good: list[Run] = [run for run in runs[first:] if run is not None]

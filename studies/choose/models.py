@@ -1,4 +1,4 @@
-"""The models that can run a world. The scene decides which of them are tried.
+"""Determine which models can run a world. The contents of the world decide this.
 
 - A world without contacts can use every integrator of chapter 6. If it has no forces either, the
   closed form is exact.
@@ -31,7 +31,7 @@ ORDERS = {"leapfrog": 2, "velocity Verlet": 2, "Runge-Kutta 4": 4}  # the others
 
 @dataclass(frozen=True)
 class Model:
-    """A way to step a world, and the order with which its error should fall.
+    """A way to step a world, and the order of convergence that it should have.
 
     ``step_of`` takes a new world and returns the function that steps it. The numbers in ``choices``
     are steps per frame. If ``takes_tolerance`` is true, they are 1 / tolerance instead, and the
@@ -45,7 +45,7 @@ class Model:
     takes_tolerance: bool = False
 
     def chosen(self, choice: int) -> str:
-        """Return one of the choices in words."""
+        """Describe one of the choices in words."""
         if self.takes_tolerance:
             return f"tolerance {1.0 / choice:g}"
         return "once per frame" if choice == 1 else f"{choice} steps per frame"
@@ -59,7 +59,7 @@ class Model:
 
 
 def models_of(world: ParticleWorld) -> list[Model]:
-    """Return the models for worlds like this one."""
+    """Return the models that can run a world like this one."""
     damped = any(p.damping != 1.0 for p in world.particles if p.inverse_mass)
     if type(world) is not ParticleWorld:  # a subclass may do more in its step
         return [Model("its own step", 1, lambda world: world.step)]
@@ -75,7 +75,7 @@ def models_of(world: ParticleWorld) -> list[Model]:
 
 
 def _special(world: ParticleWorld) -> list[Model]:
-    """Return the models for worlds with only links, or with only detectors."""
+    """Return the special models for worlds that have only links, or only detectors."""
     generators = world.contact_generators
     if all(isinstance(g, LINKS) and not getattr(g, "restitution", 0.0) for g in generators):
         return [Model("direct net", 2, _direct_net), Model("smooth net", 4, _smooth_net)]
@@ -85,7 +85,7 @@ def _special(world: ParticleWorld) -> list[Model]:
 
 
 def _with(integrator: Integrator) -> Callable[[ParticleWorld], Step]:
-    """Return the function that steps only a world's particles, as the world has no contacts."""
+    """Return a function that steps only the particles of a world, for worlds without contacts."""
 
     def step_of(world: ParticleWorld) -> Step:
         particles, forces = world.particles, world.registry.update_forces

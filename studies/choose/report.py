@@ -1,4 +1,4 @@
-"""Report the cheapest model of a reader's scene, and warn where its error cannot be estimated."""
+"""Report the cheapest model for a reader's scene, and warn if its error cannot be estimated."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ from studies.choose.halving import distance
 from studies.choose.runs import Tried
 from studies.choose.scene import OwnScene, load
 
-LOW = 0.7  # of the expected order: a lower order is worth a warning
-APART = 3.0  # times their estimated errors: two models that differ by more contradict each other
+LOW = 0.7  # fraction of the expected order below which there is a warning
+APART = 3.0  # factor of the estimated errors beyond which two models contradict each other
 
 
 def choose(path: Path, tolerance: float, console: Console) -> int:
-    """Measure and report. Return 1 if no model is known to meet the tolerance.
+    """Measure the models and report. Return 1 if no model is known to meet the tolerance.
 
     Raises:
-        SceneError: If the file does not describe a scene.
+        SceneError: The file does not describe a scene.
     """
     scene = load(path)
     with console.status("measuring") as status:
@@ -63,7 +63,11 @@ def _told(found: list[Tried], point: Point) -> str:
 
 
 def _table(found: list[Tried], scene: OwnScene, tolerance: float) -> Table:
-    """Return a row for each model: what it needs for the tolerance, or its finest run."""
+    """Return a table with a row for each model.
+
+    The row shows what the model needs to meet the tolerance or, if it does not meet it, its finest
+    run.
+    """
     table = Table("model", "steps / frame", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("error", "ms", "order"):
         table.add_column(heading, justify="right")
@@ -92,7 +96,7 @@ def _order(tried: Tried) -> str:
 
 
 def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
-    """Return what a reader should know before trusting the estimated errors."""
+    """Return warnings that a reader should know before trusting the estimated errors."""
     told = []
     unsteady = [tried for tried in found if not tried.halved.is_steady]
     if unsteady:
@@ -108,7 +112,7 @@ def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
         )
     for tried in found:
         name, order, seen = tried.model.name, tried.model.order, tried.halved.orders
-        # Leapfrog has order 1 if a force depends on the velocity, which is no surprise.
+        # It is expected that leapfrog has order 1 if a force depends on the velocity.
         if tried.halved.is_steady and seen and seen[-1] < LOW * order and name != "leapfrog":
             told.append(
                 f"{name} converges with order {seen[-1]:.1f} instead of {order}, as where a force "
@@ -133,7 +137,7 @@ def _contradicting(found: list[Tried], chosen: Point) -> str:
     run = mine.runs[mine.model.choices.index(chosen.steps)]
     others = [tried for tried in found if tried is not mine and tried.halved.is_steady]
     if not others:
-        only = f"no model but {chosen.model} converges, so none confirms its error"
+        only = f"only {chosen.model} converges, so no other model confirms its error"
         return "" if mine.halved.is_exact or len(found) == 1 else only
     other = min(others, key=lambda tried: tried.halved.errors[-1])
     finest = other.runs[-1]

@@ -1,4 +1,4 @@
-"""Run a reader's scene with every model, with shorter and shorter steps, and time the runs."""
+"""Run a reader's scene with every model, using shorter and shorter steps, and time the runs."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from studies.choose.models import Model, models_of
 from studies.choose.scene import OwnScene, SceneError, why
 
 ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
-ORDERS = 3  # that are seen of a model before it is given up, which takes five runs
-STILL = 1e-12  # a displacement, as a fraction of what is measured, that is no motion
+ORDERS = 3  # orders to observe before a model is given up, for which five runs are needed
+STILL = 1e-12  # fraction of the measured values below which a displacement is not a motion
 
 
 @dataclass
 class Tried:
-    """A model, what its runs with the first choices have measured, and the time of each run in s.
+    """A model, the results of its runs with its first choices, and the time of each run in s.
 
-    ``halved`` contains the estimated errors of the runs. ``failure`` explains why the last run
-    failed, if it did.
+    ``halved`` contains the estimated errors of the runs. If the last run failed, ``failure``
+    explains why.
     """
 
     model: Model
@@ -47,7 +47,7 @@ class Tried:
         self.halved = halved(self.runs, ratio, model.order, may_repeat=may_repeat)
 
     def is_enough(self, tolerance: float) -> bool:
-        """Return whether errors are known and a run and two finer runs meet the tolerance."""
+        """Return whether the errors are known, and a run and two finer runs meet the tolerance."""
         found = self.halved
         within = all(error <= tolerance for error in found.errors[-3:])
         return found.is_exact or (found.is_steady and within)
@@ -75,10 +75,10 @@ class Tried:
 
 
 def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> list[Tried]:
-    """Run the scene with all of its models, until each is accurate enough or takes too long.
+    """Run the scene with each model until the model is accurate enough or takes too long.
 
     Raises:
-        SceneError: If the scene cannot be run, or if nothing that is measured changes.
+        SceneError: The scene cannot be run, or nothing that is measured changes.
     """
     start = scene.check()
     found = []
@@ -102,12 +102,13 @@ def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> l
 
 
 def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, float]:
-    """Run a scene once. Return what was measured, or why it failed, and the processor time in s.
+    """Run a scene once. Return the measured values or the reason of a failure, and the time in s.
 
-    A run fails if its steps are too long for its forces, or if its numbers are not finite.
+    The time is processor time. A run fails if its steps are too long for its forces, or if its
+    numbers are not finite.
 
     Raises:
-        SceneError: If the scene itself raises any other error.
+        SceneError: The scene itself raises any other error.
     """
     world, values = scene.built(), []
     start = time.process_time()
@@ -135,8 +136,8 @@ def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, flo
 def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
     """Time runs again in random order, so that other load does not affect only one model.
 
-    Only the runs that may be chosen are timed again. These are the runs of models whose error is
-    known, up to the first run that is within the tolerance.
+    Only runs that may be chosen are timed again. These are the runs of models whose error is known,
+    up to the first run that meets the tolerance.
     """
     every = []
     for tried in found:

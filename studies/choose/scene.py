@@ -1,4 +1,4 @@
-"""A scene from a reader's file: how it is built, how long it runs, and what is measured in it."""
+"""Load a scene from a reader's file: how it is built, how long it runs, and what is measured."""
 
 from __future__ import annotations
 
@@ -17,11 +17,14 @@ from ch08_mass_aggregate.world import ParticleWorld
 from studies.accuracy.scene import RATE
 
 Values = tuple[float, ...]  # what is measured at the end of a frame
-NAME = "scene_file"  # of the module that a file becomes
+NAME = "scene_file"  # name of the module that is made from a file
 
 
 class SceneError(ValueError):
-    """Raised for a file that does not describe a scene. The message says what is wrong with it."""
+    """Raised when a file does not describe a valid scene.
+
+    The message says what is wrong with it.
+    """
 
 
 @dataclass(frozen=True)
@@ -41,7 +44,7 @@ class OwnScene:
         """Return a new world in its initial state.
 
         Raises:
-            SceneError: If build raises an exception, or does not return a world with particles.
+            SceneError: build() raises an exception, or does not return a world with particles.
         """
         world = self._asked("build", self.build)
         if not isinstance(world, ParticleWorld):
@@ -51,10 +54,10 @@ class OwnScene:
         return world
 
     def measured(self, world: ParticleWorld) -> Values:
-        """Return what is measured, as plain numbers. They may be infinite or NaN.
+        """Return the measured values as plain numbers, which may be infinite or NaN.
 
         Raises:
-            SceneError: If measure raises an exception, or returns anything but numbers and vectors.
+            SceneError: measure() raises an exception, or returns anything but numbers and vectors.
         """
         found = self._asked("measure", lambda: self.measure(world))
         try:
@@ -65,11 +68,11 @@ class OwnScene:
             raise SceneError(message) from None
 
     def check(self) -> Values:
-        """Build the scene twice to check it, and return what is measured at the start.
+        """Build the scene twice to check it, and return the values measured at the start.
 
         Raises:
-            SceneError: If the two scenes differ or share a particle, or if nothing is measured, or
-                if a measured value is not finite.
+            SceneError: The two scenes differ or share a particle, nothing is measured, or a
+                measured value is not finite.
         """
         first, second = self.built(), self.built()
         if {*map(id, first.particles)} & {*map(id, second.particles)}:
@@ -100,7 +103,7 @@ def load(path: Path) -> OwnScene:
     """Return the scene that a file describes.
 
     Raises:
-        SceneError: If there is no such file, if it cannot be run, or if it lacks a name.
+        SceneError: There is no such file, it cannot be run, or it lacks a name.
     """
     module = _run(path)
     build, measure = _function(path, module, "build"), _function(path, module, "measure")
@@ -142,7 +145,7 @@ def _run(path: Path) -> ModuleType:
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
-    sys.modules[NAME] = module  # where a dataclass of the file looks itself up
+    sys.modules[NAME] = module  # because a dataclass in the file looks itself up there
     try:
         spec.loader.exec_module(module)
     except (Exception, SystemExit) as error:

@@ -1,4 +1,4 @@
-"""The table and the picture of the contact solvers, from measured points."""
+"""Draw the picture and write the table of the contact solvers, from their measured points."""
 
 from __future__ import annotations
 
@@ -39,18 +39,21 @@ FLOOR, CEILING = 1e-6, 10.0  # errors outside are not drawn
 
 
 def of_scene(points: Sequence[Point], scene: str) -> dict[str, list[Point]]:
-    """Return the points of a scene by solver."""
+    """Return the points of a scene, grouped by solver."""
     return models_of([point for point in points if point.scene == scene])
 
 
 def time_within(points: Sequence[Point], scene: str, solver: str, tolerance: float) -> float | None:
-    """Return the time in ms per frame that a solver needs for an error, or None if unknown."""
+    """Return the time in ms per frame in which a solver reaches an error, or None if unknown."""
     own = of_scene(points, scene).get(solver)
     return time_to(own, tolerance) if own else None
 
 
 def table(points: Sequence[Point]) -> list[list[str]]:
-    """Return a row of text for each scene and error. A dash means that it was not reached."""
+    """Return a row of text for each scene and error.
+
+    A dash means that the error was not reached.
+    """
     rows = []
     for scene in dict.fromkeys(point.scene for point in points):
         for tolerance in TOLERANCES:

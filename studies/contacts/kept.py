@@ -1,4 +1,4 @@
-"""The committed points of the last complete run of `make contacts`."""
+"""Store and read the committed points of the last complete run of `make contacts`."""
 
 from __future__ import annotations
 

@@ -1,15 +1,15 @@
 """Stacks and ropes at rest, and a swinging rope, each run with every solver of chapter 7.
 
-Each scene measures one error, which would be 0 for an exact solver, and reports its largest value
-at the end of any frame in 1 s. The error depends on the scene:
+Each scene measures one error, which would be 0 with an exact solver. It reports the largest value
+of this error at the end of any frame within 1 s. The error depends on the scene:
 
-- For a stack, it is the largest overlap of touching spheres as a fraction of their diameter.
-- For a rope at rest, it is the change in length as a fraction of the rope's length.
-- For a swinging rope, it is the change in energy as a fraction of the kinetic energy at the lowest
+- For a stack, it is the largest overlap of touching spheres, as a fraction of their diameter.
+- For a rope at rest, it is the change in length, as a fraction of the rope's length.
+- For a swinging rope, it is the change in energy, as a fraction of the kinetic energy at the lowest
   point.
 
-The mass ratio compares the top sphere, or the weight at the end of the rope, with any of the other
-bodies, which have 1 kg each. Gravity is 10 m/s^2. The work is the number of steps.
+The mass ratio is that of the top sphere, or of the weight at the end of the rope, to any other
+body. All other bodies have a mass of 1 kg. Gravity is 10 m/s^2. The work is the number of steps.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ class Bodies:
 
 
 class ColdStart(SequentialImpulses):
-    """Sequential impulses that start from zero instead of from the impulses of the last step."""
+    """Sequential impulses that start from zero, rather than from the impulses of the last step."""
 
     def step(self, duration: float) -> None:
         self.impulses.clear()
@@ -114,13 +114,16 @@ def rope(ratio: float, angle: float = 0.0, two_sided: bool = True) -> Bodies:
 
 
 def swinging(two_sided: bool = True) -> Bodies:
-    """Return the rope without a weight, released at an angle. Its error is one of energy."""
+    """Return the rope without a weight, released at an angle.
+
+    The measured error is that of energy.
+    """
     bodies = rope(1.0, ANGLE, two_sided)
     start = mechanical_energy(bodies.particles)
     lowest = mechanical_energy(rope(1.0).particles)
 
     def change(duration: float) -> float:
-        # A velocity is that between two positions, so it belongs to the point halfway.
+        # The velocity is the mean between two positions, so it is valid at the point halfway.
         halfway = sum(
             0.5 * duration * particle.mass * particle.acceleration.dot(particle.velocity)
             for particle in bodies.particles[1:]
@@ -139,7 +142,7 @@ def run(make: Callable[[], Bodies], solver: str, steps: int) -> Outcome:
 
 
 def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> Scene:
-    """Return a scene with a model for each solver. Small steps need no two-sided rods."""
+    """Return a scene with one model per solver. With small steps, two-sided rods are not needed."""
     models = []
     for solver in solvers:
         one_sided = solver == SMALL and NET in solvers

@@ -1,7 +1,6 @@
-"""Pictures of the limits of methods: growth around the limits, and the time to divergence.
+"""Draw the stability limits of methods: growth around the limits, and the time to divergence.
 
-The curves follow from the eigenvalue of one step. The measured steps beside them come from
-simulations.
+The curves follow from the eigenvalues of one step. The marks beside them come from simulations.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
-"""Measure the limits of stability by bisection, and the energy inside the limits.
+"""Measure stability limits by bisection, and measure the energy inside the limits.
 
 There are limits for springs, for drag and for a penalty ground. A step is a linear map of position
-and velocity, so its eigenvalues show whether a motion grows. A spring reaches its limit when the
-magnitude of the larger eigenvalue exceeds 1. Drag reaches its limit when a step multiplies the
-velocity by a factor whose magnitude exceeds 1. Pymunk is measured in the same way.
+and velocity, so its eigenvalues show whether a motion grows. A spring is at its limit when the
+magnitude of the larger eigenvalue begins to exceed 1. Drag is at its limit when a step multiplies
+the velocity by a factor whose magnitude begins to exceed 1. Pymunk is measured in the same way.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ def pymunk_step(
 
 
 def pymunk_damping(x: float, v: float, k: float, c: float, mass: float, duration: float) -> State:
-    """Step a pymunk body in a space with damping d = e^(-c / m), without a spring."""
+    """Step a pymunk body without a spring, in a space with damping d = e^(-c / m)."""
     del k
     space = pymunk.Space()
     space.damping = math.exp(-c / mass)
@@ -194,7 +194,7 @@ def drag_limits() -> list[Bound]:
     for name, (grows, turns) in DRAG_THEORY.items():
         kept = partial(drag_factor, name)
         rows.append(bound(name, "growth", lambda z, kept=kept: abs(kept(z)), grows))  # type: ignore[misc]
-        # The speed reverses where a step removes more than the whole speed.
+        # The speed reverses if a step removes more than the whole speed.
         turned = first(lambda z, kept=kept: 1.0 - kept(z))  # type: ignore[misc]
         rows.append(Bound(name, "reversal", turned, turns, math.nan))
     return rows
@@ -213,7 +213,10 @@ def drag_factor(name: str, z: float) -> float:
 
 
 def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
-    """Find where growth begins. Return it with the theoretical limit and the steps to diverge."""
+    """Find where growth begins.
+
+    Return it with the theoretical limit and the steps to divergence.
+    """
     found = first(growth)
     bears = 0.0 < found < math.inf
     steps = math.log(HUGE) / math.log(growth(OUTSIDE * found)) if bears else math.nan
@@ -250,8 +253,8 @@ def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
 def energies_after(matrix: tuple[float, float, float, float], swings: list[int]) -> list[float]:
     """Return the energy after these numbers of oscillations, relative to the initial energy.
 
-    Each value is the mean over an oscillation, because the energy of a symplectic method oscillates
-    around a constant mean. ``matrix`` is that of a step of (x, v h).
+    Each value is the mean over one oscillation, because the energy of a symplectic method
+    oscillates around a constant mean. ``matrix`` is the matrix of a step of (x, v h).
     """
     a, b, c, d = matrix
     length = 2.0 * math.pi / math.sqrt(STIFFNESS) / FRAME

@@ -1,1 +1,1 @@
-"""What pictures and studies run: scenes on any engine, whose results are plain numbers."""
+"""Runs of scenes on any engine, which return plain numbers. Pictures and studies use them."""

@@ -1,4 +1,4 @@
-"""Balance lines of a box of stones: the masses on both sides, and the errors of a line."""
+"""Balance lines of a box of stones, with the masses on both sides and the errors of each line."""
 
 from __future__ import annotations
 

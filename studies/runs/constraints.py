@@ -1,8 +1,8 @@
-"""Scenes with contacts: a ball, a chain and a pendulum, as plain numbers over time.
+"""Scenes with contacts: a ball, a chain and a pendulum, whose values over time are plain numbers.
 
-Each scene runs in steps of equal length with an integrator of chapter 6 and resolves contacts after
-each step, unless it has a method of its own. Gravity is 10 m/s^2, downward. Lengths are in m, times
-in s.
+Each scene runs in steps of equal length with an integrator of chapter 6. Unless it has a method of
+its own, it resolves contacts after each step. Gravity is 10 m/s^2, downward. Lengths are in m, and
+times are in s.
 """
 
 from __future__ import annotations
@@ -211,7 +211,7 @@ def chain(
 
 
 def chain_by_direct_solve(count: int, frames: int, angle: float = 0.0) -> tuple[Track, Track]:
-    """Return the same values for a DirectChain."""
+    """Return the same two values as ``chain``, for a DirectChain."""
     particles = chain_particles(count, angle)
     return _lengths(DirectChain(particles[1:], Vector3()).step, particles, frames)
 

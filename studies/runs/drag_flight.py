@@ -1,4 +1,4 @@
-"""A particle under constant acceleration and drag, with its exact path: a drag flight.
+"""Drag flights: flights of a particle under constant acceleration and drag, with the exact path.
 
 Plots, reference checks and benchmarks share these flights. A flight consists of plain numbers in SI
 units and has an exact solution. A model runs a flight in frames of equal length, and returns the
@@ -34,10 +34,10 @@ class State:
 
 @dataclass(frozen=True)
 class DragFlight:
-    """A particle under a constant acceleration, with damping as a drag that is linear in v.
+    """A flight under a constant acceleration, with damping in the form of drag that is linear in v.
 
-    Damping d per second that acts continuously, and not once per frame, is the drag dv/dt = -k v
-    with k = -ln d. There is no drag at d = 1.
+    If damping d per second acts continuously rather than once per frame, it is the drag dv/dt = -k
+    v with k = -ln d. There is no drag at d = 1.
     """
 
     name: str

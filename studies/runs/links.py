@@ -1,4 +1,4 @@
-"""Measure links: the positions of their ends, and how much the worst cable is too long."""
+"""Measure the links of a bridge or rope: the positions of their ends, and their overstretch."""
 
 from __future__ import annotations
 

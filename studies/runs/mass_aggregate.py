@@ -1,6 +1,6 @@
-"""Scenes of chapter 8, measured over time, for its plots, benchmarks and tests.
+"""Scenes of chapter 8 with measurements over time, for the plots, the benchmarks and the tests.
 
-Lengths are in m, masses in kg, times in s, energies in J.
+Lengths are in m, masses in kg, times in s, and energies in J.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float
 
 
 def resolve_by_heap(world: ParticleWorld) -> None:
-    """Give a world a faster resolver with the same number of iterations and the same results."""
+    """Give a world a faster resolver, with the same number of iterations and the same results."""
     world.resolver = HeapResolver(world.resolver.iterations)
 
 
@@ -78,7 +78,7 @@ def energy(aggregate: MassAggregate, rate: int, seconds: float) -> Track:
 
 
 def default_bridge() -> Bridge:
-    """Return a bridge whose resolver has its default iterations: twice the number of contacts."""
+    """Return a bridge whose resolver makes its default number of iterations, twice the contacts."""
     bridge = Bridge()
     bridge.world.resolver.iterations = None
     return bridge
@@ -180,13 +180,13 @@ def deformation_of_wheel(force: float, driven: int, rate: int, seconds: float) -
 
 
 def spread_of_blob(speed: float, cables: bool, seconds: float) -> Track:
-    """Return the spread of a blob that is thrown down from 2 m."""
+    """Return the spread over time of a blob that is thrown down from 2 m."""
     blob = _thrown(speed, cables)
     return tracks(blob.step, [lambda: spread(blob.particles)], round(seconds / FRAME), FRAME)[0]
 
 
 def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
-    """Return the number of intact bonds of the same blob."""
+    """Return the number of intact bonds over time, of the same blob."""
     blob = _thrown(speed, cables)
 
     def holding() -> float:
@@ -230,7 +230,7 @@ def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, T
 
 
 def longest(values: Sequence[Numbers], others: Sequence[Numbers]) -> float:
-    """Return the largest distance between corresponding positions in two lists."""
+    """Return the largest distance between two corresponding positions in two lists."""
     return max(math.dist(a, b) for a, b in zip(values, others, strict=True))
 
 

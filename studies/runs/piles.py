@@ -1,6 +1,6 @@
-"""A stack and a pile of spheres: how far they sink, and how much overlap a resolver leaves.
+"""Simulate a stack and a pile of spheres, to measure how far they sink and how much they overlap.
 
-Gravity is 10 m/s^2, downward. Lengths are in m, times in s.
+Gravity is 10 m/s^2, downward. Lengths are in m, and times are in s.
 """
 
 from __future__ import annotations

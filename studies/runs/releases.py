@@ -1,6 +1,6 @@
-"""The throws of a trebuchet, for every angle at which its sling might release the projectile.
+"""Find the throw of a trebuchet for every angle at which its sling might release the projectile.
 
-Lengths are in m, energies in J.
+Lengths are in m, and energies are in J.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""A rope that hangs between two nails: simulated with rods, simulated with DirectChain, and exact.
+"""A rope that hangs between two nails: simulated with rods or with DirectChain, and exact.
 
-The nails are at height 0, a distance SPAN apart, and the rope has the length LENGTH. There is a
-particle of 1 kg wherever two links meet.
+The nails are at height 0, and the distance between them is SPAN. The length of the rope is LENGTH.
+There is a particle of 1 kg wherever two links meet.
 """
 
 from __future__ import annotations

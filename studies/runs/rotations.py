@@ -1,7 +1,7 @@
-"""Orientations in plain numbers, for comparison with an engine, and motions for the plots.
+"""Orientations as plain numbers, to compare an engine with, and motions for the plots.
 
-An orientation is described by its components r, i, j and k, or by its arrows: the directions in
-which its own axes X, Y and Z point in the world.
+An orientation is described either by its components r, i, j and k, or by its arrows. The arrows are
+the directions in which its own axes X, Y and Z point in the world.
 """
 
 from __future__ import annotations
@@ -45,13 +45,13 @@ def components(q: Any) -> Components:
 
 
 def turn(axis: Numbers, angle: float) -> Components:
-    """Return the components of a rotation about an axis, whose length may be any except zero."""
+    """Return the components of a rotation about an axis of any length except zero."""
     share = math.sin(0.5 * angle) / math.hypot(*axis)
     return math.cos(0.5 * angle), axis[0] * share, axis[1] * share, axis[2] * share
 
 
 def product(b: Components, a: Components) -> Components:
-    """Return the components of the rotation a followed by the rotation b."""
+    """Return the components of the rotation that applies a first and then b."""
     u, v = b[1:], a[1:]
     i, j, k = (b[0] * q + a[0] * p + c for p, q, c in zip(u, v, cross(u, v), strict=True))
     return b[0] * a[0] - dot(u, v), i, j, k
@@ -95,7 +95,7 @@ def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
 
 
 def off_right_angles(found: Arrows) -> float:
-    """Return the largest deviation, in degrees, of the angles between arrows from 90."""
+    """Return the largest deviation from 90 degrees of the angles between arrows, in degrees."""
     x, y, z = found
     return largest([abs(angle_between(a, b) - 90.0) for a, b in ((x, y), (y, z), (z, x))])
 
@@ -157,13 +157,16 @@ def disc_orientation(time: float) -> Components:
 
 
 def disc_acceleration(time: float) -> Numbers:
-    """Return the angular acceleration, because the precession rotates the spin with the axis."""
+    """Return the angular acceleration of the disc.
+
+    It is not zero, because the precession rotates the axis of the spin.
+    """
     x, y, z = rotated(turn(Y, PRECESSION * time), AXIS)
     return cross((0.0, PRECESSION, 0.0), (SPIN * x, SPIN * y, SPIN * z))
 
 
 def throw_disc(rate: int) -> Throw:
-    """Rotate the disc by integrate_rotation, with this number of steps per second."""
+    """Rotate the disc with integrate_rotation, at this number of steps per second."""
     orientation = Quaternion(*TILTED)
     velocity = Vector3(SPIN * AXIS[0], SPIN * AXIS[1] + PRECESSION, 0.0)
     times: list[float] = []
@@ -187,7 +190,7 @@ def by_first_order(q: Quaternion, velocity: Numbers, duration: float) -> None:
 
 
 def by_first_order_normalized(q: Quaternion, velocity: Numbers, duration: float) -> None:
-    """Step by Eq. 9.5, and normalize."""
+    """Step by Eq. 9.5, and then normalize."""
     q.add_scaled(Vector3(*velocity), duration)
     q.normalize()
 
@@ -218,23 +221,26 @@ def steady_orientation(time: float) -> Components:
 
 
 def coning_velocity(time: float) -> Numbers:
-    """Return the angular velocity with the axis that moves around Z."""
+    """Return the angular velocity of the rotation whose axis moves around Z."""
     x, y, z = rotated(turn(Z, CONING * time), SLANTING)
     return x, y, z + CONING
 
 
 def coning_orientation(time: float) -> Components:
-    """Return the exact orientation of the second rotation: about a fixed axis, then about Z."""
+    """Return the exact orientation of the second rotation.
+
+    It is a rotation about a fixed axis, followed by a rotation about Z.
+    """
     return product(turn(Z, CONING * time), product(turn(SLANTING, TAU * time), START))
 
 
 def turn_by_steps(
     step: Step, velocity: Velocity, steps: int, rate: float, share: float = 0.0
 ) -> tuple[list[Components], str]:
-    """Return the orientations before and after each step, and any error that ended the run.
+    """Return the orientations at the start and after each step, and any error that ended the run.
 
-    ``share`` is the point within a step at which the velocity is taken: 0 is its start, and 0.5
-    its middle.
+    ``share`` is the point within a step at which the velocity is evaluated: 0 is the start of the
+    step, and 0.5 is its middle.
     """
     q = Quaternion(*START)
     found = [components(q)]

@@ -1,7 +1,7 @@
-"""Stability of integrators: oscillations of springs, growth per step, and limits from theory.
+"""The stability of integrators: oscillations of springs, growth per step, and theoretical limits.
 
-One spring pulls a particle of 1 kg toward 0 along X. Every method, even a solver of one linear
-spring, is wrapped as an integrator of chapter 6, so that all methods run in the same way.
+A spring pulls a particle of 1 kg toward 0 along X. Every method is wrapped as an integrator of
+chapter 6, even a solver for one linear spring, so that all methods run in the same way.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ SOLVERS: dict[str, Solver] = {"backward Euler": backward_euler, "trapezoidal rul
 
 
 class Pull:
-    """A spring toward 0 in plain numbers, so that a wrong spring of the engine has no effect.
+    """A spring toward 0 in plain numbers, so that mistakes in the engine's springs have no effect.
 
     ``count`` is the number of force evaluations.
     """
@@ -62,7 +62,7 @@ class Pull:
 
 @dataclass(frozen=True)
 class Swing:
-    """Positions and velocities at the start and after each step, and any error that ended it."""
+    """The positions and velocities before and after each step, and any error that ended the run."""
 
     places: list[float]
     velocities: list[float]
@@ -108,7 +108,7 @@ def swing(
     limit: float,
     damping: float = 1.0,
 ) -> Swing:
-    """Release 1 kg at x = 1 m and let it oscillate until its speed exceeds the limit."""
+    """Release 1 kg at x = 1 m, and let it oscillate until its speed exceeds the limit."""
     particle = Particle(Vector3(1.0), damping=damping)
     step = watching(integrator, limit)
     places, velocities = [1.0], [0.0]
@@ -175,14 +175,17 @@ def true_place(k: float, c: float, time: float) -> float:
 
 
 def faked_growth(angle: float, share: float, duration: float) -> float:
-    """Return the growth of the faked spring at chi h and a fraction of the critical damping."""
+    """Return the growth per step of the faked spring.
+
+    ``angle`` is chi h, and ``share`` is a fraction of critical damping.
+    """
     chi = angle / duration
     fake = FakeStiffSpring(Vector3(), chi * chi, 2.0 * share * chi)
     return growth(semi_implicit_euler, fake, duration)
 
 
 def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, str]:
-    """Return the steps until a knot of the cloth is faster than 1000 m/s, and the error."""
+    """Return the steps until a knot of the cloth is faster than 1000 m/s, and any error."""
     knots, registry = make_cloth(damping)
     step = watching(INTEGRATORS[name], 1000.0)
     steps = 0
@@ -198,7 +201,7 @@ def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, s
 
 
 def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
-    """Return the heights of 1 kg that falls on an undamped penalty ground, at 60 Hz."""
+    """Return the heights of 1 kg that falls onto an undamped penalty ground, at 60 Hz."""
     particle = Particle(Vector3(0.0, fall), acceleration=Vector3(0.0, -10.0))
     ground = PenaltyGround(0.0, stiffness)
     step = watching(semi_implicit_euler, 1e4)

@@ -1,10 +1,11 @@
-"""A pytest plugin that runs the tests of one chapter, as `make test CH=6` does.
+"""A pytest plugin that runs only the tests about one chapter, as `make test CH=6` does.
 
-- If the parameters of a test contain a chapter, or a path in one, the test is about that chapter.
-- Any other test is about the latest chapter that its file imports or names, since earlier chapters
-  are only what it builds on. If the file names none, the modules of studies that it imports decide.
-- The tests of the tools in tests/autograder/ and tests/web/ are about no chapter, and neither is a
-  file that names none.
+- If a parameter of a test contains a chapter, or a path in a chapter, the test is about it.
+- Any other test is about the latest chapter that its file imports or names. The earlier chapters
+  are only the basis of that one. If the file names no chapter, the modules of studies/ that it
+  imports determine the chapter in the same way.
+- The tests of the tools in tests/autograder/ and tests/web/ are about no chapter. The same is true
+  of a file that names no chapter.
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 def chapters_of(item: pytest.Item) -> set[int]:
-    """Return the chapters that a test is about, which is rarely more than one."""
+    """Return the chapters that a test is about. There is rarely more than one."""
     if any(item.path.is_relative_to(folder) for folder in TOOLS):
         return set()
     parameters = item.callspec.params.values() if hasattr(item, "callspec") else ()
@@ -51,7 +52,7 @@ def chapters_of(item: pytest.Item) -> set[int]:
 
 @cache
 def latest(file: Path) -> set[int]:
-    """Return the latest chapter that a file imports or names, if there is one."""
+    """Return a set with the latest chapter that a file imports or names, or an empty set."""
     if own := NAME.match(file.parent.name):
         return {int(own[1])}
     if file.is_relative_to(ROOT / "tests/project"):
@@ -71,5 +72,5 @@ def latest(file: Path) -> set[int]:
 
 
 def named_in(text: str) -> set[int]:
-    """Return the numbers of the chapters whose packages a text names."""
+    """Return the numbers of the chapters whose packages appear in a text."""
     return {int(number) for number in NAME.findall(text)}

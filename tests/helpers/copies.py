@@ -1,4 +1,4 @@
-"""Copy a folder without its bytecode, and read what the reference hands in."""
+"""Copy a folder without its bytecode, and read the reference's files."""
 
 from __future__ import annotations
 
@@ -9,14 +9,17 @@ from autograder.manifest import ROOT, load_chapters
 
 
 def copy_tree(source: Path, target: Path) -> None:
-    """Copy the contents of a folder into another one, which may exist already."""
+    """Copy the contents of a folder into another folder, which may already exist."""
     shutil.copytree(
         source, target, dirs_exist_ok=True, ignore=shutil.ignore_patterns("__pycache__")
     )
 
 
 def reference(*chapters: str) -> dict[str, str]:
-    """Return the files that the reference hands in for these chapters, or for all, by path."""
+    """Return the reference's files for these chapters, keyed by path. By default, return all.
+
+    Only the files that students hand in are included.
+    """
     files = [
         f"{chapter.name}/{name}"
         for chapter in load_chapters()

@@ -1,4 +1,4 @@
-"""Draw plots as the command does, and read the tables that it writes."""
+"""Draw plots in the same way as the command, and read the tables that it writes."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def engine_with(chapter: str, added: dict[str, str], at: Path) -> Path:
 
 
 def plot_of_stubs(chapter: str, at: Path) -> str:
-    """Return what is printed where the reference's chapter is not written yet."""
+    """Return what is printed if a chapter of stubs is plotted on the reference of the others."""
     copy_tree(ROOT / "solutions", at / "engine")
     for path, text in made_stubs().items():
         if path.startswith(f"chapters/{chapter}/"):

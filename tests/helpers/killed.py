@@ -1,7 +1,7 @@
-"""Run a command and kill it at a certain moment, to test that it can be started again.
+"""Run a command and kill it at a chosen moment, to test that it can be started again.
 
-Run as a script, this file is the command: it counts what the command does to the files in a folder,
-and kills its own process a little after one of these steps, as kill -9 would.
+Run as a script, this file is the command. It counts the changes that the command makes to files in
+a folder, and kills its own process shortly after one of them, as kill -9 would.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ from typing import Any
 ROOT = Path(__file__).parents[2]
 KILLED = (-signal.SIGKILL, -signal.SIGALRM)
 LONGEST_DELAY = 0.2  # s
-MARK = "COMPANION_KILLED"  # in the environment of every process that a command starts
+MARK = "COMPANION_KILLED"  # variable that is set in every process that a command starts
 
 
 @dataclass
 class Victim:
-    """A command that writes into a folder, and is killed there again and again."""
+    """A command that writes into a folder, and is killed repeatedly while it does."""
 
     command: list[str]  # -m and a module, or a script, and its arguments
     folder: Path
@@ -38,7 +38,7 @@ class Victim:
     mark: str = field(default_factory=lambda: os.urandom(8).hex())
 
     def run_whole(self) -> None:
-        """Run the command to its end, and count its steps the first time."""
+        """Run the command to its end. The first time, count its steps."""
         count = self.folder.parent / "steps.txt"
         status = self._run(0, 0.0, count)
         assert status == 0, self.said
@@ -48,7 +48,7 @@ class Victim:
         """Start the command, and kill it at a random moment. Return whether it was still running.
 
         Raises:
-            AssertionError: The command fails, or one of its processes remains.
+            AssertionError: The command fails, or one of its processes keeps running.
         """
         step = self.rng.randint(1, self.steps)
         delay = self.rng.choice([0.0, 0.0, 1e-5, 1e-4, self.rng.uniform(0.0, LONGEST_DELAY)])
@@ -77,7 +77,7 @@ class Victim:
 
 
 def survivors(mark: str, patience: float = 5.0) -> list[str]:
-    """Return the processes with this mark in their environment, after waiting for their end."""
+    """Wait for the processes with this mark in their environment, and return those that remain."""
     deadline = time.monotonic() + patience
     while True:
         left = []
@@ -93,7 +93,7 @@ def survivors(mark: str, patience: float = 5.0) -> list[str]:
 
 
 def half_written(folder: Path) -> list[str]:
-    """Return the files in a folder that are not whole. Hidden and temporary files do not count."""
+    """Return the incomplete files in a folder. Hidden files and temporary files do not count."""
     return [
         str(path)
         for path in folder.rglob("*")
@@ -147,7 +147,7 @@ def _main(how: dict[str, Any], count: str, command: list[str]) -> None:
 
 
 def _is_step(event: str, arguments: tuple[Any, ...], inside: str) -> bool:
-    """Return whether an audit event changes something in a folder."""
+    """Return whether an audit event is about a change to something in a folder."""
     if event == "open":
         if not arguments[2] & (os.O_WRONLY | os.O_RDWR | os.O_CREAT):
             return False

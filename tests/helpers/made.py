@@ -1,4 +1,4 @@
-"""The current stubs, read from chapters/, because generating them takes seconds."""
+"""The current stubs, which are read from chapters/ because generating them takes seconds."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ from autograder.stubs import complete_hashes
 def made_stubs() -> dict[str, str]:
     """Return the text of every stub, keyed by its path, as make_stubs does.
 
-    Each must have the hash of the lock, which a test compares with newly generated stubs.
+    Each stub must have the hash in the lock. A separate test compares the hashes in the lock with
+    newly generated stubs.
     """
     lock = read_lock()
     paths = lock.keys() - complete_hashes().keys()

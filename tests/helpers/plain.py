@@ -1,6 +1,7 @@
-"""An engine with only the book's formulas: the reference, without its refusals.
+"""An engine with only the book's formulas: the reference without its argument checks.
 
-This is the engine of a student who has written the physics and does not refuse anything yet.
+A student who has written the physics, but does not reject any bad arguments yet, has such an
+engine.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ import libcst
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.stubs import with_bodies
 
-# In place of arguments.py: every function returns what it is given.
+# Replaces arguments.py. Every function returns its argument without checking it.
 ARGUMENTS = """
 def finite(name, value):
     return float(value)
@@ -35,7 +36,7 @@ def instance_of(name, value, kind):
     return value
 """
 
-# Simple versions of bodies that take special care of NaN, or of huge and tiny numbers.
+# Simple versions of functions that handle NaN, or huge and tiny numbers, with special care.
 BODIES = {
     "ch05_forces": {
         "forces.InverseSquareGravity.update_force": """
@@ -68,10 +69,10 @@ return not self.determinant() < 0.0
 
 
 class _Unguarded(ast.NodeTransformer):
-    """Removes the refusals from a module, and the protection of lengths against overflow."""
+    """Removes the argument checks from a module, and the protection of lengths against overflow."""
 
     def visit_If(self, node: ast.If) -> ast.AST:
-        """Drop an "if" that only raises ValueError or TypeError, or returns NotImplemented."""
+        """Remove an "if" that only raises ValueError or TypeError, or returns NotImplemented."""
         self.generic_visit(node)
         if not node.orelse and len(node.body) == 1 and _refuses(node.body[0]):
             return ast.Pass()
@@ -93,12 +94,12 @@ def _refuses(statement: ast.stmt) -> bool:
 
 
 def plain(source: str) -> str:
-    """Return the source of a module without its refusals."""
+    """Return the source of a module without its argument checks."""
     return ast.unparse(ast.fix_missing_locations(_Unguarded().visit(ast.parse(source))))
 
 
 def write_plain_engine(engine: Path) -> list[Path]:
-    """Write every module that students hand in without refusals, and return the whole engine."""
+    """Write every module that students hand in without argument checks. Return the engine."""
     for chapter in load_chapters():
         folder = engine / chapter.name
         folder.mkdir(parents=True)

@@ -1,6 +1,7 @@
-"""Draw worlds at random, for laws of physics that must hold in all of them.
+"""Draw random worlds, to test laws of physics that must hold in every world.
 
-Run as a script, it prints the positions at the end of some worlds, to compare versions of Python.
+Run as a script, this module prints the final positions in some worlds, so that different versions
+of Python can be compared.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ Triple = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class Plan:
-    """The numbers of a world. Springs and links name their ends by index."""
+    """The numbers that describe a world. Springs and links refer to their ends by index."""
 
     masses: list[float]
     places: list[Triple]
@@ -39,7 +40,7 @@ class Plan:
     collide: bool = False
 
     def moved(self, way: Callable[[Triple], Triple]) -> Plan:
-        """Return the plan with all of its vectors mirrored or rotated."""
+        """Return the plan with all of its vectors mirrored or rotated by ``way``."""
         return Plan(
             self.masses,
             [way(place) for place in self.places],
@@ -53,7 +54,7 @@ class Plan:
         )
 
     def build(self, integrator: Callable[..., None] = semi_implicit_euler) -> ParticleWorld:
-        """Return the world."""
+        """Build the world that the plan describes."""
         down = Vector3(*self.gravity)
         particles = [
             Particle(Vector3(*place), Vector3(*velocity), down, mass=mass)
@@ -72,9 +73,11 @@ class Plan:
 
 
 def draw(seed: int, *, springs: bool = False, contacts: bool = False, falls: bool = False) -> Plan:
-    """Return a plan of 2 to MOST particles with springs, with links and contacts, or with both.
+    """Draw a plan at random.
 
-    A world that ``falls`` has gravity and ground.
+    It has 2 to MOST particles with springs, or links and contacts, or both.
+
+    If ``falls`` is true, the world has gravity and a ground.
     """
     rng = Random(f"a world {seed}")
     count = round(2.0 * (MOST / 2.0) ** rng.random())
@@ -109,19 +112,19 @@ def _apart(a: Triple, b: Triple) -> float:
 
 
 def triple(vector: Vector3) -> Triple:
-    """Return the parts of a vector."""
+    """Return the components of a vector."""
     return vector.x, vector.y, vector.z
 
 
 def places_after(world: ParticleWorld, steps: int) -> list[Triple]:
-    """Run a world, and return the positions of its particles."""
+    """Run a world for a number of steps, and return the positions of its particles."""
     for _ in range(steps):
         world.step(STEP)
     return [triple(particle.position) for particle in world.particles]
 
 
 def some_ends(count: int) -> list[list[Triple]]:
-    """Return where the particles of some worlds with everything in them are after 10 steps."""
+    """Return the positions after 10 steps in some worlds that contain everything."""
     plans = (draw(seed, springs=True, contacts=True, falls=True) for seed in range(count))
     return [places_after(plan.build(), 10) for plan in plans]
 

@@ -1,13 +1,13 @@
-"""Run a chapter's checks on the reference with some bodies changed, in a twentieth of a second.
+"""Run a chapter's checks on the reference with some functions changed, in a twentieth of a second.
 
 Importing an engine and collecting the checks takes ten times as long as running the checks of one
-exercise. So one process does both once and then waits. For each change it forks, and the copy
-replaces the code of the changed functions. Every module that has imported such a function then
-calls its new code.
+exercise. So one process does both once, and then waits. For each change, it forks a copy, which
+replaces the code of the changed functions. All modules that have imported such a function then call
+its new code.
 
-This file is also the program of the waiting process, which reads one request per line. The checks
-run in the ordinary, slow way if there is no fork, or if the new code does not fit (because it uses
-super() and the old code does not).
+This file is also the program of the waiting process, which reads one request per line. If the
+system cannot fork, the checks run in the ordinary, slow way. The same happens if the new code does
+not fit, for example because it uses super() and the old code does not.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ _ready: dict[str, Ready] = {}  # keyed by chapter and seed
 
 
 def ready(chapter: Chapter, seed: str = "1") -> Ready:
-    """Return the waiting process of a chapter, with an empty folder. All tests here share it."""
+    """Return the waiting process of a chapter, with an empty folder. All tests share it."""
     key = f"{chapter.name} {seed}"
     if key not in _ready:
         _ready[key] = Ready(chapter, seed)
@@ -49,7 +49,10 @@ def ready(chapter: Chapter, seed: str = "1") -> Ready:
 
 
 class Ready:
-    """A chapter's checks on the reference. Changed modules are written into the folder ``top``."""
+    """The checks of a chapter, ready to run on the reference.
+
+    Write changed modules into the folder ``top`` before each run.
+    """
 
     def __init__(self, chapter: Chapter, seed: str) -> None:
         self.chapter = chapter
@@ -67,7 +70,10 @@ class Ready:
             file.unlink()
 
     def run(self, edits: Collection[str], exercises: list[str]) -> list[Verdict]:
-        """Return the verdicts on these exercises. ``edits`` names the bodies that differ in top."""
+        """Return the verdicts on these exercises.
+
+        ``edits`` names the functions that differ in ``top``.
+        """
         ran = Run(self._order(exercises))
         events = self.folder / "events.txt"
         events.unlink(missing_ok=True)
@@ -96,7 +102,7 @@ class Ready:
             stdout=subprocess.PIPE,
             encoding="utf-8",
         )
-        atexit.register(process.stdin.close)  # it ends with its input
+        atexit.register(process.stdin.close)  # the process ends when its input is closed
         process.stdout.readline()  # it has imported the reference; top may now be filled
         return process
 
@@ -122,7 +128,7 @@ class WaitingRecorder(Recorder):
         os._exit(0)
 
     def _run(self, session: pytest.Session, checks: Checks, request: dict[str, Any]) -> None:
-        """In a copy, change the bodies, run the checks, and send the events for the runner."""
+        """Change the functions, run the checks and send the events to the runner, all in a copy."""
         wanted = request["exercises"]
         with Path(request["events"]).open("w", encoding="utf-8", buffering=1) as events:
             self.send = lambda event: events.write(write_event(event))
@@ -167,5 +173,5 @@ def main() -> None:
 
 if __name__ == "__main__":
     ANSWERS = os.dup(1)
-    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # output of checks is not an answer
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # checks may print, but not here
     main()

@@ -1,8 +1,8 @@
-"""Run a command of the studies or of the lab in a process that has already imported matplotlib.
+"""Run a command of studies or lab in a process that has already imported matplotlib.
 
 A new Python process takes most of a second to import matplotlib, and the tests run dozens of such
-commands. So one process imports it and forks for each command. Without fork, as on Windows, each
-command runs in a new process.
+commands. So one process imports it once and forks for each command. On a system that cannot fork,
+such as Windows, each command runs in a new process.
 
 This file is also the program of the waiting process, which reads one request per line.
 """
@@ -61,7 +61,7 @@ def _waiting() -> subprocess.Popen[str]:
         stdout=subprocess.PIPE,
         encoding="utf-8",
     )
-    atexit.register(waiting.stdin.close)  # it ends with its input
+    atexit.register(waiting.stdin.close)  # the process ends when its input is closed
     return waiting
 
 

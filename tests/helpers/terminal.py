@@ -1,4 +1,4 @@
-"""A pseudo-terminal that runs watch, for tests of what a student sees there."""
+"""A pseudo-terminal that runs watch, to test what a student sees there."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ pty = pytest.importorskip("pty")
 termios = pytest.importorskip("termios")
 
 HEIGHT, WIDTH = 24, 80
-CLEARED = "\f"  # marks where the screen was cleared
+CLEARED = "\f"  # marks the points at which the screen was cleared
 PATIENCE = 60.0  # seconds, enough for a busy machine
 KEYS = "q quit"  # the end of every screen
 
@@ -54,18 +54,18 @@ class Terminal:
 
     @property
     def text(self) -> str:
-        """All text that was shown, without colors and other escape sequences."""
+        """All text that has been shown, without colors and other escape sequences."""
         shown = self.output.decode("utf-8", errors="replace")
         shown = shown.replace("\x1b[2J", CLEARED).replace("\r\n", "\n")
         return re.sub(r"\x1b\[[0-9;?]*[a-zA-Z]", "", shown)
 
     @property
     def screen(self) -> list[str]:
-        """The lines on the screen now, that is, since it was last cleared."""
+        """The lines that are on the screen now, which are those since it was last cleared."""
         return self.text[self.text.rindex(CLEARED) + 1 :].splitlines()
 
     def wait_for(self, *words: str) -> None:
-        """Wait until the words are shown, in this order, after the words waited for before."""
+        """Wait until these words appear in this order, after the words of the previous call."""
         deadline = time.monotonic() + PATIENCE
         for word in words:
             while word not in self.text[self.read :]:

@@ -1,4 +1,4 @@
-"""Find the sandbox of this machine once for all tests."""
+"""Determine the sandbox of this machine once for all tests."""
 
 from __future__ import annotations
 

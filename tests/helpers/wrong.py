@@ -1,4 +1,4 @@
-"""Make the wrong submissions that a chapter's wrong.toml describes: see tests/README.md."""
+"""Make the wrong submissions that a chapter's wrong.toml describes, as tests/README.md explains."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from autograder.manifest import ROOT, Chapter
 
 @dataclass(frozen=True)
 class Wrong:
-    """The reference with one body as a student may have written it.
+    """The reference with one function written as a student might have written it.
 
-    ``replace`` changes a few words of ``body``, or of the reference's body if that is empty. It
-    has what is old and what is new in turn; each that is old is there once.
+    ``replace`` changes a few words of ``body``, or of the reference's function if ``body`` is
+    empty. It is a list of old and new texts in turn. Each old text must occur exactly once.
     """
 
     edit: str
@@ -27,8 +27,8 @@ class Wrong:
     caught_by: str  # the check that is meant to fail
     replace: Sequence[str] = ()
     body: str = ""
-    says: str = ""  # words of the first message, where the numbers tell the mistake
-    opens: str = ""  # the body that the screen sends the student to, where it is another one
+    says: str = ""  # words in the first message, if its numbers reveal the mistake
+    opens: str = ""  # the function that the screen points to, if it is a different one
 
 
 def read_wrong(chapter: Chapter) -> list[Wrong]:
@@ -43,7 +43,7 @@ def read_wrong(chapter: Chapter) -> list[Wrong]:
 
 
 def read_right(chapter: Chapter) -> dict[str, str]:
-    """Return the other right body of each function that has one."""
+    """Return a chapter's alternative correct bodies, keyed by function."""
     return {edit: each["right"] for edit, each in _read(chapter).items() if "right" in each}
 
 
@@ -53,7 +53,7 @@ def _read(chapter: Chapter) -> dict[str, Any]:
 
 
 def _fields(entry: list[str] | dict[str, Any], right: str) -> dict[str, Any]:
-    """Return the fields of a wrong submission that its entry gives."""
+    """Return those fields of a wrong submission that its entry in the file determines."""
     if isinstance(entry, list):
         return {"replace": entry}
     if "in_right" in entry:
@@ -72,9 +72,10 @@ def write_wrong(chapter: Chapter, wrongs: Iterable[Wrong], engine: Path) -> None
 
 
 def write_all(chapter: Chapter, body: str | None, engine: Path, *, but: Sequence[str] = ()) -> None:
-    """Write modules with the same line in every body that students write, or empty modules.
+    """Write modules in which every function that students write has the same body.
 
-    Data that students enter is left empty. The exercises in ``but`` stay as in the reference.
+    If ``body`` is None, the modules are empty. Data files of students are left empty. The exercises
+    in ``but`` stay as in the reference.
     """
     changed = [e for e in chapter.exercises if e.id not in but]
     names = [name.partition(".") for exercise in changed for name in exercise.edit]
@@ -91,7 +92,7 @@ def write_all(chapter: Chapter, body: str | None, engine: Path, *, but: Sequence
 
 
 def _write_changed(chapter: Chapter, file: str, bodies: dict[str, str], engine: Path) -> None:
-    """Write a module of the reference with other bodies; docstrings stay."""
+    """Write a module of the reference with other bodies in some functions. Docstrings stay."""
     lines, found = _lines_and_bodies(ROOT / "solutions" / chapter.name / file)
     for name in sorted(bodies, key=lambda name: found[name].start, reverse=True):  # from the end
         where, indent = found[name], "    " * (1 + name.removesuffix(".setter").count("."))
@@ -117,7 +118,7 @@ def body_of(chapter: Chapter, wrong: Wrong) -> str:
 
 
 def _lines_and_bodies(file: Path) -> tuple[list[str], dict[str, slice]]:
-    """Return the lines of a module, and which of them are the body of each function."""
+    """Return the lines of a module, and for each function the range of lines that is its body."""
     source = file.read_text(encoding="utf-8")
     found = {}
     for name, function in functions(ast.parse(source)).items():

@@ -160,7 +160,7 @@ def test_models_that_contradict_each_other_warn() -> None:
     (contradiction,) = warnings([mine, other], chosen)
     assert contradiction.startswith("mine and other differ by 1, which is more than")
     alone = warnings([mine, runs.Tried(replace(mine.model, name="none"))], chosen)
-    assert alone[-1] == "no model but mine converges, so none confirms its error"
+    assert alone[-1] == "only mine converges, so no other model confirms its error"
 
 
 def test_errors_of_runs_that_failed_or_repeat_are_not_known() -> None:

@@ -42,7 +42,7 @@ def test_without_node_it_says_what_to_install(
 
 def test_a_folder_with_something_else_in_it_is_left_alone(tmp_path: Path) -> None:
     (tmp_path / "thesis.txt").write_text("mine", encoding="utf-8")
-    with pytest.raises(ValueError, match="is not empty, and is no earlier build of the site"):
+    with pytest.raises(ValueError, match="is neither empty nor an earlier build of the site"):
         site.build(tmp_path, with_solutions=False)
     assert (tmp_path / "thesis.txt").read_text(encoding="utf-8") == "mine"
 

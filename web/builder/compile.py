@@ -1,8 +1,8 @@
-"""Compile /in/library and the course, and write the zips into /out. Runs in Pyodide under Node.
+"""Compile /in/library and the course, and write the zips to /out. Runs in Pyodide under Node.
 
 Importing a compiled module takes a fifth of the time. The student's modules, the checks and the
-scenes stay source code, because tracebacks show it and the list of scenes is read from it. Compiled
-checks would save a tenth of a second once per chapter, but add 0.8 MB.
+scenes are not compiled. Tracebacks show their source code, and the list of scenes is read from it.
+Compiling the checks would save a tenth of a second once per chapter, but would add 0.8 MB.
 """
 
 import importlib.util
@@ -15,11 +15,14 @@ SITE = f"/lib/python3.{sys.version_info.minor}/site-packages"
 LIBRARY = f"/lib/python3{sys.version_info.minor}.zip"
 COURSE = "/course"
 SOURCE = ("chapters", "tests", "scenes")  # folders
-MAGIC = importlib.util.MAGIC_NUMBER + (1).to_bytes(4, "little")  # without a check of the source
+MAGIC = importlib.util.MAGIC_NUMBER + (1).to_bytes(4, "little")  # 1: the source is not checked
 
 
 def packed(folder: Path, place: str, prefix: str = "") -> dict[str, bytes]:
-    """Return the files of a folder with most modules compiled. `place` is their final folder."""
+    """Return the files of a folder with most of the modules compiled.
+
+    `place` is the folder in which they will be at run time.
+    """
     files = {}
     for path in folder.rglob("*"):
         if path.is_file():
@@ -31,13 +34,13 @@ def packed(folder: Path, place: str, prefix: str = "") -> dict[str, bytes]:
 
 
 def compiled(source: bytes, place: str) -> bytes:
-    """Return the content of the .pyc file for a module that will be at this path."""
+    """Return the contents of a .pyc file, for a module that will be at this path."""
     code = compile(source, place, "exec", dont_inherit=True)
     return MAGIC + importlib.util.source_hash(source) + marshal.dumps(code)
 
 
 def write_zip(name: str, files: dict[str, bytes]) -> None:
-    """Write a zip that is the same byte for byte in every build."""
+    """Write a zip that is identical, byte for byte, in every build."""
     with zipfile.ZipFile(f"/out/{name}", "w") as archive:
         for path in sorted(files):
             info = zipfile.ZipInfo(path, (2020, 1, 1, 0, 0, 0))

@@ -1,12 +1,12 @@
-"""The rope bridge of chapter 8 at rest with a load: how well each model keeps it in place.
+"""The rope bridge of chapter 8 at rest with a load, which each model should keep in place.
 
-Every model starts at rest, slightly below the position of least potential energy. Exactly at that
-position, rounding errors would decide which cables are taut. The work is the number of resolved
-contacts. Pymunk resolves all of its joints in each iteration of a step.
+Every model starts at rest, slightly below the position with the least potential energy. Exactly at
+that position, rounding errors would decide which cables are taut. The work is the number of
+resolved contacts. Pymunk resolves all of its joints in each iteration of a step.
 
-Positions are compared as seen from the side, because pymunk is two-dimensional. Its bridge has both
-sides in one plane, and its cables have the lengths that they appear to have from the side. It needs
-no rods between the two sides.
+Positions are compared as seen from the side, because pymunk is two-dimensional. In its bridge, both
+sides are in one plane, the cables are as long as they appear from the side, and no rods between the
+two sides are needed.
 """
 
 from __future__ import annotations
@@ -47,16 +47,16 @@ from studies.accuracy.scene import STEPS, Model, Outcome, Place, Scene, in_frame
 FRAMES = 60  # errors do not grow after this second
 LONG = 600  # frames of sleep
 MASSES = [PLANK_MASS + (2.5 if row == 2 else 0.0) for row in range(ROWS)]  # 5 kg on the third row
-HAIR = 1e-8  # m; it puts ends 3e-8 m too low, so smaller errors have no meaning
+HAIR = 1e-8  # m; lowers the ends by 3e-8 m, so smaller errors have no meaning
 
 Links = Callable[[list[Row]], list[ContactGenerator]]
 
 
 def bridge() -> Scene:
-    """Return the bridge with 5 kg on its third row, at rest for 1 s.
+    """Return the scene of the bridge with 5 kg on its third row, at rest for 1 s.
 
-    The scale is the length of a cable between two rows. Pymunk's slide joint acts as a cable. Its
-    solver makes 10 iterations by default.
+    The scale is the length of a cable between two rows. In pymunk, slide joints act as the cables.
+    Its solver makes 10 iterations by default.
     """
     few, some = STEPS[:5], STEPS[:8]
 
@@ -84,9 +84,9 @@ def bridge() -> Scene:
 
 
 def sleeping() -> Scene:
-    """Return the scene of the same bridge asleep for 10 s, while nothing touches it.
+    """Return the scene of the same bridge, asleep for 10 s while nothing touches it.
 
-    Pymunk's bridge is asleep as well.
+    Pymunk's bridge is asleep too.
     """
     models = [
         Model("asleep", by_sleep, (1,)),
@@ -142,7 +142,7 @@ def hanging(extra: float = 0.0) -> list[Place]:
 
 
 def two_sided(rows: list[Row]) -> list[ContactGenerator]:
-    """Return two-sided rods in place of all links, which works because all cables are taut."""
+    """Return two-sided rods in place of all links. This is possible because all cables are taut."""
     found: list[ContactGenerator] = []
     for link in links_of(rows):
         if isinstance(link, AnchoredCable):
@@ -158,7 +158,7 @@ def two_sided(rows: list[Row]) -> list[ContactGenerator]:
 def by_world(
     integrator: Integrator, links: Links, resolver: ContactResolver, steps: int
 ) -> Outcome:
-    """Step the world of the bridge, which has its own damping."""
+    """Step the world of the bridge, whose particles have the bridge's own damping."""
     ends, _, held = hung(links)
     world, work = ParticleWorld(ends, held, integrator=integrator), 0
     world.resolver = resolver
@@ -217,7 +217,7 @@ def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> 
 
 
 def by_equilibrium(frames: int, steps: int) -> Outcome:
-    """Find the position in which the bridge is at rest, and put the bridge to sleep there."""
+    """Find the position in which the bridge is at rest, and let it sleep there."""
     ends, links = whole()
     world = SleepingWorld(ends, links)
     equilibrium(world)
@@ -238,7 +238,7 @@ def place_of(ends: list[Particle]) -> Place:
 
 
 def by_joints(iterations: int, steps: int, frames: int = FRAMES, sleeps: bool = False) -> Outcome:
-    """Hold both sides together with slide joints in pymunk, or let them sleep."""
+    """Hold both sides together with slide joints in pymunk, or let the bridge sleep."""
     import pymunk
 
     space = pymunk.Space()

@@ -1,7 +1,7 @@
-"""Models of a chain of rods: the exact path, our models, and pymunk's pin joints.
+"""Models of a chain of rods: its exact path, our models, and pymunk's pin joints.
 
 The work is the number of resolved contacts. A model that solves for all rods at once counts every
-rod once per evaluation. Pymunk's count includes every iteration, in which it resolves all joints.
+rod once per evaluation. For pymunk, every joint is counted in every iteration.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ COUNTED = "contacts resolved, or rods solved for"
 
 @dataclass(frozen=True)
 class Chain:
-    """A chain of rods that starts at rest, straight and at an angle, and runs for some frames.
+    """A straight chain of rods that is released from rest at an angle, and moves for some frames.
 
     It is attached to the origin. All rods have the same ``length`` in m. ``masses`` are in kg, from
     the first particle to the tip. ``angle`` is in radians from straight down, and ``gravity`` is in
@@ -108,7 +108,7 @@ class Chain:
 
 
 def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
-    """Return the models for a chain with these numbers of steps per frame, with pymunk's last."""
+    """Return the models for a chain, with pymunk's last. ``steps`` are their steps per frame."""
     return [
         Model("by its angles, Runge-Kutta 4", partial(by_angles, chain), steps),
         Model("by its angles in long steps", partial(by_long_steps, chain), LONG_STEPS),
@@ -132,14 +132,14 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
 
 
 def by_angles(chain: Chain, steps: int) -> Outcome:
-    """Step only the angles with Runge-Kutta 4, which makes four evaluations per step."""
+    """Step only the angles, using Runge-Kutta 4, which evaluates the forces four times per step."""
     angles = chain.by_its_angles()
     places = in_frames(angles.step, lambda: flat(angles.positions), chain.frames, steps)
     return Outcome(places, 4 * chain.frames * steps * len(chain.masses))
 
 
 def by_long_steps(chain: Chain, steps: int) -> Outcome:
-    """Step the angles with long steps, this many in LONG frames, and interpolate with cubics."""
+    """Make ``steps`` long steps of the angles in LONG frames, and interpolate with cubics."""
     angles = chain.by_its_angles()
     length, places, made = LONG / steps, [], 0  # frames of a step
     old, fast = [*angles.angles], [*angles.angular_velocities]
@@ -162,7 +162,7 @@ def by_long_steps(chain: Chain, steps: int) -> Outcome:
 
 
 def by_tensions(chain: Chain, steps: int) -> Outcome:
-    """Step the particles with Runge-Kutta 4, using the tensions of the rods as forces."""
+    """Step the particles using Runge-Kutta 4, with the tensions of the rods as forces."""
     particles = chain.particles()
     rods = RodTensions(particles, Vector3())
     places = in_frames(
@@ -175,7 +175,7 @@ def by_tensions(chain: Chain, steps: int) -> Outcome:
 
 
 def by_direct_chain(chain: Chain, steps: int) -> Outcome:
-    """Step the particles, and solve for the impulses of all rods at once."""
+    """Step the particles, and solve for the impulses of all rods at the same time."""
     particles = chain.particles()
     solver = DirectChain(particles, Vector3())
     places = in_frames(solver.step, lambda: places_of(particles), chain.frames, steps)
@@ -188,7 +188,7 @@ def by_resolver(
     rods: Callable[[Sequence[Particle]], list[Any]],
     steps: int,
 ) -> Outcome:
-    """Step the particles and resolve the contacts of their rods."""
+    """Step the particles, and let a resolver handle the contacts that their rods generate."""
     particles = chain.particles()
     resolver, work = ContactResolver(), 0
 

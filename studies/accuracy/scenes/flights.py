@@ -1,4 +1,4 @@
-"""Scenes of one body: a shot, a fall, two orbits, and a floating block."""
+"""Scenes with a single body: a shot, a fall, two orbits, and a floating block."""
 
 from __future__ import annotations
 
@@ -38,7 +38,10 @@ G = 9.81  # m/s^2
 
 
 def projectile() -> Scene:
-    """Return a shot with linear drag, by the closed form, by damping, and by drag as a force."""
+    """Return the scene of a shot with linear drag.
+
+    Its models use the closed form, the particle's damping, or drag as a force.
+    """
     frames = round(PROJECTILE.duration * RATE)
     k1 = -math.log(PROJECTILE.damping)
 
@@ -79,7 +82,7 @@ def projectile() -> Scene:
 
 
 def quadratic_drag() -> Scene:
-    """Return a fall from rest with quadratic drag, almost to its terminal speed."""
+    """Return the scene of a fall from rest with quadratic drag, almost up to terminal speed."""
     frames, k2 = 180, 0.05
 
     def place_at(time: float) -> Place:
@@ -103,9 +106,9 @@ def quadratic_drag() -> Scene:
 
 
 def orbit(e: float, turns: int, period: float) -> Scene:
-    """Return an orbit around a center, with eccentricity e and a semi-major axis of 1 m.
+    """Return the scene of an orbit with eccentricity e and a semi-major axis of 1 m.
 
-    The period is in s. The orbit begins at the point nearest to the center.
+    The period is in s. The orbit begins at the point nearest to the center of attraction.
     """
     frames = math.floor(turns * period * RATE)
     rate = 2.0 * math.pi / period
@@ -133,7 +136,10 @@ def orbit(e: float, turns: int, period: float) -> Scene:
 
 
 def floating_block() -> Scene:
-    """Return a block that bobs in water, always partly submerged, so it moves as if on a spring."""
+    """Return the scene of a block that bobs in water.
+
+    The block is always partly submerged, so it moves as if it hung on a spring.
+    """
     frames, s, volume, mass = 240, 0.05, 0.001, 0.5
     stiffness = 1000.0 * volume * G / (2.0 * s)  # increase of the buoyancy per meter of depth
     low, amplitude = s * (1.0 - 2.0 * mass / (1000.0 * volume)), 0.04

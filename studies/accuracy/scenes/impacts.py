@@ -1,7 +1,7 @@
-"""Scenes of bouncing balls: one ball with and without losses, and one ball on another.
+"""Scenes of bouncing balls: a ball with and without losses, and one ball on top of another.
 
-The work is the number of searches for contacts: one per step, or one per impact and frame. For a
-ball that is computed from its impacts alone, it is the number of heights.
+The work is the number of searches for contacts, which is one per step, or one per impact and frame.
+If the motion of a ball is computed from its impacts alone, the work is the number of heights.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ RADIUS = 0.1  # m
 
 
 class Balls:
-    """Balls above each other that start at rest. Heights are those of centers, lowest first."""
+    """Balls above each other that start at rest. Heights are those of the centers, lowest first."""
 
     def __init__(
         self, heights: Sequence[float], masses: Sequence[float], ground: float, pair: float
@@ -49,7 +49,7 @@ class Balls:
         return Detectors(ground, ParticlePairs(particles, RADIUS, self.pair))
 
     def places_at(self, times: Sequence[float]) -> list[Place]:
-        """Return the heights at these times, computed from impact to impact in plain numbers."""
+        """Return the heights at these times, computed in plain numbers from impact to impact."""
         heights, speeds, now = [*self.heights], [0.0] * len(self.heights), 0.0
         found = []
         for time in times:
@@ -113,14 +113,14 @@ def by_time_division(balls: Balls, frames: int, steps: int) -> Outcome:
 
 
 def by_its_impacts(balls: Balls, frames: int, _: int) -> Outcome:
-    """Compute a single ball only at the times at which its height is needed."""
+    """Compute the height of a single ball only at the times at which it is needed."""
     (height,) = balls.heights
     heights = heights_in_frames(height - RADIUS, 0.0, balls.ground, 1.0 / RATE, frames, G)
     return Outcome([(RADIUS + height,) for height in heights], frames)
 
 
 def by_resolver(integrator: Integrator, balls: Balls, frames: int, steps: int) -> Outcome:
-    """Make a step, then detect and resolve contacts."""
+    """Make a step, and then detect and resolve the contacts."""
     particles = balls.particles()
     detectors, resolver = balls.detectors(particles), ContactResolver()
     step = resolving(integrator, particles, [detectors], resolver.resolve_contacts)
@@ -132,7 +132,7 @@ def _heights(particles: list[Particle]) -> Place:
 
 
 def by_pymunk(balls: Balls, frames: int, steps: int) -> Outcome:
-    """Run the balls in pymunk, where restitution is the product of two elasticities."""
+    """Run the balls in pymunk, where the restitution is the product of two elasticities."""
     import pymunk
 
     space = pymunk.Space()
@@ -156,7 +156,7 @@ def by_pymunk(balls: Balls, frames: int, steps: int) -> Outcome:
 
 
 def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
-    """Return the scene of these balls with every model."""
+    """Return the scene of these balls, with every model."""
     exact = balls.places_at([frame / RATE for frame in range(1, frames + 1)])
 
     def truth(time: float) -> Place:
@@ -183,13 +183,16 @@ def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
 
 
 def bouncing_ball(restitution: float) -> Scene:
-    """Return a ball that is dropped from 2 m, for 3 s."""
+    """Return the scene of a ball that is dropped from 2 m and bounces, for 3 s."""
     balls = Balls((2.0 + RADIUS,), (1.0,), restitution, 1.0)
     return scene_of(f"bouncing ball, restitution {restitution:g}", balls, 180, 2.0)
 
 
 def two_balls() -> Scene:
-    """Return a light ball on a heavy ball, dropped from 1 m, for 1.5 s (exercise 7.3)."""
+    """Return the scene of a light ball on a heavy ball, both dropped from 1 m (exercise 7.3).
+
+    The scene takes 1.5 s.
+    """
     gap = 1e-3
     balls = Balls((1.0 + RADIUS, 1.0 + 3.0 * RADIUS + gap), (1.0, 0.1), 0.9, 0.8)
     return scene_of("a light ball dropped on a heavy one", balls, 90, 1.0)

@@ -1,4 +1,4 @@
-"""Scenes of rods: a pendulum, a double pendulum, a heavy tip on five rods, and a rope."""
+"""Scenes with rods: a pendulum, a double pendulum, a heavy tip on five rods, and a rope."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ ROUND_G = 10.0  # m/s^2, in the scenes of the pendulum and of the rope
 
 
 def pendulum() -> Scene:
-    """Return a pendulum of 1 m that is released horizontally, for 5 s."""
+    """Return the scene of a pendulum of 1 m that is released horizontally, for 5 s."""
     chain = Chain(1.0, [1.0], 0.5 * math.pi, ROUND_G, frames=300)
 
     def truth(time: float) -> Place:
@@ -46,7 +46,10 @@ def pendulum() -> Scene:
 
 
 def double_pendulum() -> Scene:
-    """Return two bobs of 1 kg on two rods of 1 m, both at 60 degrees at first, for 2 s."""
+    """Return the scene of two bobs of 1 kg on two rods of 1 m, for 2 s.
+
+    Both rods start at 60 degrees.
+    """
     chain = Chain(1.0, [1.0, 1.0], math.radians(60.0), G, frames=120)
 
     def by_two_angles(steps: int) -> Outcome:
@@ -59,14 +62,20 @@ def double_pendulum() -> Scene:
 
 
 def heavy_tip() -> Scene:
-    """Return a bob of 10 kg on five rods of 1 m with joints of 1 kg, at 60 degrees, for 2 s."""
+    """Return the scene of a bob of 10 kg on five rods of 1 m with joints of 1 kg, for 2 s.
+
+    The chain starts at 60 degrees.
+    """
     chain = Chain(1.0, [1.0, 1.0, 1.0, 1.0, 10.0], math.radians(60.0), G, frames=120)
     models = models_of(chain)
     return Scene("five rods, heavy tip", chain.frames, 1.0, chain.truth(), models, COUNTED)
 
 
 def rope() -> Scene:
-    """Return a rope of thirty rods of 0.1 m and 0.1 kg, released at 30 degrees, for 1 s."""
+    """Return the scene of a rope of thirty rods of 0.1 m and 0.1 kg, for 1 s.
+
+    It is released at 30 degrees.
+    """
     chain = Chain(0.1, [0.1] * 30, math.radians(30.0), ROUND_G, frames=60)
     steps = STEPS[:6]
 

@@ -1,4 +1,4 @@
-"""Scenes of nets: a bridge that swings, a bridge with a walker, and a net that catches a ball."""
+"""Scenes with nets: a swinging bridge, a bridge with a walker, and a net that catches a ball."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ from studies.accuracy.scenes.planes import (
 )
 from studies.accuracy.scenes.taut import Tie
 
-FINE = 8  # steps a frame, of our own run that the truth is compared with
+FINE = 8  # steps per frame of our own run, with which the truth is compared
 
 
 def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) -> Scene:
-    """Return the scene of a plane, which is built only when it is first run.
+    """Return the scene of a net in a plane. The net is built only when it is first run.
 
     SciPy computes the exact solution. ``differs`` compares it with a run of our own net in short
     steps.
@@ -65,7 +65,7 @@ def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) ->
 
 
 def bridge_ties() -> list[Tie]:
-    """Return the cables on one side of the rope bridge, as long as they appear from that side."""
+    """Return the cables of one side of the rope bridge, as long as they appear from that side."""
     return [(start, end, length, 1) for start, end, length in cables()]
 
 
@@ -88,10 +88,10 @@ def settled(plane: Plane, wind: float = 0.0) -> Plane:
 
 
 def swinging() -> Scene:
-    """Return one side of the bridge, which swings for 2 s after a steady wind has stopped.
+    """Return the scene of one side of the bridge, which swings for 2 s after a wind has stopped.
 
-    At first the side hangs at rest in a wind of 3 m/s^2. All of its cables stay taut, and there is
-    no damping.
+    At first, the side hangs at rest in a steady wind of 3 m/s^2. All of its cables stay taut, and
+    there is no damping.
     """
 
     def make() -> Plane:
@@ -101,10 +101,10 @@ def swinging() -> Scene:
 
 
 def walked_over() -> Scene:
-    """Return one side of the bridge, with a ball that walks across it at 2 m/s for 3.6 s.
+    """Return the scene of one side of the bridge, across which a ball walks at 2 m/s for 3.6 s.
 
-    The ball has 5 kg. This side carries half of its weight, which is divided between the two rows
-    beside the ball. All cables stay taut.
+    The ball has a mass of 5 kg. This side carries half of its weight, which is divided between the
+    two rows beside the ball. All cables stay taut.
     """
 
     def make() -> Plane:
@@ -115,12 +115,13 @@ def walked_over() -> Scene:
 
 
 def catching() -> Scene:
-    """Return a net of 6 by 6 knots between two poles that catches a ball of 1 kg, for 0.6 s.
+    """Return the scene of a net of 6 by 6 knots that catches a ball of 1 kg, for 0.6 s.
 
-    Each knot has 0.2 kg. The horizontal cables are 0.55 m long in the top row and 0.59 m long in
-    the rows below it, where they hang slack. Vertical cables of 0.45 m connect each knot to the
-    knot below it. The ball falls 0.3 m and lands slightly off center. It collides with the knots of
-    the upper two rows that come within its radius of 0.5 m.
+    The net hangs between two poles, and each knot has a mass of 0.2 kg. The horizontal cables are
+    0.55 m long in the top row. In the rows below it they are 0.59 m long and hang slack. Vertical
+    cables of 0.45 m connect each knot to the knot below it. The ball falls 0.3 m and lands slightly
+    off center. It collides with those knots of the upper two rows that come within its radius of
+    0.5 m.
     """
     size, gap, radius = 6, 0.5, 0.5
 

@@ -1,7 +1,8 @@
-"""Run a net in a plane: its exact motion, our nets of order 2 and 4, and pymunk's slide joints.
+"""Run a net in a plane: by its exact motion, by our nets, and by pymunk's slide joints.
 
-The work is the number of links that are solved for. A net of order 4 solves for all of its links
-four times per step. Pymunk solves for its joints in every iteration of a step.
+Our nets have order 2 or 4. The work is the number of links that are solved for. A net of order 4
+solves for all of its links four times per step. Pymunk solves for its joints in every iteration of
+a step.
 """
 
 from __future__ import annotations
@@ -45,7 +46,7 @@ class Plane:
     gravity: float = 9.81
 
     def load(self, time: float, places: Any) -> Any:
-        """Return the weights of all knots in N, including the weight of the walker."""
+        """Return the weights of all knots in N. The weight of the walker is included."""
         forces = numpy.outer(self.masses, (0.0, -self.gravity))
         if self.walker:
             start, pace, weight = self.walker
@@ -83,7 +84,7 @@ class Plane:
 
 
 def borne(xs: Sequence[float], x: float) -> tuple[int, float]:
-    """Return the index of the knot behind a walker, and the progress to the next knot (0 to 1)."""
+    """Return the index of the knot behind a walker, and the progress to the next (0 to 1)."""
     knot = sum(x >= other for other in xs[1:-1])
     return knot, min(max((x - xs[knot]) / (xs[knot + 1] - xs[knot]), 0.0), 1.0)
 
@@ -106,7 +107,7 @@ class Walker:
 
 
 def made(plane: Plane, kind: type[DirectNet] | type[SmoothNet]) -> tuple[list[Particle], Any]:
-    """Return the knots of a new net, and a function that makes one step of the net."""
+    """Return the knots of a new net, and a function that advances the net by one step."""
     knots = plane.particles()
     registry, walkers = ForceRegistry(), []
     if plane.walker:

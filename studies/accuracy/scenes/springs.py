@@ -1,4 +1,4 @@
-"""Scenes of one body on a spring: along a line with four stiffnesses, and an elastic pendulum."""
+"""Scenes of a body on a spring: on a line with four stiffnesses, and as an elastic pendulum."""
 
 from __future__ import annotations
 
@@ -36,7 +36,10 @@ FRAMES = 120
 
 
 def spring(stiffness: float, damping: float) -> Scene:
-    """Return a body of 1 kg that is released 1 m from the anchor of a spring of rest length 0."""
+    """Return the scene of a body of 1 kg that is released 1 m from the anchor of a spring.
+
+    The rest length of the spring is 0.
+    """
 
     def place_at(time: float) -> Place:
         return damped_spring_state(1.0, 0.0, stiffness, damping, 1.0, time)[0], 0.0
@@ -86,9 +89,11 @@ def spring(stiffness: float, damping: float) -> Scene:
 
 
 def elastic_pendulum() -> Scene:
-    """Return a body of 1 kg that swings on an undamped spring of 200 N/m and 1 m, for 2 s.
+    """Return the scene of a body of 1 kg that swings on an undamped spring, for 2 s.
 
-    It starts beside the anchor, at 1.2 m, with 1.5 m/s upward. Its motion has no closed form.
+    The spring has a stiffness of 200 N/m and a rest length of 1 m. The body starts beside the
+    anchor, at a distance of 1.2 m, and moves upward at 1.5 m/s. There is no closed form for its
+    motion.
     """
     stiffness, rest, gravity = 200.0, 1.0, 9.81
     place, velocity = (1.2, 0.0), (0.0, 1.5)
@@ -130,7 +135,7 @@ def elastic_pendulum() -> Scene:
 
 
 def by_solver(solver: Solver, stiffness: float, damping: float, steps: int) -> Outcome:
-    """Step a linear spring with a solver, which evaluates one formula per step."""
+    """Step a linear spring with a solver, which evaluates one formula in each step."""
     x, v = 1.0, 0.0
 
     def step(duration: float) -> None:
@@ -140,7 +145,7 @@ def by_solver(solver: Solver, stiffness: float, damping: float, steps: int) -> O
     return Outcome(in_frames(step, lambda: (x, 0.0), FRAMES, steps), FRAMES * steps)
 
 
-# All springs have a tenth of critical damping, c = 0.2 sqrt(k), except for one with a hundredth.
+# The springs have a tenth of critical damping, c = 0.2 sqrt(k), but one has a hundredth of it.
 SPRINGS: list[Callable[[], Scene]] = [
     *(partial(spring, k, 0.2 * math.sqrt(k)) for k in (10.0, 100.0, 1e4)),
     partial(spring, 1e6, 20.0),

@@ -1,13 +1,13 @@
-"""Compute the exact motion of cables in a plane with SciPy, from event to event.
+"""Compute the exact motion of cables in a plane with SciPy, from one event to the next.
 
-The computation shares no code with the engine, so it is an independent test of it. As long as the
-same cables are taut, the positions follow from ordinary differential equations, in which the
+The computation shares no code with the engine, so it is an independent test of the engine. As long
+as the same cables are taut, the positions follow from ordinary differential equations, in which
 tensions keep the taut cables at their lengths. This phase ends when a tension drops to zero, or
 when a slack cable reaches its full length. After that, a different set of cables is taut, and the
 velocities may jump.
 
-Both the new set and the jump are found by solving a least-squares problem whose unknowns, the
-tensions, must not be negative. The reason is that an impact without bounce removes as little
+Both the new set and the jump are found by solving a least-squares problem in which the unknowns,
+the tensions, must not be negative. This works because an impact without bounce removes as little
 kinetic energy as possible (Moreau, in Nonsmooth Mechanics and Applications, 1988). SciPy has a
 solver for such problems.
 """
@@ -24,7 +24,7 @@ from scipy.optimize import nnls  # type: ignore[import-untyped]
 # From which knot, or anchor, to which knot; the length in m; 1 for a cable, -1 for a strut.
 Tie = tuple[int | tuple[float, float], int, float, int]
 Load = Callable[[float, Any], Any]  # the forces in N on all knots, at a time and at their positions
-NEAR, SLOW = 1e-9, 1e-9  # m and m/s: what is at its limit
+NEAR, SLOW = 1e-9, 1e-9  # m and m/s; a tie this close to its limit is at its limit
 EVENTS = 2000
 
 
@@ -139,4 +139,4 @@ class TautMotion:
                 return numpy.array(found)[:, : len(self.inverse)]
             time, state = float(got.t_events[0][0]), got.y_events[0][0]
             self.events += 1
-        raise ArithmeticError("there is no end of impacts")
+        raise ArithmeticError("the impacts do not come to an end")

@@ -222,7 +222,7 @@ def test_reports_of_others_are_moved_aside_and_not_lost(
     for name in ("results/bob.json", "feedback/bob.html", "gradescope/bob/results.json"):
         assert not (out / name).exists()
         assert (out / "earlier" / name).exists()
-    assert "Students not in this class: 1. See " in capsys.readouterr().out
+    assert "Reports of students outside this class: 1, moved to " in capsys.readouterr().out
 
 
 def test_an_empty_submission_is_noted(

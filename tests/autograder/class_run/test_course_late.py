@@ -115,7 +115,7 @@ def test_an_extension_moves_the_due_date_of_one_student() -> None:
 @pytest.mark.parametrize(
     ("said", "words"),
     [
-        (None, "No time of submission is known, so there is no penalty."),
+        (None, "The submission time is unknown, so there is no penalty."),
         (HandedIn("Canvas", late=True), "late, but not by how much, so there is no penalty."),
     ],
 )
@@ -203,7 +203,7 @@ def test_the_instructor_hears_of_unknown_times_and_of_extensions_that_fit_nobody
     assert (late["bob"].days, late["bob"].deduction) == (None, 0)
     first, second, third = notes
     assert first == "Extension for 'anne': no submission has this name. Did you mean ann?"
-    assert second.startswith("No time of submission is known for 1 of 2 students")
+    assert second.startswith("The submission time is unknown for 1 of 2 students")
     assert second.endswith(f"bob. To add times, write {tmp_path / 'times.csv'}.")
     assert third == "Late: 1, of which 1 lose points."
 

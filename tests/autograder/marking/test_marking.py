@@ -144,7 +144,7 @@ def test_the_server_knows_its_own_page_alone_and_no_names(address: str, folder: 
     ):
         answer = ask(address, "marks.json", bad)
         assert answer.code == 400, bad
-        assert "this is no mark" in json.loads(answer.body)["why"]
+        assert "this is not a valid mark" in json.loads(answer.body)["why"]
     assert not (folder / "marks.csv").exists()
 
     saved = ask(address, "marks.json", good)

@@ -56,8 +56,12 @@ def test_discrimination_is_the_correlation_with_the_rest(all_or_nothing: bool) -
     ("own", "rest", "reason"),
     [
         ([0.0, 1.0] * 9 + [1.0], range(19), "19 students: fewer than 20 are too few"),
-        ([1.0] * 20, range(20), "no students have another score than the others"),
-        ([0.0] * 2 + [1.0] * 18, range(20), "2 students have another score than the others"),
+        ([1.0] * 20, range(20), "no students have a different score than most"),
+        (
+            [0.0] * 2 + [1.0] * 18,
+            range(20),
+            "2 students have a different score than most",
+        ),
         ([0.0, 1.0] * 10, [5.0] * 20, "all students have the same score for the rest"),
     ],
 )
@@ -136,7 +140,7 @@ def test_the_page_shows_the_class_without_names(tmp_path: Path) -> None:
     shown = f"{r:.2f} ({low:.2f} to {high:.2f}) ▼ low".replace("-", "−")  # noqa: RUF001
     assert rows["2.2 Angles"] == ["", "10", "10", "0", "62 %", shown]
     assert rows["B2.1 Copy"] == ["", "12", "0", "8", "60 %", shown]
-    nobody = "none: no students have another score than the others"
+    nobody = "none: no students have a different score than most"
     assert rows["B3.1 Mass"] == ["", "20", "0", "0", "100 %", nobody]
     assert rows["2.3 Why"][:5] == ["", "0", "0", "0", "–"]  # noqa: RUF001
     read = "book 2.1.4; lesson of chapter 2, at 2.2"

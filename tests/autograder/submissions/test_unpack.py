@@ -105,7 +105,7 @@ def test_nothing_of_ones_own_is_overwritten(tmp_path: Path) -> None:
     zipped = class_zip(tmp_path, {"ann.zip": WORK})
     (tmp_path / "lab1").mkdir()
     (tmp_path / "lab1/mine.txt").touch()
-    with pytest.raises(ValueError, match="already there, but not unpacked"):
+    with pytest.raises(ValueError, match="already exists, but was not unpacked"):
         class_folder(zipped)
     (tmp_path / "lab1/mine.txt").unlink()
     class_folder(zipped)

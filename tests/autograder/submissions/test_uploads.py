@@ -168,7 +168,7 @@ def test_a_grade_over_the_maximum_does_not_stop_moodle(tmp_path: Path) -> None:
     paths, lines = write_uploads(tmp_path, CHAPTERS, people, reports, Column("Lab 1"))
     assert import_into_moodle(rows_of(paths[1]), "ID number")["77"] == 100.0
     assert import_into_canvas(rows_of(paths[0]))[0][77] == "14.5"
-    assert "Grades over 100: 1. Moodle would refuse them, so they are 100 there." in lines
+    assert "Grades over 100: 1. Moodle would reject them, so they are imported as 100." in lines
 
 
 def test_those_outside_the_roster_are_left_out_and_named(tmp_path: Path) -> None:
@@ -187,7 +187,7 @@ def test_answers_that_wait_are_reported(tmp_path: Path) -> None:
     people, reports = a_class()
     reports[0] = report_of("Ann Lee", waiting=3)
     _, lines = write_uploads(tmp_path, CHAPTERS, people, reports, Column())
-    assert lines[-1].startswith("Students with answers that wait for a person: 2.")  # and Cy
+    assert lines[-1].startswith("Students with answers that are not marked yet: 2.")  # and Cy
 
 
 def test_without_a_roster_there_is_only_the_worksheet_of_a_class_from_moodle(

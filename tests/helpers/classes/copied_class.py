@@ -1,7 +1,8 @@
-"""Make a class whose students have solved exercises on their own, except for a few who copied.
+"""Make a class in which most students solved the exercises themselves, and a few copied.
 
-Right bodies are the reference's and Ada's, wrong ones are those of wrong.toml and of the sample
-class. Each student writes them in an own style, gets some of them wrong, and leaves some out.
+Correct functions come from the reference and from Ada. Wrong functions come from wrong.toml and
+from the sample class. Each student writes in a personal style, gets some functions wrong, and
+leaves some out.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from autograder.manifest import ROOT, Chapter, load_chapters
 from restyled import Student, disguised
 from wrong import body_of, read_wrong
 
-COPIED = 0.85  # of the exercises; the others are the copier's own
+COPIED = 0.85  # fraction of the exercises; the others are the copier's own work
 Bodies = dict[tuple[str, str], str]  # by file, such as ch02_vectors/vector.py, and function
 Files = dict[str, str]
 
@@ -25,7 +26,7 @@ Files = dict[str, str]
 def copied_class(
     chapters: Sequence[Chapter], seed: int, size: int = 40, copiers: int = 10
 ) -> tuple[list[Files], list[tuple[int, int]]]:
-    """Return the files of each student, and the pairs of a student and who copied from that one."""
+    """Return the files of each student, and the pairs (source, copier)."""
     rng = Random(seed)
     students = [_solved(chapters, rng) for _ in range(size)]
     order = rng.sample(range(size), 2 * copiers)
@@ -36,7 +37,7 @@ def copied_class(
 
 
 def _solved(chapters: Sequence[Chapter], rng: Random) -> Bodies:
-    """Return what a student has written."""
+    """Return the functions that a student has written without copying."""
     student = Student(rng)
     skill, diligence = rng.choice([0.6, 0.8, 0.9, 0.95, 1.0]), rng.choice([0.5, 0.7, 0.9, 1.0, 1.0])
     bodies = {}
@@ -54,7 +55,7 @@ def _solved(chapters: Sequence[Chapter], rng: Random) -> Bodies:
 
 
 def _copied(chapters: Sequence[Chapter], source: Bodies, own: Bodies, rng: Random) -> Bodies:
-    """Return what a student hands in who has copied most of it."""
+    """Return the functions of a student who has copied most of them from ``source``."""
     bodies = {}
     for chapter in chapters:
         for exercise in chapter.exercises:
@@ -68,7 +69,7 @@ def _copied(chapters: Sequence[Chapter], source: Bodies, own: Bodies, rng: Rando
 
 
 def _files(chapters: Sequence[Chapter], bodies: Bodies) -> Files:
-    """Return the stubs with these bodies in them."""
+    """Return the stubs in which these bodies have been filled in."""
     files = {}
     for chapter in chapters:
         for name in chapter.edited_files:
@@ -78,7 +79,7 @@ def _files(chapters: Sequence[Chapter], bodies: Bodies) -> Files:
             found = functions(ast.parse(source))
             mine = [(found[n], body) for (path, n), body in bodies.items() if path == file]
             for function, body in sorted(mine, key=lambda pair: -pair[0].lineno):
-                first = function.body[0]  # the docstring, of which each stub has one
+                first = function.body[0]  # the docstring, which every stub has
                 indent = " " * first.col_offset
                 new = textwrap.indent(body, indent).split("\n")
                 lines[first.end_lineno : function.end_lineno] = new
@@ -88,7 +89,7 @@ def _files(chapters: Sequence[Chapter], bodies: Bodies) -> Files:
 
 @cache
 def _known_bodies(name: str) -> tuple[dict[tuple[str, str], list[str]], ...]:
-    """Return the right and the wrong bodies of a chapter's functions."""
+    """Return the correct and the wrong bodies that are known for a chapter's functions."""
     (chapter,) = (chapter for chapter in load_chapters() if chapter.name == name)
     right: dict[tuple[str, str], list[str]] = {}
     wrong: dict[tuple[str, str], list[str]] = {}
@@ -109,7 +110,7 @@ def _known_bodies(name: str) -> tuple[dict[tuple[str, str], list[str]], ...]:
 
 
 def _bodies_in(source: str) -> Iterator[tuple[str, str]]:
-    """Yield the functions of a module that somebody has written, with their bodies."""
+    """Yield the functions in a module that are not stubs, with their bodies."""
     for name, function in functions(ast.parse(source)).items():
         statements = function.body[1:] if ast.get_docstring(function) else function.body
         body = "\n".join(map(ast.unparse, statements))

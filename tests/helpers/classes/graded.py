@@ -1,4 +1,4 @@
-"""A small invented class with its reports, for tests of the pages and files made from them."""
+"""A small invented class with its reports, for testing the pages and files made from reports."""
 
 from __future__ import annotations
 
@@ -57,12 +57,12 @@ def check(
 
 
 def message_of(check: dict[str, Any]) -> str:
-    """Return the message of a check in the JSON of a report, as people read it."""
+    """Return the message of a check in a report's JSON data, formatted for people to read."""
     return str(from_json(Message, check["message"]))
 
 
 def report_of(student: str = "ada", **changes: Any) -> StudentReport:
-    """Return a report with an exercise of each kind: passed, failed, waiting and inherited."""
+    """Return a report with one exercise of each kind: passed, failed, waiting and inherited."""
     statuses: list[tuple[ExerciseStatus, float | None, float | None]]
     statuses = [("passed", 2.0, 2.0), ("failed", 1.0, 1.0), ("waiting", None, None)]
     statuses.append(("inherited", 0.0, 5.0))
@@ -113,14 +113,14 @@ def report_of(student: str = "ada", **changes: Any) -> StudentReport:
 
 
 def with_exercise(report: StudentReport, number: int, **changes: Any) -> StudentReport:
-    """Return a report with one of its exercises changed."""
+    """Return a copy of a report in which one exercise has been changed."""
     exercises = [*report.exercises]
     exercises[number] = replace(exercises[number], **changes)
     return replace(report, exercises=exercises)
 
 
 def with_words(report: StudentReport, text: str) -> StudentReport:
-    """Return a report in which every check has this text as its name and its message."""
+    """Return a copy of a report in which every check has this text as its name and its message."""
     exercises = [
         replace(e, checks=[replace(c, name=text, message=Message(text)) for c in e.checks])
         for e in report.exercises
@@ -148,7 +148,7 @@ def nothing_done(student: str = "eli") -> StudentReport:
 
 
 def hostile(student: str = SHOUT + NASTY) -> StudentReport:
-    """Return a report in which every untrusted text tries to break out of its place on the page."""
+    """Return a report in which every untrusted text tries to inject something into the page."""
     text = SHOUT + NASTY + "x" * 20_000
     report = report_of(student, notes=[text], seed=text, isolation=text, by_hand=1.0, waiting=0)
     return with_exercise(with_words(report, text), 2, status="marked", score=1.0, comment=text)

@@ -1,6 +1,6 @@
-"""Write a function's body as another student would, or as somebody would who hides a copy.
+"""Rewrite the body of a function as another student, or a student who hides a copy, would do.
 
-What the body does stays the same, except that a student's habits may touch the last digit of a sum.
+The new body does the same as the old one, except that the last digit of a sum may change.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ Body = list[ast.stmt]
 
 
 class Student(ast.NodeTransformer):
-    """A student with habits: ways to write an expression, and how often each is used."""
+    """A student's habits: different ways to write an expression, and how often each is used."""
 
     def __init__(self, rng: Random) -> None:
         self.rng = rng
@@ -50,7 +50,10 @@ class Student(ast.NodeTransformer):
         return self.rng.random() < self.habits[habit]
 
     def write(self, source: str, parameters: Iterable[str] = ()) -> str:
-        """Return the body of a function with these parameters, in this student's style."""
+        """Return a function's body in this student's style.
+
+        ``parameters`` are those of the function.
+        """
         body = parsed(source)
         if self.does("inline"):
             body = inlined(body)
@@ -91,7 +94,7 @@ class Student(ast.NodeTransformer):
         return node
 
     def parted(self, body: Body) -> Body:
-        """Return the body with its statements parted in this student's way."""
+        """Split the statements of a body into smaller ones, as this student would."""
         out: Body = []
         for i, statement in enumerate(body):
             for field in ("body", "orelse"):
@@ -112,7 +115,7 @@ class Student(ast.NodeTransformer):
         return out
 
     def ended(self, statement: ast.stmt, rest: Body) -> Body | None:
-        """Return another end for a body that ends with an if that returns; None to leave it."""
+        """Return another form of a body's end in which an if returns, or None to keep the end."""
         match statement, rest:
             case ast.If(body=[ast.Return(value=ast.expr() as a)], orelse=[]), [
                 ast.Return(value=ast.expr() as b)
@@ -127,7 +130,10 @@ class Student(ast.NodeTransformer):
         return None
 
     def named_parts(self, value: ast.Call | ast.BinOp) -> Body:
-        """Give names to the parts of an expression; return the statements before it."""
+        """Give names to the parts of an expression.
+
+        Return the statements that must come before it.
+        """
         before: Body = []
 
         def named(part: ast.expr) -> ast.expr:
@@ -146,12 +152,15 @@ class Student(ast.NodeTransformer):
 
 
 def disguised(source: str, rng: Random, parameters: Iterable[str] = ()) -> str:
-    """Return a body with its variables renamed, statements reordered and comments changed."""
+    """Return a body whose variables are renamed, whose statements are reordered, and so on.
+
+    Comments are changed as well.
+    """
     return written(renamed(reordered(parsed(source), rng), rng, parameters), rng)
 
 
 def renamed(body: Body, rng: Random, parameters: Iterable[str]) -> Body:
-    """Give the local variables other names, but not the parameters."""
+    """Rename the local variables of a body, but not its parameters."""
     nodes = [node for statement in body for node in ast.walk(statement)]
     names = [node for node in nodes if isinstance(node, ast.Name)]
     used = {name.id for name in names} | {*dir(builtins)}
@@ -166,7 +175,7 @@ def renamed(body: Body, rng: Random, parameters: Iterable[str]) -> Body:
 
 
 def reordered(body: Body, rng: Random) -> Body:
-    """Swap most neighbors that do not depend on each other."""
+    """Swap most pairs of neighboring statements that do not depend on each other."""
     body = [*body]
     for i in range(len(body) - 1):
         if independent(body[i], body[i + 1]) and rng.random() < 0.7:
@@ -196,7 +205,7 @@ def names_in(statement: ast.stmt) -> set[str]:
 
 
 def inlined(body: Body) -> Body:
-    """Put a value that is used once, in the statement below, into its place."""
+    """Replace variables that are used once, in the next statement, by their values."""
     out = [*body]
     i = 0
     while i < len(out) - 1:
@@ -212,7 +221,7 @@ def inlined(body: Body) -> Body:
 
 
 def hoisted(body: Body) -> Body:
-    """Read attributes of self that are used several times, and never set, into variables."""
+    """Store attributes of self that are read several times, and never set, in local variables."""
     nodes = [node for statement in body for node in ast.walk(statement)]
     own = [n for n in nodes if isinstance(n, ast.Attribute) and ast.unparse(n.value) == "self"]
     called = {id(node.func) for node in nodes if isinstance(node, ast.Call)}
@@ -227,7 +236,7 @@ def hoisted(body: Body) -> Body:
 
 
 class Replaced(ast.NodeTransformer):
-    """Put expressions into the place of names, or of attributes of self."""
+    """Replaces names, or attributes of self, by expressions."""
 
     def __init__(self, new: dict[str, ast.expr]) -> None:
         self.new = new
@@ -255,7 +264,7 @@ def parsed(source: str) -> Body:
 
 
 def written(body: Iterable[ast.stmt], rng: Random) -> str:
-    """Return the source of a body, with a comment here and there."""
+    """Return the source code of a body, with a few comments added."""
     lines: list[str] = []
     for statement in body:
         if rng.random() < 0.2:

@@ -1,4 +1,4 @@
-"""A repository with one small chapter of four checks, for the tests of the tools."""
+"""A repository with a single small chapter of four checks, for testing the tools."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def quadruple(x):
 
 
 def make_root(folder: Path) -> Path:
-    """Make the repository in a new folder, including its reference."""
+    """Create the repository, including its reference, in a new folder."""
     for name, text in (
         ("chapters/ch90_small/chapter.toml", MANIFEST),
         ("solutions/ch90_small/small.py", RIGHT),
@@ -100,7 +100,7 @@ def make_root(folder: Path) -> Path:
 
 
 def make_students_root(folder: Path) -> Path:
-    """Make the student's part of the repository: the stub, the checks and the tools."""
+    """Create the part of the repository that students have: the stub, the checks and the tools."""
     make_root(folder)
     shutil.rmtree(folder / "solutions")
     (folder / "chapters/ch90_small/small.py").write_text(STUB, encoding="utf-8")
@@ -113,6 +113,6 @@ def make_students_root(folder: Path) -> Path:
 
 
 def hand_in(folder: Path, student: str, code: str) -> None:
-    """Put a student's code into the folder of a class."""
+    """Write a student's code into the folder of a class."""
     (folder / student / "ch90_small").mkdir(parents=True)
     (folder / student / "ch90_small/small.py").write_text(code, encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Grade a class of the small chapter in this process, and read its results."""
+"""Grade a class that has solved the small chapter, in this process, and read the results."""
 
 from __future__ import annotations
 
@@ -16,7 +16,10 @@ HALF = RIGHT.replace("4 * x", "3 * x")
 
 
 def make_class(folder: Path) -> Path:
-    """Make a class of three: right, half right, and right in a zip with a folder around it."""
+    """Make a class of three: a correct one, a half correct one, and a correct one in a zip.
+
+    The zip contains a folder around the files.
+    """
     hand_in(folder, "ann", RIGHT)
     hand_in(folder, "bob", HALF)
     with zipfile.ZipFile(folder / "cem.zip", "w") as zipped:

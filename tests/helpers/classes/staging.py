@@ -48,17 +48,17 @@ posix = pytest.mark.skipif(os.name != "posix", reason="only POSIX has modes, pip
 
 
 def only(why: str) -> Outcome:
-    """Return the outcome for a submission whose only file was not taken."""
+    """Return the outcome for a submission whose only file was rejected."""
     return {}, {VECTOR: why}, []
 
 
 def refused(why: str) -> Outcome:
-    """Return the outcome for a submission that was refused as a whole, with the note on it."""
+    """Return the outcome for a submission that was rejected as a whole, with a note on it."""
     return {}, dict.fromkeys(EDITED, why), [f"nothing was taken: {why}"]
 
 
 def boxed(submission: Path, root: Path = ROOT) -> Outcome:
-    """Stage a submission into a new box, and return the outcome."""
+    """Copy a submission into a new box with ``stage``, and return the outcome."""
     box = Path(tempfile.mkdtemp(dir=submission.parent, prefix=".box-"))
     staged = stage(submission, CHAPTERS, box, root)
     files = {str(p.relative_to(box)): p.read_bytes() for p in box.rglob("*") if p.is_file()}
@@ -90,7 +90,7 @@ def make_zip(folder: Path, files: dict[str, bytes], method: int = zipfile.ZIP_DE
 
 
 def zip_of(files: Mapping[Any, bytes]) -> bytes:
-    """Return the content of a zip with these files, keyed by their names or ZipInfos."""
+    """Return the contents of a zip with these files, keyed by their names or ZipInfos."""
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as file:
         for name, data in files.items():
@@ -101,7 +101,7 @@ def zip_of(files: Mapping[Any, bytes]) -> bytes:
 def special_zip(
     folder: Path, name: str = VECTOR, mode: int = 0o100644, extra: bytes = b"", **fields: int
 ) -> Path:
-    """Make a zip with one stored file, and set fields of its directory to other values."""
+    """Create a zip with one uncompressed file, and then change some fields of its directory."""
     info = zipfile.ZipInfo(name)
     info.create_system, info.external_attr, info.extra = 3, mode << 16, extra
     with zipfile.ZipFile(folder / "ann.zip", "w") as file:
@@ -110,7 +110,7 @@ def special_zip(
 
 
 def set_fields(path: Path, **fields: int) -> Path:
-    """Set fields of a zip's directory to other values, in the entry of its last file."""
+    """Change some fields in a zip's directory, in the entry of its last file."""
     data = bytearray(path.read_bytes())
     short = {"version": 6, "flags": 8, "method": 10}
     long = {"crc": 16, "packed": 20, "size": 24, "offset": 42}

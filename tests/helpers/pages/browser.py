@@ -1,9 +1,10 @@
-"""A real browser for tests: Debian's Chromium, driven by Playwright.
+"""A real browser for tests: Debian's Chromium, controlled by Playwright.
 
 It is Chromium's headless shell if that is installed, because without windows a test takes two
 thirds of the processor time. Otherwise it is Chromium itself.
 
-If either of them is missing, a test is skipped. It fails if the environment variable CI is set.
+If one of them is missing, the tests that need a browser are skipped. If the environment variable CI
+is set, they fail instead.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ CHROMIUM = next(filter(None, map(shutil.which, COMMANDS)), "")
 
 
 def missing() -> str:
-    """Return why no browser can be used here, or an empty string if one can."""
+    """Return the reason why no browser can be used here, or an empty string if one can."""
     try:
         import playwright  # noqa: F401
     except ImportError:
@@ -38,17 +39,17 @@ def browser() -> Iterator[Any]:
 
 
 def browser_alone() -> Iterator[Any]:
-    """Yield a browser that finds no host but this machine, for a fixture."""
+    """Yield a browser that can reach no other host than this machine, for a fixture."""
     yield from launched("--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1")
 
 
 def launched(*arguments: str) -> Iterator[Any]:
-    """Yield a browser with further arguments."""
+    """Yield a browser that was started with additional arguments."""
     need(missing())
     from playwright.sync_api import sync_playwright
 
     with sync_playwright() as driver:
-        # Chromium's sandbox needs rights that containers do not give, and the pages are our own.
+        # Chromium's sandbox needs rights that containers lack. It is not needed for our own pages.
         command = ["--no-sandbox", *arguments]
         opened = driver.chromium.launch(executable_path=CHROMIUM, args=command)
         yield opened
@@ -56,7 +57,7 @@ def launched(*arguments: str) -> Iterator[Any]:
 
 
 def need(missing: str) -> None:
-    """Skip the test where something is missing; in CI it fails."""
+    """Skip the current test if something is missing. In CI, fail instead."""
     if missing:
         if os.environ.get("CI"):
             pytest.fail(missing)

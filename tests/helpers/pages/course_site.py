@@ -1,4 +1,4 @@
-"""The course's site, built once for all processes of a test run, and served from a sub-path."""
+"""The course's site, which is built once for all processes of a test run and served locally."""
 
 from __future__ import annotations
 
@@ -26,13 +26,16 @@ BELOW = "some/where"  # the site must work from any path
 
 
 def built(factory: pytest.TempPathFactory) -> Path:
-    """Return a folder with the site below BELOW. The first process that asks builds it."""
+    """Return a folder with the site below BELOW.
+
+    The first process that needs it builds the site.
+    """
     need(missing())
     return _made_once(factory, "site", functools.partial(build, with_solutions=False))
 
 
 def built_with_solutions(factory: pytest.TempPathFactory) -> Path:
-    """Return a folder with the same pages, and the pack of `make site SOLUTIONS=1`."""
+    """Return a folder with the same pages, but with the pack that `make site SOLUTIONS=1` makes."""
     site = built(factory) / BELOW
 
     def make(below: Path) -> None:
@@ -46,7 +49,7 @@ def built_with_solutions(factory: pytest.TempPathFactory) -> Path:
 
 
 def _made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path], object]) -> Path:
-    """Return a folder that all processes share. The first one makes what is below BELOW."""
+    """Return a folder that all processes share. The first process fills the part below BELOW."""
     shared = factory.getbasetemp()
     if os.environ.get("PYTEST_XDIST_WORKER"):
         shared = shared.parent
@@ -61,19 +64,19 @@ def _made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path]
 
 
 class Quiet(SimpleHTTPRequestHandler):
-    """Serves files without a word."""
+    """Serves files without printing a log."""
 
     def log_message(self, *_: object) -> None:
-        """Say nothing."""
+        """Print nothing."""
 
     def copyfile(self, source: Any, outputfile: Any) -> None:
-        """Send a file; a page that has been left does not want it any more."""
+        """Send a file. Ignore the error if the page that requested it has been closed."""
         with contextlib.suppress(ConnectionError):
             super().copyfile(source, outputfile)
 
 
 class Served:
-    """A server of a folder that can be stopped and started again at the same address."""
+    """A server for a folder, which can be stopped and started again at the same address."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
@@ -85,27 +88,27 @@ class Served:
         return f"http://127.0.0.1:{self.port}/{BELOW}/"
 
     def start(self) -> None:
-        """Serve from now on."""
+        """Start to serve the folder."""
         handler = functools.partial(Quiet, directory=str(self.folder))
         self.server = ThreadingHTTPServer(("127.0.0.1", self.port), handler)
         self.port = self.server.server_address[1]
         threading.Thread(target=self.server.serve_forever, daemon=True).start()
 
     def stop(self) -> None:
-        """Answer nothing any more."""
+        """Stop the server, so that requests are no longer answered."""
         self.server.shutdown()
         self.server.server_close()
 
 
 def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
-    """Yield the site, served, for a fixture."""
+    """Yield a server of the site, for a fixture."""
     with served_site(built(tmp_path_factory)) as server:
         yield server
 
 
 @contextlib.contextmanager
 def served_site(folder: Path) -> Iterator[Served]:
-    """Serve a folder that ``built`` has returned."""
+    """Yield a server of a folder that ``built`` has returned."""
     server = Served(folder)
     try:
         yield server

@@ -1,4 +1,4 @@
-"""The engines of the site's pages in Node: the page's own scripts, and Pyodide in their workers."""
+"""Run the engines of the site's pages in Node, with the page's own scripts and with Pyodide."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ SCRIPT = ROOT / "tests" / "web" / "engines.mjs"
 
 
 class NodeEngines:
-    """A process of Node with the engines of a site."""
+    """A Node process that runs the engines of a site."""
 
     def __init__(self, site: Path) -> None:
         self.process = subprocess.Popen(
@@ -30,7 +30,7 @@ class NodeEngines:
         )
 
     def ask(self, what: str, **request: Any) -> dict[str, Any]:
-        """Send a request, and return the answer."""
+        """Send a request to the process, and return the answer."""
         assert self.process.stdin is not None
         assert self.process.stdout is not None
         print(json.dumps({"what": what, **request}), file=self.process.stdin, flush=True)
@@ -40,7 +40,7 @@ class NodeEngines:
     def check(
         self, files: dict[str, str], chapter: Chapter, exercise: str | None = None, **asked: Any
     ) -> dict[str, Any]:
-        """Return the report on a chapter or an exercise, as the page gets it."""
+        """Return the report on a chapter or an exercise, as the page receives it."""
         asked |= {"files": files, "chapter": chapter.name, "exercise": exercise}
         answer = self.ask("check", asked=asked)
         assert "report" in answer, answer.get("error")
@@ -61,7 +61,7 @@ class NodeEngines:
 
 
 def engines(tmp_path_factory: pytest.TempPathFactory) -> NodeEngines:
-    """Return the engines of the site, for a fixture: one process for all tests of ours."""
+    """Return the engines of the site, for a fixture. All tests share one process."""
     site = built(tmp_path_factory) / BELOW
     if site not in _running:
         _running[site] = NodeEngines(site)

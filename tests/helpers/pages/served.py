@@ -21,7 +21,7 @@ def served(*options: str, engine: str = "solutions") -> Iterator[str]:
 
 @contextlib.contextmanager
 def marking(submissions: Path, chapters: str) -> Iterator[str]:
-    """Serve the page for marking a class and yield its address, which ends with a slash."""
+    """Serve the marking page of a class, and yield its address, which ends with a slash."""
     options = ("--chapters", chapters, "--no-browser")
     with started("autograder", "mark", str(submissions), *options) as address:
         yield address
@@ -29,7 +29,7 @@ def marking(submissions: Path, chapters: str) -> Iterator[str]:
 
 @contextlib.contextmanager
 def started(*command: str) -> Iterator[str]:
-    """Run a module of ours that serves a page, and yield the first address that it prints."""
+    """Run one of our modules that serves a page, and yield the first address that it prints."""
     process = subprocess.Popen(
         [sys.executable, "-m", *command], cwd=ROOT, stdout=subprocess.PIPE, encoding="utf-8"
     )

@@ -1,4 +1,4 @@
-"""Pages of the site in a browser, and what a student does on them."""
+"""Open pages of the site in a browser, and perform a student's actions on them."""
 
 from __future__ import annotations
 
@@ -21,7 +21,10 @@ PASTE = """([text]) => {
 
 @contextmanager
 def visit(browser: Any, width: int = 1280, **options: Any) -> Iterator[Any]:
-    """Yield the context of a new visitor. No page may fail, or ask for another host."""
+    """Yield the browser context of a new visitor.
+
+    Fail if an error occurs on a page, or if a page requests anything from another host.
+    """
     context = browser.new_context(viewport={"width": width, "height": 900}, **options)
     context.set_default_timeout(60_000.0)  # ms; machines of CI are slow
     context.troubles, context.hosts = [], set()
@@ -35,14 +38,14 @@ def visit(browser: Any, width: int = 1280, **options: Any) -> Iterator[Any]:
 
 
 def visitor(browser: Any) -> Iterator[Any]:
-    """Yield the context of a visitor who has nothing stored yet, for a fixture."""
+    """Yield the browser context of a visitor who has no stored data yet, for a fixture."""
     with visit(browser) as context:
         yield context
 
 
 @contextmanager
 def everything_written(browser: Any, address: str, folder: Path) -> Iterator[Any]:
-    """Yield the page of a visitor who has brought all of the reference's files as a zip."""
+    """Yield the page of a visitor who has uploaded all of the reference's files as a zip."""
     with visit(browser) as context:
         page = context.new_page()
         upload(page, address, reference(), folder)
@@ -55,7 +58,7 @@ def _hear(context: Any, message: Any) -> None:
 
 
 def accessible(page: Any) -> None:
-    """Hold a page to axe's rules, and to the width of its window."""
+    """Assert that a page follows axe's rules and is not wider than its window."""
     from axe_playwright_python.sync_playwright import Axe
 
     # Observers, which let wide tables scroll with the keys, run at the end of a frame.
@@ -67,7 +70,7 @@ def accessible(page: Any) -> None:
 
 
 def turn(page: Any, exercise: str) -> Any:
-    """Return the panel of an exercise, with its editor."""
+    """Open the panel of an exercise, and return it with its editor."""
     panel = page.locator(f"#ex-{exercise.replace('.', '-')}")
     panel.scroll_into_view_if_needed()
     panel.locator(".cm-content, textarea").wait_for()
@@ -75,7 +78,7 @@ def turn(page: Any, exercise: str) -> Any:
 
 
 def write(page: Any, panel: Any, file: str, text: str) -> None:
-    """Replace all the text of a file in a panel's editor, as by select all and paste."""
+    """Replace the whole text of a file in a panel's editor, as by selecting all and pasting."""
     path = panel.locator(".editor").get_attribute("data-path") or ""
     if not path.endswith(f"/{file}"):
         panel.get_by_label("Show a file of the chapter").select_option(label=file)
@@ -86,7 +89,7 @@ def write(page: Any, panel: Any, file: str, text: str) -> None:
 
 
 def check(panel: Any, button: str = "Check") -> str:
-    """Press Check, and return what is said when the checks are done."""
+    """Press Check, wait until the checks are done, and return the text that is shown."""
     panel.get_by_role("button", name=button, exact=True).click()
     panel.locator(".result:not([aria-busy])").wait_for(state="attached")
     status = panel.locator("[role=status]")
@@ -99,7 +102,7 @@ def check(panel: Any, button: str = "Check") -> str:
 
 
 def rows(panel: Any) -> list[tuple[str, str]]:
-    """Return the labels and words of the failure that a panel shows."""
+    """Return the labels and texts of the failure that a panel shows."""
     read = """list => [...list.children].map(e => [e.tagName, e.textContent])"""
     found = panel.locator(".result .rows").evaluate(read)
     labeled: list[tuple[str, str]] = []
@@ -114,7 +117,7 @@ def rows(panel: Any) -> list[tuple[str, str]]:
 
 
 def upload(page: Any, address: str, texts: dict[str, str], folder: Path) -> None:
-    """Bring texts to the site as a zip, on its start page."""
+    """Upload these texts to the site as a zip, on its start page."""
     import zipfile
 
     archive = folder / "mine.zip"

@@ -1,4 +1,4 @@
-"""Check a chapter or an exercise for the page, by the same steps as make check."""
+"""Check a chapter or an exercise for the page, in the same way as make check."""
 
 from __future__ import annotations
 
@@ -23,29 +23,29 @@ from web.python.browser.past import Processes
 from web.python.browser.report import failure_to_page, report_of_written, report_to_page
 
 PERIOD = 0.1  # s between two reports of progress
-memories: dict[str, Memory] = {}  # by seed: the results of earlier chapters' checks
+memories: dict[str, Memory] = {}  # the results of earlier chapters' checks, keyed by seed
 
 
 class Progress(ProgressBar):
-    """A progress bar that reports to the page, but not more often than a reader can follow."""
+    """A progress bar that reports to the page, but no more often than a reader can follow."""
 
     def __init__(self, processes: Processes) -> None:
         self.processes = processes
         self.next = 0.0  # earliest time of the next report in seconds
 
     def show(self, done: int, of: int) -> None:
-        """Report how many checks are done, unless an earlier worker has reported this already."""
+        """Report how many checks are done, unless an earlier worker has already reported this."""
         if self.processes.is_live and (done == of or time.monotonic() >= self.next):
             post("progress", done=done, of=of)
             self.next = time.monotonic() + PERIOD
 
 
 class Runs:
-    """A callable that runs checks and remembers the results of other chapters.
+    """A callable that runs checks, and remembers the results of other chapters.
 
-    Running another chapter takes seconds, so the page is first shown the failure found in this
-    one. If a loop did not end, no other chapter is run: that failure already names the line, and
-    other chapters would run into the same loop.
+    It takes seconds to run another chapter, so the page first shows the failure that was found in
+    this chapter. If a loop does not end, no other chapter is run at all. The failure already names
+    the line, and the other chapters would run into the same loop.
     """
 
     def __init__(
@@ -72,7 +72,7 @@ class Runs:
         return self.memory(chapter, engine, **options)
 
     def show(self, engine: list[Path]) -> None:
-        """Show the page the first failure before the earlier chapters have been checked."""
+        """Send the first failure to the page before the earlier chapters are checked."""
         self.shown = True
         wanted = {verdict.exercise for verdict in self.found}
         results = [r for r in results_of(self.chapter, self.found) if r.exercise.id in wanted]
@@ -83,11 +83,11 @@ class Runs:
 
 
 def check(request: dict[str, Any], folder: Folder) -> dict[str, Any]:
-    """Return the report that the page asks for.
+    """Return the report for which the page asks.
 
     Raises:
-        ValueError: if the request cannot be met.
-        GraderError: if the checks themselves fail to run.
+        ValueError: The request is not valid.
+        GraderError: The checks could not be run.
     """
     chapters = load_chapters()
     chapter = _chapter(chapters, request["chapter"])
@@ -107,7 +107,7 @@ def check(request: dict[str, Any], folder: Folder) -> dict[str, Any]:
 
 
 def _chapter(chapters: list[Chapter], name: str) -> Chapter:
-    """Return the chapter of that name, or raise ValueError if there is none."""
+    """Return the chapter with this name, or raise ValueError if it does not exist."""
     for chapter in chapters:
         if chapter.name == name:
             return chapter

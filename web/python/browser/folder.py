@@ -1,4 +1,4 @@
-"""Keep the student's folder: the page's files replace the stubs where the commands expect them."""
+"""Maintain the student's folder, in which files from the page replace the stubs."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ TAKEN = re.compile(r"ch\d\d_[a-z0-9_]+/[^/]+")
 
 
 class Folder:
-    """A folder of chapters whose files are stubs until the page provides others."""
+    """A folder of chapters, whose files are stubs unless the page has provided others."""
 
     def __init__(self, folder: Path = CHAPTERS) -> None:
         self.folder = folder
@@ -25,10 +25,10 @@ class Folder:
         self.there = dict(self.stubs)
 
     def lay(self, files: Mapping[str, str]) -> None:
-        """Make the folder contain the page's files, and stubs for all others.
+        """Write the page's files into the folder, and stubs for all others.
 
         Raises:
-            ValueError: for a path that is not of the form chNN_name/name.
+            ValueError: A path does not have the form chNN_name/name.
         """
         for path in files:
             if not TAKEN.fullmatch(path):

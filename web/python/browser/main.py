@@ -1,4 +1,4 @@
-"""Start Python's part of the worker, and answer the page's messages one after the other."""
+"""Start the Python side of the worker, and answer messages from the page one at a time."""
 
 from __future__ import annotations
 
@@ -22,9 +22,10 @@ links: dict[int, Link] = {}
 
 
 def start() -> None:
-    """Prepare for messages, and report to the page that Python is ready.
+    """Prepare for messages, and tell the page that Python is ready.
 
-    The message includes the words that the page shows if Python can no longer explain a failure.
+    The message includes the texts that the page shows if Python itself can no longer explain a
+    failure.
     """
     os.chdir(ROOT)
     watchdog.install()
@@ -39,7 +40,7 @@ def start() -> None:
 
 
 def receive(text: str) -> None:
-    """Answer a message of the page."""
+    """Answer a message from the page."""
     message = json.loads(text)
     try:
         _answer(message)

@@ -1,4 +1,4 @@
-"""Use the worker from Python: send messages to the page, and start and stop the clock."""
+"""Communicate with the worker from Python: send messages, and start or stop the clock."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ def post(kind: str, **values: Any) -> None:
 
 
 def start_clock(seconds: float) -> None:
-    """Ask the worker to send the signal SIGALRM in this many seconds."""
+    """Ask the worker to send the signal SIGALRM after this many seconds."""
     worker.startClock(seconds)
 
 
 def stop_clock() -> None:
-    """Cancel the signal."""
+    """Tell the worker not to send the signal."""
     worker.stopClock()

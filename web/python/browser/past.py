@@ -1,8 +1,8 @@
 """Continue a run that another worker has begun, by first repeating what that worker reported.
 
-If a check does not end, the page has to stop its worker, but it keeps the reports of that worker.
-The new worker starts the run from the beginning. For checks whose results are known, it repeats the
-results instead of running the checks again.
+If a check does not end, the page has to stop the worker, but it keeps the worker's reports. A new
+worker then starts the run from the beginning. It repeats the results that are already known,
+instead of running those checks again.
 """
 
 from __future__ import annotations
@@ -30,10 +30,10 @@ from web.python.browser.watchdog import watchdog
 
 @dataclass(frozen=True)
 class Past:
-    """A process that an earlier worker ran: what it reported, and how it ended.
+    """A process that an earlier worker ran, with its reports and the way it ended.
 
     ``run`` names the chapter and the checks that the process was meant to run. ``left`` is the time
-    in seconds that remained for all checks when the process began, and ``seconds`` is how long it
+    in seconds that remained for all checks when the process began. ``seconds`` is the time that it
     took.
     """
 
@@ -47,7 +47,7 @@ class Past:
 
 
 class Processes:
-    """The processes of a check, in the order in which they are run."""
+    """The processes that a request to check needs, in the order in which they run."""
 
     def __init__(self, past: list[dict[str, Any]], *, shallow: bool) -> None:
         self.past = [Past(**one) for one in past]
@@ -55,11 +55,11 @@ class Processes:
 
     @property
     def is_live(self) -> bool:
-        """Whether reports are new, and not repeated from an earlier worker."""
+        """Whether reports are new, rather than repeated from an earlier worker."""
         return not self.past
 
     def judge(self, run: Run) -> Ending:
-        """Run the next process, pass its reports to a run, and return how it ended."""
+        """Run the next process, pass its reports to the run, and return how it ended."""
         order = run.order
         # Folders with given modules have a different name each time, so only their number counts.
         key = f"{order.chapter.name} on {len(order.engine)}: {' '.join(order.exercises)}"
@@ -80,7 +80,7 @@ class Processes:
         return ending
 
     def _repeat(self, run: Run, past: Past) -> Ending:
-        """Pass the reports of an earlier process to a run, as if they arrived now."""
+        """Pass the reports of an earlier process to the run, as if they had just arrived."""
         for line in past.lines:
             run.hear(line)
         run.deadline = time.monotonic() + past.left - past.seconds
@@ -91,7 +91,7 @@ class Processes:
 
 
 def failure_of_hang(run: Run, stack: str) -> dict[str, Any] | None:
-    """Return the failure of a check that did not end, to be shown before the others are done."""
+    """Return the failure of a check that did not end, which is shown before the rest is done."""
     if not isinstance(run.current, Started):
         return None
     check, order = run.checks[run.current.name], run.order

@@ -1,7 +1,7 @@
-"""Run checks in this interpreter as if in a new process, because a browser cannot start processes.
+"""Run checks in this interpreter as if it were a new process, which a browser cannot start.
 
-When a run ends, everything is undone that would disappear together with a process: imported
-modules, entries of sys.path, and the working folder.
+When a run ends, it undoes everything that would disappear together with a process: imported
+modules, entries in sys.path, and the working folder.
 """
 
 from __future__ import annotations
@@ -33,11 +33,11 @@ from web.python.browser.watchdog import watchdog
 
 OF_A_RUN = re.compile(r"ch\d\d_\w+|tests|conftest")  # packages whose modules one run imports
 SHALLOW = 250  # nested operator calls that fit on every browser's stack
-code = StudentsCode([], {})  # the engine that is checked, whose acts are limited
+code = StudentsCode([], {})  # the code that is checked, and that is restricted
 
 
 def install_limits() -> None:
-    """Limit what the student's code may import and do. Call this once, before the first run."""
+    """Restrict what the student's code may import and do. Call this once, before the first run."""
     limit_imports(code)
     limit_acts(code)
 
@@ -57,30 +57,30 @@ def compile_once() -> None:
 
 
 class InBrowser(InProcess):
-    """The student's modules, imported in a browser, where there is no process to end."""
+    """The student's modules, imported in a browser, where no process can be ended."""
 
     def surround(self) -> None:
-        """Give the code the same surroundings and the same limits as in the grader."""
+        """Give the code the same environment and the same limits as in the grader."""
         leave_home()
         code.change(self.engine, self.graded)
 
     def after_collection(self) -> None:
-        """Do nothing, because this process is not copied."""
+        """Do nothing, because this process is never copied."""
 
     def start_clock(self) -> None:
-        """Start the watchdog's clock with the time limit."""
+        """Start the watchdog with the time limit of a check."""
         watchdog.start(self.time_limit)
 
     def stop_clock(self) -> None:
-        """Stop the watchdog's clock."""
+        """Stop the watchdog."""
         watchdog.stop()
 
 
 class BrowserRecorder(Recorder):
-    """A recorder that reads only the files it needs, because reading is slow in WebAssembly."""
+    """A recorder that reads only the files it needs, because WebAssembly reads files slowly."""
 
     def pytest_ignore_collect(self, collection_path: Path) -> bool | None:
-        """Ignore a file of checks that names none of the exercises."""
+        """Ignore a file of checks if it names none of the exercises."""
         if not collection_path.name.startswith("test_"):
             return None
         text = collection_path.read_text(encoding="utf-8")
@@ -91,7 +91,7 @@ class BrowserRecorder(Recorder):
 def run_here(config: Config, send: Send, *, shallow: bool) -> Ending:
     """Run the checks that a configuration names, and send their events.
 
-    With ``shallow``, the student's code may nest fewer calls than in the grader.
+    If ``shallow`` is true, the recursion limit for the student's code is lower than in the grader.
     """
     said = io.StringIO()
     with as_a_process(), contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
@@ -112,7 +112,7 @@ def run_here(config: Config, send: Send, *, shallow: bool) -> Ending:
 
 @contextlib.contextmanager
 def as_a_process() -> Iterator[None]:
-    """Undo all changes to the interpreter when the context ends."""
+    """Undo all changes to the interpreter at the end of the context."""
     path, limit = list(sys.path), sys.getrecursionlimit()
     forget_modules()
     os.chdir(ROOT)
@@ -126,7 +126,7 @@ def as_a_process() -> Iterator[None]:
 
 
 def forget_modules() -> None:
-    """Forget the student's modules, the checks, and the modules that checks share."""
+    """Remove the student's modules, the checks and their shared modules from sys.modules."""
     shared = str(ROOT / "tests")
     for name, module in list(sys.modules.items()):
         file = getattr(module, "__file__", None) or ""
@@ -136,7 +136,7 @@ def forget_modules() -> None:
 
 
 def forget_folders() -> None:
-    """Clear Python's cache of which files are in the course's folders."""
+    """Clear Python's cache of the files in the course's folders."""
     for folder in list(sys.path_importer_cache):
         if not folder.startswith(sys.prefix):
             del sys.path_importer_cache[folder]

@@ -1,8 +1,8 @@
-"""Play scenes for the page. Each link has its own host and engine, all in one interpreter.
+"""Run scenes for the page. Each link has its own host and engine, but all share one interpreter.
 
-The modules of all engines have the same names, so they cannot all be in sys.modules at once.
-Therefore each link keeps the modules that it has imported, and puts them into sys.modules only
-while it answers a message.
+The modules of all engines have the same names, so they cannot all be in sys.modules at the same
+time. Each link therefore keeps the modules that it has imported, and puts them into sys.modules
+only while it answers a message.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ SHARED = set(sys.modules)  # modules that all links share
 
 
 class Link:
-    """One engine, and the scene that it plays."""
+    """The connection to one scene on the page: an engine, and the scene that it runs."""
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
@@ -42,7 +42,10 @@ class Link:
         self.given = ExitStack()  # the reference's modules, kept until the link is closed
 
     def receive(self, message: Message) -> list[Message]:
-        """Return the answers to a message of the page. A load message has the student's files."""
+        """Return the answers to a message from the page.
+
+        A load message contains the student's files.
+        """
         try:
             if message.get("kind") == "load":
                 if why := NOT_HERE.get(message.get("peer", "")):
@@ -58,7 +61,7 @@ class Link:
             watchdog.stop()
 
     def close(self) -> None:
-        """Remove the folders that the link has created."""
+        """Delete the folders that the link has created."""
         self.given.close()
 
     def _choose(self, files: dict[str, str], numbers: list[int]) -> None:
@@ -79,11 +82,11 @@ class Link:
 
     @contextmanager
     def _at_work(self) -> Iterator[None]:
-        """Make this link's engine the one that is imported and limited, until the context ends."""
+        """Import and restrict this link's engine, instead of any other, until the context ends."""
         code.change(*self.known)
         sys.setrecursionlimit(SHALLOW)
         path, sys.path = sys.path, [*sys.path, *map(str, self.engine)]
-        sys.dont_write_bytecode = True  # stale bytecode could hide a change made at once
+        sys.dont_write_bytecode = True  # stale bytecode could hide a quick change
         sys.modules.update(self.modules)
         try:
             yield

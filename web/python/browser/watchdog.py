@@ -1,10 +1,12 @@
 """Interrupt student code when its time is up, in the only thread that a worker has.
 
-Neither another thread nor an alarm can interrupt this thread. However, Python checks thousands of
-times per second whether the worker has sent a signal. When the time is up, the worker sends
-SIGALRM, and Python calls ``Watchdog.hear`` at the current line of the student's code. The page then
-ends the worker. A loop inside a C function such as sum never checks for signals. In this case the
-page ends the worker a second later, without a report of the line.
+No other thread and no alarm can interrupt this thread. However, Python checks thousands of times
+per second whether the worker has sent a signal. When the time is up, the worker sends SIGALRM, and
+Python calls ``Watchdog.hear`` at the current line of the student's code. ``hear`` reports the line,
+and the page then ends the worker.
+
+A loop inside a C function, such as sum, never checks for signals. In this case, the page ends the
+worker one second later and does not learn the line.
 """
 
 from __future__ import annotations
@@ -18,9 +20,9 @@ from web.python.browser.page import post, start_clock, stop_clock
 
 
 class Watchdog:
-    """A watchdog that reports code that does not end to the page, with the line where it is.
+    """Reports code that does not end to the page, together with its current line.
 
-    The caller sets `explain` to the function that turns the stack into an explanation.
+    The caller sets `explain` to a function that turns a stack trace into an explanation.
     """
 
     def __init__(self) -> None:
@@ -47,7 +49,7 @@ class Watchdog:
 
 
 def stack_of(frame: FrameType | None) -> str:
-    """Return a stack in faulthandler's format, with the innermost call first."""
+    """Return a stack trace in the format of faulthandler, with the innermost call first."""
     lines = []
     while frame is not None:
         code = frame.f_code

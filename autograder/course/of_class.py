@@ -56,7 +56,7 @@ def lateness(
         )
     if days := [each for each in late.values() if each.days]:
         lose = sum(each.deduction > 0.0 for each in days)
-        notes.append(f"Late: {len(days)}, of which {lose} lose points.")
+        notes.append(f"Late: {len(days)}. With a penalty: {lose}.")
     return late, notes
 
 

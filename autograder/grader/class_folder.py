@@ -27,6 +27,25 @@ def seed_of(state: Path, seed: str | None) -> str:
     return secrets.token_hex(4)
 
 
+def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
+    """Raise ValueError if only one of this run and the earlier run has a roster.
+
+    Students have other names without the roster, so a student who is graded again would be listed
+    twice.
+    """
+    try:
+        before = json.loads(state.read_text(encoding="utf-8"))["roster"]
+    except (OSError, ValueError, KeyError, TypeError):
+        return  # no run, or one that did not record it
+    if before and not has_roster:
+        raise ValueError(
+            "the class was graded with a roster: add --roster (make: ROSTER=), or --assignment "
+            "(make: ASSIGNMENT=) if the course file names the roster"
+        )
+    if has_roster and not before:
+        raise ValueError("the class was graded without a roster: leave out --roster")
+
+
 @contextmanager
 def only_run(out: Path) -> Iterator[Path]:
     """Create and lock the folder of a run, and yield the path of the file with the run's state.

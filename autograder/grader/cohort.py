@@ -17,7 +17,13 @@ from autograder.checks.runner import GraderError, Limits, run_checks
 from autograder.course.model import Deadline
 from autograder.course.of_class import lateness, scaled_marks
 from autograder.grader.assignment import Assignment
-from autograder.grader.class_folder import only_run, put_others_aside, seed_of, temporary_files_in
+from autograder.grader.class_folder import (
+    only_run,
+    put_others_aside,
+    refuse_other_roster,
+    seed_of,
+    temporary_files_in,
+)
 from autograder.grader.class_run import ClassRun, print_class
 from autograder.grader.cluster import connect, grade_over
 from autograder.grader.people import differences, folder_with_names, marks_of, people_of
@@ -101,6 +107,9 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         notes += more_notes
     level = choose_level(folder, unsafe=options.unsafe)
     with only_run(out) as state:
+        has_roster = options.roster is not None
+        if options.student:
+            refuse_other_roster(state, has_roster=has_roster)
         again = Regrade(out, options.student, submissions) if options.student else None
         seed = again.seed(options.seed) if again else seed_of(state, options.seed)
         hidden = options.hidden and options.hidden.resolve()
@@ -112,7 +121,8 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         class_run = ClassRun(assignment, out, marks, console, late, anonymous=options.anonymous)
         if again:
             submissions = again.prepare(class_run)
-        replace_file(state, json.dumps({"seed": seed, "finished": False}) + "\n")
+        record = {"seed": seed, "finished": False, "roster": has_roster}
+        replace_file(state, json.dumps(record) + "\n")
         for note in notes:
             console.print(note, markup=False)
         with temporary_files_in(out), ExitStack() as stack:
@@ -131,7 +141,7 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         uploads, lines = write_uploads(named, chapters, people, reports, options.column)
         finished = all(report.status == "graded" for report in reports)
         finished = finished and {*everyone} == {report.student for report in reports}
-        replace_file(state, json.dumps({"seed": seed, "finished": finished}) + "\n")
+        replace_file(state, json.dumps({**record, "finished": finished}) + "\n")
     print_class(console, graded)
     for report in graded:
         for note in report.notes:
@@ -145,7 +155,7 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
             f"{len(class_run.reused)} of {len(graded)} reports were kept from an earlier run."
         )
     for line in [*differences(people), *lines]:
-        console.print(line, markup=False, soft_wrap=True)
+        console.print(line, markup=False)
     console.print(f"Seed {seed}. Isolation: {level}.", markup=False)
     if options.anonymous:
         uploads.append(key_path(options.roster, out))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from difflib import get_close_matches
 from pathlib import Path
 
 from autograder.manifest import Chapter
@@ -48,7 +49,7 @@ def folder_with_names(out: Path, *, anonymous: bool) -> Path:
 
 def differences(people: ClassList) -> list[str]:
     """Return sentences that describe how the roster and the submissions differ."""
-    return [
+    lines = [
         f"{title}: {len(names)} ({'; '.join(names)})."
         for title, names in (
             ("Nothing handed in", people.missing),
@@ -56,3 +57,17 @@ def differences(people: ClassList) -> list[str]:
         )
         if names
     ]
+    # Only names are compared, because codes resemble each other by chance.
+    absent = {
+        m.shown.lower(): m
+        for m in people.members
+        if m.student and not m.submission and m.shown == m.student.name
+    }
+    for m in people.members:
+        if people.has_roster and m.submission and not m.student and m.shown == m.folder:
+            for name in get_close_matches(m.folder.lower(), absent, 1):
+                if student := absent[name].student:
+                    lines.append(
+                        f"If {m.folder} is {student.name}, rename the submission to {student.id}."
+                    )
+    return lines

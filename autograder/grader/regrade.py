@@ -93,6 +93,11 @@ class Regrade:
             if name not in MAY_DIFFER:
                 earlier = next(getattr(one.run, name) for one in self.reports if one.run)
                 new = getattr(run.key, name)
+                if name in ("points", "extra"):
+                    raise ValueError(
+                        "the exercises and points must be the same as for the class. Use the same "
+                        "--assignment and --course (make: ASSIGNMENT=, COURSE=) as for the class"
+                    )
                 raise ValueError(f"{name} must be the same as for the class, {earlier}, got {new}")
         if differing:
             changed = ", ".join(MAY_DIFFER[name] for name in differing)

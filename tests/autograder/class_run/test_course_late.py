@@ -205,7 +205,7 @@ def test_the_instructor_hears_of_unknown_times_and_of_extensions_that_fit_nobody
     assert first == "Extension for 'anne': no submission has this name. Did you mean ann?"
     assert second.startswith("The submission time is unknown for 1 of 2 students")
     assert second.endswith(f"bob. To add times, write {tmp_path / 'times.csv'}.")
-    assert third == "Late: 1, of which 1 lose points."
+    assert third == "Late: 1. With a penalty: 1."
 
 
 def test_gradescope_says_when_and_who() -> None:

@@ -133,3 +133,32 @@ def test_the_command_takes_the_chapters_of_the_class(out: Path, tmp_path: Path) 
         assert done.returncode == 2
         assert complaint in done.stderr
         assert not where.exists()
+
+
+def test_a_class_with_a_roster_keeps_it_in_a_regrade(
+    submissions: Path, root: Path, tmp_path: Path
+) -> None:
+    roster = tmp_path / "roster.csv"
+    roster.write_text("id,name,email,login\nbob,Bob Ray,,\n", encoding="utf-8")
+    named, unnamed = tmp_path / "named", tmp_path / "unnamed"
+    assert grade(submissions, named, root, seed=None, roster=roster) == 0
+    assert grade(submissions, unnamed, root, seed=None) == 0
+    before = everything_in(named), everything_in(unnamed)
+    with pytest.raises(ValueError, match=r"with a roster: add --roster \(make: ROSTER=\)"):
+        grade(submissions, named, root, seed=None, student="bob")
+    with pytest.raises(ValueError, match="without a roster: leave out --roster"):
+        grade(submissions, unnamed, root, seed=None, student="bob", roster=roster)
+    assert (everything_in(named), everything_in(unnamed)) == before, "a refusal changes nothing"
+    assert grade(submissions, named, root, seed=None, student="bob", roster=roster) == 0
+    assert sorted(results(named)) == ["Bob Ray", "ann", "cem"]
+
+
+def test_other_points_than_those_of_the_class_are_refused_without_a_list(
+    submissions: Path, root: Path, out: Path
+) -> None:
+    manifest = root / "chapters/ch90_small/chapter.toml"
+    text = manifest.read_text(encoding="utf-8")
+    manifest.write_text(text.replace("points = 2", "points = 7"), encoding="utf-8")
+    assert manifest.read_text(encoding="utf-8") != text
+    with pytest.raises(ValueError, match=r"must be the same as for the class\. Use the same --ass"):
+        grade(submissions, out, root, seed=None, student="bob")

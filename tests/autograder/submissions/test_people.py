@@ -153,3 +153,25 @@ def test_the_command_takes_a_zip_and_reports_a_mistake_in_the_roster(
     where = f"grade: {roster}, line 5: the id '77' is already in line 2."
     assert done.stderr.startswith(where)
     assert not (tmp_path / "out").exists()
+
+
+def test_a_submission_with_nearly_the_name_of_an_absent_student_is_pointed_out(
+    root: Path, roster: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for name in ("evemos", "someone", "77"):
+        hand_in(tmp_path / "class", name, RIGHT)
+    assert grade(tmp_path / "class", tmp_path / "out", root, roster=roster) == 0
+    printed = capsys.readouterr().out
+    assert "If evemos is Eve Moss, rename the submission to 99." in printed
+    assert printed.count("rename the submission") == 1
+    assert grade(tmp_path / "class", tmp_path / "coded", root, roster=roster, anonymous=True) == 0
+    assert "rename the submission" not in capsys.readouterr().out
+
+
+def test_the_lines_on_the_screen_fit_a_terminal(
+    root: Path, roster: Path, submissions: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert grade(submissions, tmp_path / "out", root, roster=roster) == 0
+    printed = [line for line in capsys.readouterr().out.splitlines() if str(tmp_path) not in line]
+    assert max(map(len, printed)) <= 80
+    assert "not marked yet" in " ".join(printed)

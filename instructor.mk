@@ -10,7 +10,7 @@ CODED = $(filter-out 0,$(ANONYMOUS))
 
 TAKES_grade := SUBMISSIONS CHAPTERS GIVEN CHECKS OUT SEED ROSTER ANONYMOUS TITLE POINTS ASSIGNMENT COURSE STUDENT NOTE
 TAKES_progress := RUNS OUT
-TAKES_release := CHAPTERS EX SUBMISSIONS GRADES OUT ASSIGNMENT COURSE
+TAKES_release := CHAPTERS EX SUBMISSIONS GRADES OUT ROSTER ASSIGNMENT COURSE
 TAKES_similarity := SUBMISSIONS CHAPTERS OUT
 TAKES_mark := SUBMISSIONS CHAPTERS OPEN ASSIGNMENT COURSE
 TAKES_handout := CHAPTERS GIVEN OUT ASSIGNMENT COURSE
@@ -51,7 +51,7 @@ progress: $(READY) ## compare graded assignments (RUNS="build/lab1 build/lab2")
 	@$(RUN) -m autograder progress $(or $(RUNS),$(error name the graded folders: make progress RUNS="build/lab1 build/lab2")) --out "$(or $(OUT),build/progress)"
 
 release: $(READY) ## the reference, after the deadline (CHAPTERS=2 OUT=dir)
-	@$(RUN) -m autograder release $(NAMED) --out "$(or $(OUT),$(BUILT)release)" $(ASSIGNED) $(if $(EX),--exercises "$(EX)") $(if $(GRADES)$(wildcard $(BUILT)grades/results),--submissions "$(SUBMISSIONS)" --grades "$(or $(GRADES),$(BUILT)grades)")
+	@$(RUN) -m autograder release $(NAMED) --out "$(or $(OUT),$(BUILT)release)" $(ASSIGNED) $(if $(EX),--exercises "$(EX)") $(if $(GRADES)$(wildcard $(BUILT)grades/results),--submissions "$(SUBMISSIONS)" --grades "$(or $(GRADES),$(BUILT)grades)") $(if $(ROSTER),--roster "$(ROSTER)")
 
 similarity: $(READY) ## which submissions of a class are alike (CHAPTERS=2-3)
 	@$(RUN) -m autograder similarity "$(SUBMISSIONS)" --out "$(or $(OUT),build/similarity)" $(if $(CHAPTERS),--chapters "$(CHAPTERS)")

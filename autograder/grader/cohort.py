@@ -143,6 +143,12 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
         finished = finished and {*everyone} == {report.student for report in reports}
         replace_file(state, json.dumps({**record, "finished": finished}) + "\n")
     print_class(console, graded)
+    if any(report.penalty or report.by_hand or report.waiting for report in graded):
+        console.print(
+            "The points in this table are from checks. The totals, with answers marked by hand and "
+            f"late penalties, are in {out / 'gradebook.csv'}.",
+            markup=False,
+        )
     for report in graded:
         for note in report.notes:
             console.print(f"{report.student}: {note}", markup=False)

@@ -20,6 +20,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command.add_argument("--exercises", default="", help="only these, such as 2.5,B2.3")
     command.add_argument("--submissions", type=Path, help="the class, to compare its solutions")
     command.add_argument("--grades", type=Path, help="the folder that the class was graded into")
+    command.add_argument("--roster", type=Path, help="the roster with which it was graded")
     command.add_argument("--out", type=Path, required=True, help="folder for what is released")
     add_options(command)
     command.set_defaults(run=run_release)
@@ -28,6 +29,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 def run_release(arguments: argparse.Namespace) -> int:
     """Write the reference and the students' pages, and print what was released."""
     from autograder.release.run import release
+    from autograder.submissions.unpack import class_folder
 
     work = work_of(arguments, handed_out=True)
     exercises = [name for name in arguments.exercises.replace(",", " ").split() if name]
@@ -37,7 +39,9 @@ def run_release(arguments: argparse.Namespace) -> int:
         exercises = exercises or assigned
     numbers = [chapter.number for chapter in work.chapters]
     chapters = [chapter for chapter in load_chapters() if chapter.number in numbers]
-    return release(chapters, exercises, arguments.submissions, arguments.grades, arguments.out)
+    submissions = arguments.submissions and class_folder(arguments.submissions)
+    roster = arguments.roster or work.roster
+    return release(chapters, exercises, submissions, arguments.grades, arguments.out, roster=roster)
 
 
 def refuse_early(work: Work, now: datetime) -> None:

@@ -11,6 +11,7 @@ from rich.progress import track
 
 from autograder.checks.given import has_reference
 from autograder.files import is_new
+from autograder.grader.people import people_of
 from autograder.manifest import ROOT, Chapter, load_chapters
 from autograder.release.compare import Compared, Texts, compare_exercise, compare_others
 from autograder.release.pages import write_page
@@ -33,11 +34,14 @@ def release(
     grades: Path | None,
     out: Path,
     root: Path = ROOT,
+    *,
+    roster: Path | None = None,
 ) -> int:
     """Write the reference of chapters, or of some of their exercises, into a folder. Return 0.
 
     If the submissions and the graded results of a class are given, also write a page for each
-    student. It compares the student's own solutions with the reference.
+    student. It compares the student's own solutions with the reference. ``roster`` is the one with
+    which the class was graded, because the results have its names.
 
     Raises:
         ValueError: The folder cannot be used, or an exercise, the reference or the class is
@@ -51,6 +55,7 @@ def release(
     _prepare(out, submissions, root)
     reports = read_results(grades) if grades else []
     found, notes = find_submissions(submissions) if submissions else ([], [])
+    found = people_of(found, out, roster, anonymous=False).submissions
     whole = {chapter.name: chapter for chapter in chapters}
     texts = {c.name: write_reference(out, c, whole[c.name], root) for c in released}
     lines = [f"chapter {c.number}: {', '.join(e.id for e in c.exercises)}" for c in released]

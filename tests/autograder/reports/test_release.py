@@ -21,6 +21,7 @@ from autograder.similarity.code import read_functions
 from autograder.submissions.stage import stage
 from graded import SHOUT, report_of
 from small import RIGHT, hand_in, make_root
+from staging import zip_of
 
 CH02 = load_chapters()[0]
 MINE = f'''
@@ -107,6 +108,34 @@ def test_a_student_sees_what_passed_beside_the_reference(
     assert "4 * x" not in text
     assert "<script>" not in text
     assert "&lt;script&gt;" in text
+
+
+def test_a_class_with_a_roster_is_compared_under_its_names(
+    root: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder, grades, out = tmp_path / "class", tmp_path / "grades", tmp_path / "out"
+    hand_in(folder, "77", RIGHT)
+    graded(folder, grades, "77", root, "B90.1")
+    result = grades / "results/77.json"
+    text = result.read_text(encoding="utf-8").replace('"student": "77"', '"student": "Ann Lee"')
+    result.write_text(text, encoding="utf-8")
+    roster = tmp_path / "roster.csv"
+    roster.write_text("id,name,email,login\n77,Ann Lee,,\n", encoding="utf-8")
+    assert release(load_chapters(root), [], folder, grades, out, root, roster=roster) == 0
+    assert [page.name for page in (out / "students").iterdir()] == ["Ann Lee.html"]
+    assert "1 of 1 students have a page" in capsys.readouterr().out
+    assert release(load_chapters(root), [], folder, grades, out, root) == 0
+    assert "77 has no page: the work was not graded" in capsys.readouterr().out
+
+
+def test_the_class_may_be_the_zip_of_a_platform(tmp_path: Path) -> None:
+    (tmp_path / "class.zip").write_bytes(zip_of({"ann/ch02_vectors/vector.py": b"x = 1\n"}))
+    write_result(tmp_path / "grades", report_of("ann"))
+    command = [sys.executable, "-m", "autograder", "release", "2", "--out", str(tmp_path / "out")]
+    command += ["--submissions", str(tmp_path / "class.zip"), "--grades", str(tmp_path / "grades")]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, encoding="utf-8", check=False)
+    assert done.returncode == 0, done.stderr
+    assert "ann has no page: the work has changed since it was graded" in done.stdout
 
 
 def test_exercises_alone_are_released_without_the_others() -> None:

@@ -109,7 +109,7 @@ def test_a_new_run_draws_a_seed_and_a_stopped_one_keeps_its_own(
         seeds.append(results(out)["ann"]["seed"])
     assert seeds[0] != seeds[1], "the first run was finished"
     state = json.loads((out / "run.json").read_text(encoding="utf-8"))
-    assert state == {"seed": seeds[1], "finished": True}
+    assert state == {"seed": seeds[1], "finished": True, "roster": False}
     (out / "run.json").write_text(json.dumps(state | {"finished": False}), encoding="utf-8")
     before = results(out)
     grade(submissions, out, root, None)

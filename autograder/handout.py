@@ -49,6 +49,7 @@ Each chapter's README maps the book's sections to the functions that you write. 
 questions in `answers.md`. Hand in the folders under `chapters/` that you have edited. Only the
 files that the exercise table names are graded, so keep your own helper functions in them.
 """
+PAGE_LINK = re.compile(r"(?<!!)\[([^\[\]]*)\]\(([^)#:\s]+\.md)(?:#[^)]*)?\)")
 CHARTS = "ch08_charts.py"  # scenes for charts of the reference, which hand-outs do not need
 KEPT_README = """\
 The original stubs, which `make reset` restores. Nothing in this folder is checked or handed in.
@@ -132,6 +133,18 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
     heading, _, body = README.format(titles=titles, example=example).partition("\n\n")
     text = "\n\n".join([heading, about, body] if about else [heading, body])
     (out / "README.md").write_text(text, encoding="utf-8", newline="\n")
+    _remove_dead_links(out)
+
+
+def _remove_dead_links(out: Path) -> None:
+    """Turn links to pages that the hand-out lacks, such as later lessons, into plain text."""
+    for page in out.rglob("*.md"):
+        text = page.read_text(encoding="utf-8")
+        dead = [m for m in PAGE_LINK.finditer(text) if not (page.parent / m[2]).exists()]
+        for link in dead:
+            text = text.replace(link[0], link[1])
+        if dead:
+            page.write_text(text, encoding="utf-8", newline="\n")
 
 
 def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:

@@ -136,6 +136,17 @@ def test_the_links_and_pictures_of_the_readmes_are_there(tmp_path: Path) -> None
         assert [target for target in targets if not (folder / target).exists()] == []
 
 
+def test_a_link_to_a_later_lesson_is_plain_text(tmp_path: Path) -> None:
+    make_handout([CH02, CH03], [], tmp_path / "out")
+    lesson = tmp_path / "out/chapters/ch03_laws_of_motion/README.md"
+    text = " ".join(lesson.read_text(encoding="utf-8").split())
+    assert "[chapter 2](../ch02_vectors/README.md)" in text
+    assert "with springs in chapter 6." in text
+    for page in (tmp_path / "out").rglob("*.md"):
+        targets = re.findall(r"\]\(([^)#:\s]+\.md)", page.read_text(encoding="utf-8"))
+        assert [one for one in targets if not (page.parent / one).exists()] == [], page
+
+
 def test_given_chapters_come_complete_and_are_not_checked(tmp_path: Path) -> None:
     """A later chapter is handed out together with chapter 2, which is given."""
     root = tmp_path / "root"

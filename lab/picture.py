@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from lab.pen import Item, Pen
 from lab.scene import Scene
 
-# The colors of the light page (page/colors.css).
+# The colors of the light page (page/styles/colors.css).
 PAINT = {
     "blue": "#0072b2",
     "orange": "#d08a00",

@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
-from lab.pen import Item, Pen
+from lab.drawing.pen import Item, Pen
 from lab.scene import Scene
 
 # The colors of the light page (page/styles/colors.css).

@@ -55,11 +55,15 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
         help="with --exercise: judge only its own checks, not the exercises it builds on",
     )
     check_command.set_defaults(run=run_check)
-    watch_command = commands.add_parser("watch", help="check your exercise whenever you save")
+    watch_command = commands.add_parser(
+        "watch", help="check your current exercise whenever you save"
+    )
     watch_command.set_defaults(run=run_watch)
     for command in (check_command, watch_command):
         command.add_argument("--chapter", default="", help="such as 2 or 2-4 (default: all)")
-        command.add_argument("--engine", default="chapters", help="folder of chapters to check")
+        command.add_argument(
+            "--engine", default="chapters", help="folder that contains the chapters to check"
+        )
         command.add_argument("--given", default="", help="chapters to take from the reference")
         command.add_argument("--seed", default="1", help="seed of the checks' random numbers")
 
@@ -71,8 +75,10 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
     command = commands.add_parser("reset", help="restore the stub of an exercise")
     command.add_argument("exercise", help="such as 2.5 or B2.3")
-    command.add_argument("--engine", default="chapters", help="folder of chapters with your work")
-    command.add_argument("--whole", action="store_true", help="restore its whole file")
+    command.add_argument("--engine", default="chapters", help="folder that contains your chapters")
+    command.add_argument(
+        "--whole", action="store_true", help="restore the whole file of the exercise"
+    )
     command.add_argument("--given", default="", help="chapters to take from the reference")
     command.set_defaults(run=run_reset)
 

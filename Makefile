@@ -48,7 +48,7 @@ endif
 watch: $(READY) ## check your current exercise whenever you save a file (CH=3)
 	@$(RUN) -m autograder watch --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(SEED),--seed "$(SEED)")
 
-check: $(READY) ## check all chapters, one chapter (CH=3) or one exercise (EX=2.5)
+check: $(READY) ## check everything, a chapter (CH=3) or an exercise (EX=2.5)
 	@$(RUN) -m autograder check --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(EX),--exercise "$(EX)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(SEED),--seed "$(SEED)") $(DIAGNOSIS)
 
 hint: $(READY) ## show a hint for an exercise (EX=2.5), or the first two (N=2)

@@ -22,7 +22,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command.add_argument("folder", type=Path, help="folder of submissions, or a zip of all of them")
     command.add_argument("--out", type=Path, required=True, help="folder for the results")
     command.add_argument("--seed", help="seed of the random numbers (default: a new one)")
-    command.add_argument("--chapters", default="", help="such as 2,3 (default: all)")
+    command.add_argument("--chapters", default="", help="chapters, such as 2,3 (default: all)")
     command.add_argument("--given", default="", help="chapters that were handed out complete")
     command.add_argument(
         "--jobs", type=int, help="submissions graded at once (default: one per core)"
@@ -61,7 +61,9 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command = commands.add_parser(
         "gradescope", help="make the zip with the autograder for Gradescope"
     )
-    command.add_argument("chapters", nargs="?", default="", help="such as 2-3 (default: all)")
+    command.add_argument(
+        "chapters", nargs="?", default="", help="chapters, such as 2-3 (default: all)"
+    )
     command.add_argument("--given", default="", help="chapters that were handed out complete")
     command.add_argument("--out", type=Path, required=True, help="the zip file")
     command.add_argument("--unsafe-no-sandbox", action="store_true", help=unsafe)
@@ -73,14 +75,14 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
         "folder", type=Path, help="folder of submissions, one folder or .zip per student"
     )
     command.add_argument("--out", type=Path, required=True, help="folder for the pages")
-    command.add_argument("--chapters", default="", help="such as 2,3 (default: all)")
+    command.add_argument("--chapters", default="", help="chapters, such as 2,3 (default: all)")
     command.set_defaults(run=run_similarity)
 
     command = commands.add_parser("mark", help="mark the written answers of a class on a page")
     command.add_argument(
         "folder", type=Path, help="folder of submissions, one folder or .zip per student"
     )
-    command.add_argument("--chapters", default="", help="such as 2,3 (default: all)")
+    command.add_argument("--chapters", default="", help="chapters, such as 2,3 (default: all)")
     command.add_argument(
         "--no-browser", action="store_true", help="print the address instead of opening a browser"
     )

@@ -136,7 +136,7 @@ def test_both_equations_give_a_new_vector(rng: Random) -> None:
         "The vectors v and a belong to the caller, and v *= d would change v itself. Compute the "
         "result as a new vector and return it."
     )
-    about.read = "the head of damping.py"
+    about.read = "the docstring in damping.py"
     for name in ("damp_per_frame", "damp_per_second"):
         about.call = f"v, a = Vector3{first}, Vector3{second}; {name}(v, a, 0.5, 2.0)"
         v, a = Vector3(*first), Vector3(*second)
@@ -183,7 +183,7 @@ def test_both_equations_refuse_text(name: str) -> None:
         "not_negative and positive from arguments.py raise this TypeError for you, so pass the "
         "arguments to them."
     )
-    about.read = "the head of damping.py"
+    about.read = "the docstring in damping.py"
     for numbers in (("0.5", 0.5), (0.5, "0.5")):
         expect_refusal(name, *numbers, TypeError, good=(0.5, 0.5))
 

@@ -327,8 +327,9 @@ def expect_refusal(name: str, duration: float, steps: int) -> None:
     )
     if steps > 0:
         about.cause = (
-            "A duration must be positive and finite. Both Particle.integrate and positive from "
-            "arguments.py check this and raise the ValueError."
+            "A duration must be positive and finite. Particle.integrate refuses any other "
+            "duration, so call it in each step. If you do not use a Particle, call positive from "
+            "arguments.py."
         )
     about.read = f"the docstring of {name}"
     data = vectors(START, VELOCITY, ACCELERATION)

@@ -55,13 +55,13 @@ def test_every_frame_but_the_last_is_within_the_jitter(rng: Random) -> None:
         )
         farthest = max(frames, key=lambda frame: abs(frame - mean))
         least, most = mean * (1.0 - jitter), mean * (1.0 + jitter)
-        name = ": of all frames but the last, the one that is farthest from the mean"
+        name = ": the frame that is farthest from the mean, leaving out the last frame"
         expect_between(farthest, least, most, then=name, tolerance=1e-9 * mean)
         about.cause = (
             "The last frame is what remains of the total, so it must be longer than 0 and no "
             "longer than the longest frame that the jitter allows."
         )
-        expect_exactly(last > 0.0, True, then=": is the last frame longer than 0")
+        expect_exactly(last > 0.0, True, then=": is the last frame longer than 0?")
         expect_between(last, 0.0, most, then=": the last frame", tolerance=1e-9)
 
 
@@ -79,16 +79,16 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
     # tenth of the range stays empty is 0.9^1000.
     average = math.fsum(frames) / len(frames)
     six_sigma = 6.0 * mean * jitter / math.sqrt(3.0 * 900.0)
-    name = f"the mean of {about.call}"
+    name = f"the mean of all frames of {about.call}"
     expect_close(average, mean, call=name, tolerance=six_sigma)
     reach = (min(frames), max(frames))
     wanted = (mean * (1.0 - jitter), mean * (1.0 + jitter))
-    name = f"the shortest and longest of {about.call}"
+    name = f"the shortest and the longest frame of {about.call}"
     expect_close(reach, wanted, call=name, tolerance=0.2 * mean * jitter)
     # Half of the draws lie in the middle half of the range, within 6 deviations.
     inner = sum(abs(frame - mean) < 0.5 * mean * jitter for frame in frames) / len(frames)
     six_sigma = 6.0 * math.sqrt(0.25 / 900.0)
-    name = f"the fraction of {about.call} within half the jitter of the mean"
+    name = f"the fraction of the frames of {about.call} that are within half the jitter of the mean"
     if inner > 0.5:
         about.cause = (
             "Too many frames are close to the mean. Draw each duration with a single call of "
@@ -136,12 +136,14 @@ def test_a_seed_repeats_its_frames_and_another_gives_others(rng: Random) -> None
     first = frames_of(0.02, 0.5, 1.0, seed)
     others = [frames_of(0.02, 0.5, 1.0, seed + i) for i in (1, 2)]
     again = frames_of(0.02, 0.5, 1.0, seed)
-    expect_exactly(again == first, True, then=", twice: the same?")
+    expect_exactly(again == first, True, then=", called twice: are the results the same?")
     for i, other in enumerate(others, 1):
         expect_exactly(
-            other[0] == first[0], False, then=f", and with seed {seed + i}: the same first frame?"
+            other[0] == first[0],
+            False,
+            then=f", and again with seed {seed + i}: is the first frame the same?",
         )
-    name = f"does {about.call} go up or down all the time?"
+    name = f"{about.call}: are the frames sorted?"
     about.cause = (
         "The durations only go up or only go down, so they seem to be sorted. Return them in the "
         "order in which they were drawn."

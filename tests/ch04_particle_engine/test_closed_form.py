@@ -256,7 +256,10 @@ def test_the_step_comes_near_it_as_frames_get_short(rng: Random) -> None:
         for frames in (2000, 4000):
             stepped = probes.stepped(x, v, a, damping, t / frames, frames)
             errors.append(math.dist(stepped[i], exact[i]))
-        about.call = f"{words}; error of the {name} after {t} s in 2000 frames over that in 4000"
+        about.call = (
+            f"{words}; the error of the {name} after {t} s with 2000 steps, divided by the error "
+            "with 4000 steps"
+        )
         # Each error is of the order of 10 / 2000, and the next order changes the ratio as little.
         ratio = errors[0] / max(errors[1], 1e-300)
         expect_close(ratio, 2.0, tolerance=0.02)

@@ -212,7 +212,7 @@ def test_a_click_into_the_dark_is_a_miss() -> None:
     counted = (a_game.misses, a_game.score)
     expect_exactly(counted, (1, 0), then="; misses and score")
     expect_exactly(types(a_game), [1], then="; types in the show")
-    about.call = "two rockets; click on one, beside, on the other, beside: misses and score"
+    about.call = "two rockets; four clicks, which hit, miss, hit and miss: misses and score"
     about.cause = (
         "Two of these clicks hit a rocket and two missed. Add the points of each hit to score, and "
         "add 1 to misses for each miss."

@@ -224,7 +224,10 @@ def test_flight_time_and_range_come_close_to_the_closed_form_as_frames_get_short
         # The step ends a t h / 2 too high, 0.06 m for 1/500 s, which it falls in 0.002 s.
         expect_close(got, wanted, tolerance=2.0 * 50.0 * h)
         errors.append(got[0] - wanted[0])
-    about.call = "the same: error of the time with steps of 1/500 s divided by that with 1/1000 s"
+    about.call = (
+        "the same call: the error of the time with steps of 1/500 s, divided by the error with "
+        "steps of 1/1000 s"
+    )
     about.cause = (
         "The method has first order, so half the duration of a step should give half the error. "
         "Check that each update makes exactly one step."

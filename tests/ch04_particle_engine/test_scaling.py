@@ -172,7 +172,7 @@ def test_text_is_no_number() -> None:
         "positive, not_negative and finite from arguments.py raise this TypeError for you, so pass "
         "the arguments to them."
     )
-    about.read = "the first lines of scaling.py"
+    about.read = "the docstring in scaling.py"
     text: Any = "2"
     for call, attempt in (
         ('muzzle_energy("2", 3)', lambda: scaling.muzzle_energy(text, 3.0)),

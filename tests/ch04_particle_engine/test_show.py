@@ -75,7 +75,9 @@ def test_every_firework_moves_by_a_step_and_its_fuse_gets_shorter(rng: Random) -
 
 @pytest.mark.exercise("B4.6")
 def test_a_firework_burns_out_when_its_age_is_below_0() -> None:
-    about.call = "0.5 s of fuse; show.update(0.125) 4 times and once more; how many burn after each"
+    about.call = (
+        "a firework with 0.5 s of fuse; show.update(0.125) 5 times; how many burn after each update"
+    )
     about.cause = "A firework of age 0 still burns. It has burnt out only when its age is below 0."
     seen = probes.sparks([fixed(1, 0.5)], [1], 9, "keep_old", 1, 0.125, 5)
     counts = [len(types) for types in seen]
@@ -158,8 +160,8 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
 def test_the_payload_starts_where_the_burnt_out_one_is_with_its_velocity(rng: Random) -> None:
     v, own = components(rng), components(rng)
     about.call = (
-        f"one at (0, 20, 0) with velocity {v} and 0.1 s of fuse, payload (2, 2) with {own} of its "
-        "own; show.update(0.25)"
+        f"a firework at (0, 20, 0) with velocity {v} and 0.1 s of fuse, whose payload (2, 2) has "
+        f"the velocity {own} of its own; show.update(0.25)"
     )
     a_show = show_with([fixed(1, 0.1, v, (2, 2)), fixed(2, 1.5, own)], [(1, 1, at((0, 20, 0)))])
     a_show.update(0.25)
@@ -190,7 +192,9 @@ def test_the_payload_starts_where_the_burnt_out_one_is_with_its_velocity(rng: Ra
 @pytest.mark.exercise("B4.6")
 def test_neighbors_that_burn_out_together_are_all_removed() -> None:
     rules = [fixed(1, 0.1), fixed(2, 5.0)]
-    about.call = "types 1 1 2 1 1 2 1, type 1 with 0.1 s of fuse; show.update(0.25)"
+    about.call = (
+        "fireworks of types 1 1 2 1 1 2 1, those of type 1 with 0.1 s of fuse; show.update(0.25)"
+    )
     about.cause = (
         "Fireworks that have burnt out are still in the list. A loop that removes an item from its "
         "own list skips the next item, so build a new list of the fireworks that still burn."
@@ -212,7 +216,8 @@ def test_neighbors_that_burn_out_together_are_all_removed() -> None:
 def test_the_burnt_out_make_room_before_any_payload_is_lit() -> None:
     rules = [fixed(1, 0.1, UP, (3, 2)), fixed(2, 0.1, UP, (4, 2)), fixed(3, 5.0), fixed(4, 5.0)]
     about.call = (
-        'capacity 3, "keep_old"; types 1 2 2 burn out together, payloads (3, 2) and (4, 2); types'
+        'capacity 3, "keep_old"; fireworks of types 1 2 2 burn out together and leave (3, 2) and '
+        "twice (4, 2); types"
     )
     about.cause = (
         "First remove all fireworks that have burnt out, and only then light the payloads. In this "
@@ -233,7 +238,10 @@ def test_payloads_follow_the_policy_too() -> None:
     rules = [fixed(1, 0.1, UP, (3, 3)), fixed(2, 5.0), fixed(3, 5.0)]
     about.read = "the docstrings of FireworksShow and update"
     for when_full, wanted in (("keep_old", [2, 2, 3, 3]), ("drop_oldest", [2, 3, 3, 3])):
-        about.call = f'capacity 4, "{when_full}"; types 1 2 2; 1 burns out, payload (3, 3); types'
+        about.call = (
+            f'capacity 4, "{when_full}"; fireworks of types 1 2 2; type 1 burns out and leaves the '
+            "payload (3, 3); types"
+        )
         about.cause = (
             "The policy for a full show applies to payloads as well. Light them by calling light, "
             "which follows it."
@@ -254,7 +262,7 @@ def test_the_oldest_comes_first_from_generation_to_generation() -> None:
         fixed(5, 9.0),
         fixed(6, 9.0),
     ]
-    about.call = "launch 1, 2, 1; show.update(0.25) 4 times; the types after each"
+    about.call = "launch 1, 2, 1; show.update(0.25) 4 times; the types after each update"
     about.cause = (
         "The payloads must be lit in order. Start with those of the oldest firework, follow the "
         "order of its rule, and place the new fireworks after those that already burn."
@@ -274,8 +282,8 @@ def test_the_count_of_sparks_is_that_of_the_rules(rng: Random) -> None:
         (5, 4.5, 4.5, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.001, ()),
     ]
     about.call = (
-        f"type 1 leaves {many} of 3 and 2 of 5, type 3 leaves 3 of 5; launch 1 twice; "
-        "show.update(0.05) 80 times; how many of each type burn"
+        f"type 1 leaves {many} of type 3 and 2 of type 5, type 3 leaves 3 of type 5; launch 1 "
+        "twice; show.update(0.05) 80 times; how many of each type burn"
     )
     about.cause = (
         "Every firework that burns out must leave each of its payloads exactly once. Check that no "
@@ -299,7 +307,7 @@ def test_rules_without_an_end_stay_within_the_capacity() -> None:
     for when_full in ("keep_old", "drop_oldest"):
         about.call = (
             f'capacity 50, "{when_full}", type 1 leaves 10 of type 1; launch 1; show.update(0.2) '
-            "30 times; the number that burns"
+            "30 times; how many burn"
         )
         seen = probes.sparks(rules, [1], 50, when_full, 1, 0.2, 30)
         counts = [len(types) for types in seen]
@@ -333,7 +341,7 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
         "show."
     )
     same = sum(firework in once for firework in other)
-    about.call = f"shows with the seeds {seed} and {seed + 1}: fireworks that agree"
+    about.call = f"shows with the seeds {seed} and {seed + 1}: how many fireworks are equal"
     expect_exactly(same, 0)
 
 

@@ -181,7 +181,8 @@ def test_births_have_their_own_parents(rng: Random) -> None:
 @pytest.mark.parametrize("when_full", ["keep_old", "drop_oldest"])
 def test_a_thousand_million_sparks_cost_no_more_than_the_capacity(when_full: str) -> None:
     about.call = (
-        f'capacity 2000, "{when_full}"; show.light() of 1000 births of 50 each; fireworks made'
+        f'capacity 2000, "{when_full}"; show.light() with 1000 births of 50 fireworks each; how '
+        "many fireworks were created"
     )
     about.cause = (
         "Too many fireworks were created. First compute how many of them will have a slot at the "
@@ -190,7 +191,9 @@ def test_a_thousand_million_sparks_cost_no_more_than_the_capacity(when_full: str
     about.read = "the docstring of light"
     _, _, made = probes.many_births(simple(1), simple(2), 2000, when_full, 1000, 50)
     expect_exactly(max(0, made - 2000), 0, then=", beyond 2000")
-    about.call = f'capacity 2000, "{when_full}"; show.light() of 1000 births, each of 10**9'
+    about.call = (
+        f'capacity 2000, "{when_full}"; show.light() with 1000 births of 10**9 fireworks each'
+    )
     lit, dropped, _ = probes.many_births(simple(1), simple(2), 2000, when_full, 1000, 10**9)
     wanted = [2000, 0] if when_full == "keep_old" else [0, 2000]
     expect_exactly(

@@ -119,7 +119,7 @@ def test_first_is_who_is_touched_first_and_not_who_is_nearer() -> None:
     targets.strike_first(Vector3(0.0, 1.0, 0.0), p, [thin, long])
     hits = (thin.hits, long.hits)
     expect_exactly(hits, (0, 1), then=", thin one and long one")
-    about.call = "two blocks with one and the same face; strike_first(...), their hits"
+    about.call = "two blocks whose near faces are in the same plane; strike_first(...), their hits"
     about.cause = (
         "If the path touches two blocks at the same fraction, hit the one that comes first in the "
         "list."
@@ -209,14 +209,14 @@ def test_on_the_range_a_fast_shot_is_stopped_by_a_thin_block() -> None:
         "starts to move in the next step."
     )
     moved = block.particle.position.z
-    expect_close(moved, 20.0 + 0.5 * wanted, then="r.update(0.5); where it is")
+    expect_close(moved, 20.0 + 0.5 * wanted, then="r.update(0.5); its z coordinate")
 
 
 @pytest.mark.exercise("4.3c")
 def test_on_the_range_each_shot_hits_what_is_first_on_its_own_way() -> None:
     about.call = (
-        "blocks aside, at z = 12 and at z = 8; fire a laser, a fireball to the side and another "
-        "laser; r.update(0.1)"
+        "three blocks, one to the side, one at z = 12 and one at z = 8; fire a laser, a fireball "
+        "to the side and another laser; r.update(0.1)"
     )
     about.cause = (
         "Test every shot against all targets. A shot that hits one is removed, and the other shots "
@@ -246,7 +246,8 @@ def test_on_the_range_a_hit_comes_before_the_end_of_a_flight() -> None:
         "strike_first before you call is_spent."
     )
     about.call = (
-        'a block at z = 8; r.fire("laser", elevation=-0.1); r.update(0.5), which ends below 0'
+        'a block at z = 8; r.fire("laser", elevation=-0.1); r.update(0.5), after which the shot is '
+        "below the ground"
     )
     block = TargetBlock(Vector3(0.0, 1.0, 8.0), (2.0, 2.0, 0.5), mass=35.0)
     at = BallisticRange([block])

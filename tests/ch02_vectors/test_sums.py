@@ -97,7 +97,13 @@ def test_plus_and_minus_equals_change_the_vector_itself(
         v -= w
     opposite = (a[0] - sign * b[0], a[1] - sign * b[1], a[2] - sign * b[2])
     wrong_sign = "-" if sign > 0.0 else "+"
-    mistakes = [(opposite, f"The sign is wrong, because the result is v {wrong_sign} other.")]
+    mistakes = [
+        (
+            opposite,
+            f"The result is v {wrong_sign} other, so the components were combined "
+            "with the wrong sign.",
+        )
+    ]
     blame(xyz(v), mistakes)
     expect_close(xyz(v), wanted, tolerance=1e-14)
     about.cause = (

@@ -44,11 +44,13 @@ def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) ->
     for d, h in ((draw_damping(rng), 0.1), (draw_damping(rng), 0.7), (0.0, 0.5), (1.5, 0.5)):
         about.call = f"damp_per_frame(Vector3{v}, Vector3{a}, {d}, {h})"
         about.cause = (
-            "Eq. 3.5 is v' = v d + a h. In every step, multiply the velocity by d, and then add a "
-            "h."
+            "Eq. 3.5 is v' = v d + a h. In every step, multiply the velocity by d, and then add "
+            "the acceleration times h."
         )
         got = forms.damp_per_frame(Vector3(*v), Vector3(*a), d, h)
-        undamped = "The velocity was not damped. Multiply it by d before you add a h."
+        undamped = (
+            "The velocity was not damped. Multiply it by d before you add the acceleration times h."
+        )
         if d == 0.0:
             undamped = (
                 "A damping of 0 removes the whole velocity, but here all of it was kept. Python "

@@ -179,9 +179,13 @@ def test_five_seconds_by_the_equation() -> None:
     mistakes = [
         (
             (-43.0, 25.0, 21.5),
-            "The factor 1/2 of the acceleration term is missing. Add a t^2 / 2 instead of a t^2.",
+            "The factor 1/2 of the acceleration term is missing. The term must be a t^2 / 2.",
         ),
-        ((2.0, 2.5, 10.25), "The time was not squared in the acceleration term. Add a t^2 / 2."),
+        (
+            (2.0, 2.5, 10.25),
+            "The acceleration term contains t, but it needs the square of the "
+            "time. The term must be a t^2 / 2.",
+        ),
         (
             (-20.0, 7.5, 16.25),
             "The result is only the displacement. Add it to the start position p.",

@@ -55,7 +55,11 @@ def test_a_drift_moves_the_position_alone(rng: Random) -> None:
                 "The velocity was damped in drift. This method must only read the velocity, "
                 "because kick does the damping.",
             ),
-            (x, "The position did not change. Add v h to the position of the particle."),
+            (
+                x,
+                "The position did not change. Multiply the velocity by h and add the product to "
+                "the position.",
+            ),
         ]
         blame(got, mistakes if h else [])
         wanted = tuple(x[i] + v[i] * h for i in range(3))
@@ -100,7 +104,7 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
             (
                 tuple(v[i] * keep + a[i] * keep for i in range(3)),
                 "The acceleration is given per second, but it was added as if the step lasted a "
-                "whole second. Add a h instead.",
+                "whole second. Multiply it by h first.",
             ),
             (
                 tuple((v[i] + a[i] * h) * damping for i in range(3)),
@@ -114,9 +118,13 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
             (
                 tuple((v[i] + a[i] * h / mass) * keep for i in range(3)),
                 "The acceleration was divided by the mass, but only a force has to be divided by "
-                "it. Add a h.",
+                "it. Multiply the acceleration only by h.",
             ),
-            (v, "The velocity did not change. Add a h to the velocity of the particle."),
+            (
+                v,
+                "The velocity did not change. Multiply the acceleration by h and add the product "
+                "to the velocity.",
+            ),
         ]
         blame(got, mistakes if h and damping != 1.0 else [])
         wanted = tuple((v[i] + a[i] * h) * keep for i in range(3))

@@ -52,12 +52,12 @@ def test_the_position_moves_with_the_velocity_from_before_the_step(rng: Random) 
             (
                 tuple(x[i] + v[i] * h + a[i] * h * h / 2.0 for i in range(3)),
                 "The step added a h^2 / 2 to the position. The book leaves this term out on "
-                "purpose, so add only v h.",
+                "purpose, so add only the velocity times h.",
             ),
             (
                 tuple(x[i] + v[i] for i in range(3)),
                 "The velocity is given per second, but it was added as if the step lasted a whole "
-                "second. Add v h instead.",
+                "second. Multiply it by h first.",
             ),
             (x, "The position did not change. Call self.drift(duration) in integrate."),
         ]
@@ -79,7 +79,7 @@ def test_the_velocity_gains_what_the_acceleration_gives(rng: Random) -> None:
         (
             tuple(v[i] + a[i] for i in range(3)),
             "The acceleration is given per second, but it was added as if the step lasted a whole "
-            "second. Add a h instead.",
+            "second. Multiply it by h first.",
         ),
         (v, "The velocity did not change. Call self.kick(duration) in integrate."),
     ]

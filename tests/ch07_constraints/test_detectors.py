@@ -201,7 +201,8 @@ def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
     expect_exactly(len(got), len(wanted), then=": number of pairs")
     expect_exactly(seen, pairs, then=": the pairs, by index")
     for (_, _, normal, restitution, depth), right in zip(got, wanted, strict=True):
-        about.cause = "The normal points from the second particle of the pair to the first."
+        about.cause = "The normal is wrong. It must point from the second particle of the pair to "
+        about.cause += "the first."
         # Differences of positions of up to 10 m, over a distance of half a meter or more.
         expect_close(normal, right[2], then=": normal", tolerance=1e-13)
         about.cause = "Give each contact the restitution of the detector."

@@ -32,8 +32,8 @@ PAIRS = "the docstring of ParticlePairs.next_impact"
 @scoped
 def expect_impact(impact: Any) -> Any:
     """Expect an impact, as time and contact, and return it."""
-    about.cause = "There is an impact here, so the result must be a tuple (time, contact). "
-    about.cause += f"{about.cause}"
+    why = "There is an impact here, so the result must be a tuple (time, contact)."
+    about.cause = f"{why} {about.cause}"
     pair = isinstance(impact, (tuple, list)) and len(impact) == 2
     expect_exactly(pair, True, then=" is (time, contact)")
     return impact

@@ -73,8 +73,8 @@ def expect_contacts(
         why += "rod."
         expect_close(restitution, right[3], then=": restitution", cause=why)
         depths = [
-            (-right[4], "The penetration has the wrong sign, so the resolver would ignore this "
-                        "contact. It must be positive when the limit is exceeded."),
+            (-right[4], "The penetration has the wrong sign. It must be positive when the "
+                        "limit is exceeded and negative when there is still room."),
             (far, "This penetration is the whole distance between the ends. Only the part beyond "
                   "the limit must be removed, so subtract the limit from it."),
         ]  # fmt: skip

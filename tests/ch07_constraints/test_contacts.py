@@ -96,8 +96,8 @@ def test_to_ask_for_it_changes_nothing(rng: Random) -> None:
     v, w, n, m = components(rng), components(rng), direction(rng), direction(rng)
     about.call = f"a with velocity {v}, b with {w}; c = Contact(a, b, Vector3{n}); "
     about.call += "c.separating_velocity()"
-    about.cause = "Asking for the separating velocity has changed a vector. Perhaps you used -=, "
-    about.cause += "which works in place. Compute a - b instead, because it creates a new vector."
+    about.cause = "Asking for the separating velocity must not change any vector. The operator -= "
+    about.cause += "works in place, so compute a - b instead, which creates a new vector."
     a, b = Particle(velocity=Vector3(*v)), Particle(velocity=Vector3(*w))
     c = Contact(a, b, Vector3(*n))
     c.separating_velocity()

@@ -292,9 +292,9 @@ def test_every_pair_is_found_once(rng: Random) -> None:
 def test_not_every_pair_is_looked_at() -> None:
     about("400 spheres of radius 0.5 m in a cube of 40 m; ParticlePairs(spheres, ", read=PAIRS)
     about.call += "0.5).contacts(): accesses to positions"
-    about.cause = "The positions were read too often. Comparing all 79,800 pairs takes more than "
-    about.cause += "400,000 reads, so compare only particles that are near each other. Use a "
-    about.cause += "grid, or sort them along an axis."
+    about.cause = "Comparing all 79,800 pairs reads the positions more than 400,000 times, which "
+    about.cause += "is too slow. Use a grid or sort the particles along an axis, and compare only "
+    about.cause += "those that are near each other."
     asked, found, wanted = looked(400, 40.0)
     # A grid asks about 1,400 times, a sweep along an axis some 33,000 times.
     expect_between(asked, 0, 100_000)
@@ -348,8 +348,8 @@ def test_a_pile_of_ten_holds() -> None:
     about.read = "book 7.3.1, and the docstring of ParticlePairs.contacts"
     about.call = "ten spheres of 1 kg, radius 0.5 m, stacked on the ground; 15 semi-implicit steps "
     about.call += "of 1/60 s with ParticlePairs and a ContactResolver of 500 iterations"
-    about.cause = "The spheres sink into each other. Check that each sphere has a contact with the "
-    about.cause += "sphere below it in every step."
+    about.cause = "The spheres must not sink into each other. Check that each sphere has a contact "
+    about.cause += "with the sphere below it in every step."
     particles = [
         Particle(Vector3(0.0, i + 0.5, 0.0), acceleration=Vector3(0.0, -9.81, 0.0))
         for i in range(10)

@@ -106,8 +106,8 @@ def test_momentum_is_kept_and_energy_lost(rng: Random) -> None:
         v, w = closing_velocities(rng, n)
         about.call = f"a of {ma} kg, velocity {v}; b of {mb} kg, velocity {w}; Contact(a, b, "
         about.call += f"Vector3{n}, {c}).resolve_velocity()"
-        about.cause = "The total momentum has changed, but a collision conserves it at every "
-        about.cause += "restitution. The momentum that a gains must be taken from b."
+        about.cause = "A collision conserves the total momentum at every restitution. The momentum "
+        about.cause += "that a gains must be taken from b."
         a = Particle(velocity=Vector3(*v), mass=ma)
         b = Particle(velocity=Vector3(*w), mass=mb)
         Contact(a, b, Vector3(*n), c).resolve_velocity()

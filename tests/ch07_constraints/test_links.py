@@ -265,8 +265,9 @@ def test_a_pendulum_swings_in_its_period() -> None:
         about.call = f"1 kg on AnchoredRod(bob, Vector3(0, 0, 0), 1.0), released at {degrees:g} "
         about.call += "degrees, g = 10; semi-implicit steps of 1/1000 s and contact.resolve: the "
         about.call += "period, s"
-        about.cause = "The period of the pendulum is wrong. The contact of the rod must remove "
-        about.cause += "only the velocity along the rod, and its restitution must be 0."
+        about.cause = "The contact of the rod must remove only the velocity along the rod, and its "
+        about.cause += "restitution must be 0. Otherwise the pendulum does not swing in its "
+        about.cause += "period."
         bob = Particle(
             Vector3(math.sin(angle), -math.cos(angle), 0.0), acceleration=Vector3(0.0, -10.0, 0.0)
         )

@@ -159,8 +159,8 @@ def test_the_moves_are_vectors_of_their_own(rng: Random) -> None:
     p, q, n = components(rng), components(rng), direction(rng)
     about.call = f"a at {p}; c = Contact(a, None, Vector3{n}, 0.5, 1.0); moves = "
     about.call += "c.resolve_penetration(); moves[0].x += 1; moves[1].x += 1"
-    separate = "Changing a returned move has changed the contact or a particle. Return new "
-    separate += "vectors, and never the contact's normal or a particle's position itself."
+    separate = "The caller may change the returned moves. Return new vectors, and never the "
+    separate += "contact's normal or a particle's position itself, and do not change the normal."
     about.cause = separate
     a = Particle(Vector3(*p))
     c = Contact(a, None, Vector3(*n), 0.5, 1.0)

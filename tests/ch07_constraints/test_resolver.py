@@ -71,8 +71,8 @@ def test_what_closes_fastest_is_first() -> None:
         ]  # fmt: skip
         blame(got, mistakes)
         expect_close(got, wanted, then=f" {limit}: velocities")
-        about.cause = "The number of resolved contacts is wrong. Stop when no contact closes "
-        about.cause += "anymore, and return how many times you resolved a contact."
+        about.cause = "Stop when no contact closes anymore or when the limit is reached, and "
+        about.cause += "return how many times you resolved a contact."
         expect_exactly(used, min(limit, 3), then=f" {limit}: returned")
 
 
@@ -226,8 +226,8 @@ def test_many_contacts_come_to_an_end(rng: Random) -> None:
         contacts.append((a, b, n, 0.5, 0.0))
     about.call = "9 particles, one of them immovable, with 11 closing contacts, restitution 0.5; "
     about.call += "resolve_velocities, limit 2000"
-    about.cause = "Some contacts are still closing. Keep resolving until no contact closes faster "
-    about.cause += "than VELOCITY_TOLERANCE."
+    about.cause = "At the end no contact may still be closing. Keep resolving until no contact "
+    about.cause += "closes faster than VELOCITY_TOLERANCE."
     used, after, _ = resolved(bodies, contacts, "resolve_velocities", 2000)
     got = max(dot(after[b][1], n) - dot(after[a][1], n) for a, b, n, _, _ in contacts)
     name = f"{about.call}: the largest closing speed left (negative when all separate)"

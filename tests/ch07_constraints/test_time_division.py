@@ -57,9 +57,8 @@ def test_without_an_impact_the_flight_is_exact(rng: Random) -> None:
     wanted = (v[0], v[1] - 10.0 * h, v[2])
     expect_close(velocity, wanted, then="velocity")
     about.call = "an immovable particle with velocity (1, 2, 3); one step: position, velocity"
-    about.cause = (
-        "An immovable particle was moved. It stays where it is, so leave it out of the flight."
-    )
+    about.cause = "An immovable particle stays where it is, whatever its velocity says. Leave it "
+    about.cause += "out when you move the particles."
     body = (ZERO, (1.0, 2.0, 3.0), math.inf)
     seen, _, _, _ = flown([body], DOWN, 0.0, (0.5, None), h, 1)
     expect_close(sum(seen[0][0], ()), (*ZERO, 1.0, 2.0, 3.0))
@@ -76,8 +75,9 @@ def test_a_ball_bounces_when_it_is_due(rng: Random) -> None:
         while t <= 3.0:
             times.append(t)
             t += 2.0 * e ** len(times)
-        about.cause = "The number of impacts is wrong. Move the particles to each impact, resolve "
-        about.cause += "its velocity, and ask for the next impact in the rest of the step."
+        about.cause = "A step can contain several impacts. Move the particles to each impact, "
+        about.cause += "resolve its velocity, and ask for the next impact in the rest of the "
+        about.cause += "step."
         seen, found, asked, _ = flown(
             [((0.0, 5.0, 0.0), ZERO, 2.0)], DOWN, 0.0, (e, None), h, frames
         )
@@ -96,9 +96,8 @@ def test_a_ball_bounces_when_it_is_due(rng: Random) -> None:
         speed = 10.0 * e**bounces
         wanted = (speed * left - 5.0 * left * left, speed - 10.0 * left)
         place, velocity = seen[-1][0]
-        about.cause = "The motion after an impact is wrong. Resolve each velocity at the time of "
-        about.cause += "its impact, with a duration of 0, because no part of it must be left out "
-        about.cause += "of the bounce."
+        about.cause = "Resolve each velocity at the time of its impact. Use a duration of 0, "
+        about.cause += "because no part of the velocity may be left out of the bounce."
         # Some 200 flights, each with a few roundings of 10 m.
         name = f"{about.call}height and speed"
         expect_close((place[1], velocity[1]), wanted, call=name, tolerance=1e-11)
@@ -117,16 +116,16 @@ def test_nothing_is_lost_at_restitution_one() -> None:
     about.read = READ
     about.call = "a ball falls 2 m, g = 10, restitution 1; 20 s of steps of 1/60 s: the lowest and "
     about.call += "highest energy, divided by m g, in m"
-    about.cause = "The energy has changed, but the flights are exact and a bounce at restitution 1 "
-    about.cause += "loses nothing. The ball must always rise to 2 m."
+    about.cause = "The flights are exact, and a bounce at restitution 1 loses no energy. So the "
+    about.cause += "energy must stay the same, and the ball must always rise to 2 m."
     seen, found, _, _ = flown([((0.0, 2.0, 0.0), ZERO, 1.0)], DOWN, 0.0, (1.0, None), FRAME, 1200)
     heights = [place[1] + velocity[1] ** 2 / 20.0 for ((place, velocity),) in seen]
     got = (min(heights), max(heights))
     # 1200 steps, each with a few roundings of 2 m.
     expect_close(got, (2.0, 2.0), tolerance=1e-11)
     name = "the same: number of impacts"
-    about.cause = "The number of impacts is wrong. The first impact is after sqrt(0.4) s, and "
-    about.cause += "another one follows every 2 sqrt(0.4) s."
+    about.cause = "The first impact must be after sqrt(0.4) s, and after that another one must "
+    about.cause += "follow every 2 sqrt(0.4) s."
     expect_exactly(len(found), 16, call=name)
 
 
@@ -149,8 +148,8 @@ def test_rest_is_told_with_its_time() -> None:
     mistakes = [(2.0 * early + FRAME - ends, name)]
     blame(got, mistakes, tolerance=1e-7)
     expect_close(got, ends, then="its time, s", tolerance=1e-7)
-    about.cause = "The number of resolved impacts is wrong. Resolve up to max_impacts impacts. If "
-    about.cause += "another one follows, raise TooManyImpacts without resolving it."
+    about.cause = "Resolve at most max_impacts impacts in a step. If another one follows, raise "
+    about.cause += "TooManyImpacts without resolving it."
     expect_exactly(impacts, 1000, then="error.impacts")
     about.call = "a particle lies on the ground, g = 10, restitution 0.5; one step: error.impacts "
     about.call += "and error.time"
@@ -168,8 +167,8 @@ def test_rest_is_told_with_its_time() -> None:
     for most in (3, 1):
         about.call = "a ball of damping 0.5 falls 5 m, g = 10, restitution 0.5; one step of 9 s, "
         about.call += "max_impacts "
-        about.cause = "The number of resolved impacts is wrong. Resolve up to max_impacts impacts. "
-        about.cause += "If another one follows, raise TooManyImpacts without resolving it."
+        about.cause = "Resolve at most max_impacts impacts in a step. If another one follows, "
+        about.cause += "raise TooManyImpacts without resolving it."
         seen, _, _, ended = flown([body], DOWN, 0.0, (0.5, None), 9.0, 1, most, 0.5)
         impacts, time = ended or (0, 0.0)
         times = [1.0, 2.0, 2.5, 2.75]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from random import Random
 
 import pytest
@@ -11,7 +10,7 @@ from ch02_vectors.vector import Vector3
 from ch05_forces import probes
 from ch05_forces.particle import Particle
 from draw import Components, components
-from expect import about, blame, expect_close, expect_error, expect_unchanged, xyz
+from expect import about, blame, expect_close, expect_unchanged, xyz
 
 ZERO = (0.0, 0.0, 0.0)
 # Numbers up to 100, and a handful of roundings of each.
@@ -253,103 +252,3 @@ def test_a_push_of_5_seconds_lags_as_explicit_euler_does(rng: Random) -> None:
     expect_close(position, wanted, then="; p.position", tolerance=1e-10)
     wanted = tuple(f[i] / mass * 5.0 for i in range(3))
     expect_close(velocity, wanted, then="; p.velocity", tolerance=1e-10)
-
-
-@pytest.mark.exercise("B5.2")
-def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
-    x, v, a, f = (components(rng) for _ in range(4))
-    h, mass = draw_frame(rng), draw_mass(rng)
-    about.call = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass=math.inf); "
-    about.call += f"p.add_force(Vector3{f}); p.integrate({h})"
-    about(
-        cause="An immovable particle must not move. Check the inverse mass before you change the "
-        "position or the velocity.",
-        read="the docstring of kick",
-    )
-    p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=math.inf)
-    p.add_force(Vector3(*f))
-    p.integrate(h)
-    expect_unchanged("p.position", xyz(p.position), x)
-    expect_unchanged("p.velocity", xyz(p.velocity), v)
-    about.cause = "The forces on the immovable particle were not cleared. Clear them as well, "
-    about.cause += "because otherwise they add up until the particle becomes movable."
-    got = xyz(p.force_accumulator)
-    expect_close(got, ZERO, then="; p.force_accumulator")
-    about.cause = "Forces do not accelerate an immovable particle, so its last_acceleration must "
-    about.cause += "be the constant acceleration alone."
-    expect_close(xyz(p.last_acceleration), a, then="; p.last_acceleration")
-    p.mass = mass
-    p.add_force(Vector3(*f))
-    p.integrate(h)
-    about.call += f"; p.mass = {mass}; p.add_force(Vector3{f}); p.integrate({h}); p.velocity"
-    about.cause = "The particle has a finite mass now, so it must move. Only the new force may "
-    about.cause += "act, because the earlier one was cleared."
-    wanted = tuple(v[i] + (a[i] + f[i] / mass) * h for i in range(3))
-    expect_close(xyz(p.velocity), wanted, tolerance=ROUNDED)
-
-
-@pytest.mark.exercise("B5.2")
-def test_a_drift_leaves_the_forces_to_the_kick(rng: Random) -> None:
-    x, v, a, f = (components(rng) for _ in range(4))
-    mass, h = draw_mass(rng), draw_frame(rng)
-    words, p = moving(x, v, a, mass)
-    about(f"{words}; p.add_force(Vector3{f}); p.drift({h} / 2)", read="the docstring of kick")
-    p.add_force(Vector3(*f))
-    p.drift(h / 2.0)
-    about.cause = "A drift has changed the velocity or the forces. It must change only the "
-    about.cause += "position, because the kick uses the forces."
-    expect_unchanged("p.velocity", xyz(p.velocity), v)
-    got = xyz(p.force_accumulator)
-    expect_close(got, f, then="; p.force_accumulator")
-    about.call += f"; p.kick({h})"
-    before = xyz(p.position)
-    p.kick(h)
-    about.cause = "A kick must change only the velocity. The new velocity is (v + (a + f / m) h) "
-    about.cause += "d^h."
-    expect_unchanged("p.position", xyz(p.position), before)
-    total = [a[i] + f[i] / mass for i in range(3)]
-    wanted = tuple(v[i] + total[i] * h for i in range(3))
-    got = xyz(p.velocity)
-    expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
-    about.cause = "The forces are still there after the kick. Each force acts once, so the kick "
-    about.cause += "must clear their sum."
-    got = xyz(p.force_accumulator)
-    expect_close(got, ZERO, then="; p.force_accumulator")
-    about.cause = "last_acceleration must be the acceleration that the last kick used. A drift "
-    about.cause += "after that must not change it."
-    about.call += f"; p.drift({h} / 2)"
-    p.drift(h / 2.0)
-    got = xyz(p.last_acceleration)
-    expect_close(got, total, then="; p.last_acceleration", tolerance=ROUNDED)
-    about.cause = "With a constant force, half a drift, a kick and another half drift must give "
-    about.cause += "the exact position."
-    wanted = tuple(x[i] + v[i] * h + total[i] * h * h / 2.0 for i in range(3))
-    got = xyz(p.position)
-    expect_close(got, wanted, then="; p.position", tolerance=ROUNDED)
-
-
-@pytest.mark.exercise("B5.2")
-@pytest.mark.robust
-@pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
-def test_a_refused_step_keeps_the_forces(duration: float) -> None:
-    about.read = "the docstring of kick"
-    error = TypeError if isinstance(duration, str) else ValueError
-    x, v, a, f = (1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0), (1.0, -2.0, 3.0)
-    for mass in (2.0, math.inf):
-        words, p = moving(x, v, a, mass)
-        about.cause = "The duration must be positive and finite. Make sure that integrate checks "
-        about.cause += "it."
-        about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({duration!r})"
-        p.add_force(Vector3(*f))
-        expect_error(
-            lambda p=p: p.integrate(duration), error, allowed=lambda: Particle().integrate(0.5)
-        )
-        about.cause = "The duration was rejected, but the particle has changed. Check the duration "
-        about.cause += "before you change anything."
-        expect_unchanged("p.position", xyz(p.position), x)
-        expect_unchanged("p.velocity", xyz(p.velocity), v)
-        expect_unchanged("p.acceleration", xyz(p.acceleration), a)
-        got = xyz(p.force_accumulator)
-        expect_close(got, f, then="; p.force_accumulator")
-        got = xyz(p.last_acceleration)
-        expect_close(got, a, then="; p.last_acceleration")

@@ -1,4 +1,4 @@
-"""Detectors of future contacts: the ground and pairs of spheres, B7.10 and B7.11."""
+"""The next impact on the ground, and the durations of both detectors, B7.10 and B7.11."""
 
 from __future__ import annotations
 

@@ -131,8 +131,8 @@ def test_the_step_fails_just_beyond_the_limits_and_not_before(rng: Random) -> No
 @pytest.mark.robust
 def test_limits_need_numbers_that_mean_something() -> None:
     about.read = LIMITS
-    about.cause = "One of these arguments is out of range, so the function must raise ValueError. "
-    about.cause += "Check each argument with a function from arguments.py."
+    about.cause = "One of these arguments is out of range, so raise ValueError. The functions of "
+    about.cause += "arguments.py do this, so call one of them for each argument."
     for bad in (
         (-0.3, 0.05, 2.0, 5.0),
         (0.3, -0.05, 2.0, 5.0),

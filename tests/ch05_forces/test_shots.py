@@ -155,7 +155,10 @@ def test_without_shots_left_none_is_fired() -> None:
     at.shots_left = 1
     fired = at.shoot(0.0, 0.0)
     expect_exactly(
-        fired, True, call="range.shots_left = 1; range.shoot(0.0, 0.0)", cause="One shot is left."
+        fired,
+        True,
+        call="range.shots_left = 1; range.shoot(0.0, 0.0)",
+        cause="One shot is left, so it must be fired. Return True.",
     )
     at.bullet = None
     expect_exactly(at.shoot(0.0, 0.0), False)
@@ -204,8 +207,8 @@ def test_the_innermost_ring_counts(rng: Random) -> None:
     about.cause += "0.25 and 0.5 m give 10, 5 and 2 points."
     use = "Compare the distance from the center, math.hypot(x, y), with the radii."
     for x, y, points, slip, gives in (
-        (0.0, 0.3, 2, "Only x was compared with the radii.", 10),
-        (0.3, 0.0, 2, "Only y was compared with the radii.", 10),
+        (0.0, 0.3, 2, "Only x was compared with the radii of the rings.", 10),
+        (0.3, 0.0, 2, "Only y was compared with the radii of the rings.", 10),
         (0.08, -0.08, 5, "The sum x + y was used as the distance.", 10),
         (
             0.2,

@@ -68,9 +68,7 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
     }
     acted = [got != ZERO for _, got in came]
     if acted != inside:
-        about.cause = next(
-            (f"{rule} {about.cause}" for rule in rules if rules[rule] == acted), about.cause
-        )
+        about.cause = next((rule for rule in rules if rules[rule] == acted), about.cause)
     for (call, got), acts in zip(came, inside, strict=True):
         about.call = call
         x, y, z = force

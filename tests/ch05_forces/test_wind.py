@@ -147,7 +147,7 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
                 why = "A component of the wind exceeds 10 m/s. Perhaps the new wind was added to "
                 why += f"the old one. {why}"
             expect_between(got, low, high, then=f": the {what} {name}", cause=why)
-    about.cause = "The wind is too rarely or too often weak. Draw x and z independently of each "
+    about.cause = "Weak winds are too rare or too frequent. Draw x and z independently of each "
     about.cause += "other."
     # |w| < 5 for 0.196 of all: 79 of 401, and beyond these bounds once in 10^9 runs.
     weak = sum(math.hypot(x, z) < 5.0 for x, _, z in seen)

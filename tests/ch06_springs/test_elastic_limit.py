@@ -25,9 +25,14 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
     for share, cause in (
         (
             1.9,
-            "Up to its limit, a stretched spring pulls like any other spring: -k (l - l0) d^.",
+            "This spring is stretched, but not beyond its limit. It pulls like any other spring, "
+            "so the force is -k (l - l0) d^.",
         ),
-        (0.5, "A compressed spring pushes like any other spring: -k (l - l0) d^."),
+        (
+            0.5,
+            "This spring is compressed, so it pushes like any other spring. The force is -k (l "
+            "- l0) d^.",
+        ),
         (
             0.1,
             (
@@ -45,20 +50,33 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
         wanted = tuple(-k * (share - 1.0) * rest * part for part in d)
         got = xyz(p.force_accumulator)
         opposite = [-part for part in wanted]
-        slips = {"no force": ZERO, "The force points along the offset. Reverse the sign.": opposite}
+        slips = {
+            "There is no force, although the length differs from the rest length. Call "
+            "add_force "
+            "with the "
+            "force of the "
+            "spring.": ZERO,
+            "The force points along the offset, but a stretched spring "
+            "pulls. Reverse the sign.": opposite,
+        }
         if share < 1.0:
             slips = {
-                "no force": ZERO,
-                "With abs(l - l0), a compressed spring pulls. Remove abs (E-3).": opposite,
+                "There is no force, although the length differs from the rest length. Call "
+                "add_force with the force of the spring.": ZERO,
+                "With abs(l - l0), a compressed spring pulls. Remove abs, which comes from the "
+                "printed formula (E-3).": opposite,
             }
         blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-12)
-        about.cause = "This spring acts on one end only. Do not change the other particle."
+        about.cause = (
+            "This spring acts only on the particle that is passed. Do not add a force to the other "
+            "particle."
+        )
         expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
     about.call = f"p at (4, 0, 0), q at (0, 0, 0); ElasticLimitSpring(q, {k}, 2, 4, "
     about.call += "0.25).update_force(p, 0.5); p.force_accumulator"
     about.cause = (
-        "When the length is exactly at the limit, the spring still pulls with its full stiffness."
+        "The length is exactly at the limit, so the spring still pulls with its full stiffness."
     )
     p, q = Particle(Vector3(4.0, 0.0, 0.0)), Particle()
     ElasticLimitSpring(q, k, 2.0, 4.0, 0.25).update_force(p, 0.5)
@@ -79,8 +97,8 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         about.call = f"p at {place}, q at {base}; ElasticLimitSpring(q, {k}, {rest}, {limit}, "
         about.call += f"{share}).update_force(p, 0.5)"
         about.cause = (
-            "Up to the limit the full stiffness applies, and beyond it share * stiffness: k (limit "
-            "- l0) + share k (l - limit)."
+            "Split the extension at the limit. The part up to the limit has the full stiffness, "
+            "and the rest has share * stiffness: k (limit - l0) + share k (l - limit)."
         )
         p, q = Particle(Vector3(*place), mass=3.0), Particle(Vector3(*base))
         spring = ElasticLimitSpring(q, k, rest, limit, share)
@@ -89,27 +107,28 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         late = rest + limit  # the length of a limit that is counted from the rest length
         sizes = {
             (
-                "The force does not grow beyond the limit. It must keep growing there, with share "
-                "* stiffness."
+                "Your force stays the same beyond the limit. It must keep growing there, with the "
+                "stiffness multiplied by share."
             ): limit - rest,
             (
                 "share is applied to the whole extension. Apply it only to the part beyond the "
                 "limit."
             ): share * (length - rest),
-            "The full stiffness acts beyond the limit. Multiply the stiffness by share "
-            "there.": length - rest,
-            "Only the part beyond the limit counts here. Add the part up to the limit.": share
-            * beyond,
-            "The limit is measured from the rest length. It must be compared with the length, not "
-            "the extension.": (min(length, late) - rest + share * max(length - late, 0.0)),
+            "Your force uses the full stiffness beyond the limit. Multiply the stiffness by share "
+            "for that part of the extension.": length - rest,
+            "Your force counts only the part of the extension beyond the limit. Add the part up "
+            "to the limit, which has the full stiffness.": share * beyond,
+            "Your limit is measured from the rest length, but it is a length itself. Compare it "
+            "with the length, not "
+            "with the extension.": (min(length, late) - rest + share * max(length - late, 0.0)),
         }
         got = xyz(p.force_accumulator)
         slips = {slip: [-k * size * part for part in d] for slip, size in sizes.items()}
         blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
         about.cause = (
-            "The spring does not remember that it was stretched. The second call adds the same "
-            "force again."
+            "The spring must not remember that it was stretched. The second call adds the same "
+            "force again, so the sum is twice as large."
         )
         spring.update_force(p, 0.5)
         got = xyz(p.force_accumulator)
@@ -124,8 +143,8 @@ def test_ends_of_an_elastic_limit_spring_at_one_place(rng: Random) -> None:
     about.call = f"p and q at {place}; p.add_force(Vector3{f}); s = ElasticLimitSpring(q, 5.0, "
     about.call += "1.0, 2.0, 0.5); s.update_force(p, 0.5)"
     about.cause = (
-        "If both ends are at the same position, there is no direction and no force. The other "
-        "forces stay."
+        "Both ends are at the same position, so there is no direction and no force. The other "
+        "forces on p must stay."
     )
     p, q = Particle(Vector3(*place)), Particle(Vector3(*place), mass=math.inf)
     p.add_force(Vector3(*f))
@@ -134,7 +153,10 @@ def test_ends_of_an_elastic_limit_spring_at_one_place(rng: Random) -> None:
     expect_close(xyz(p.force_accumulator), f, then="; p.force_accumulator")
     about.call += "; p.clear_forces(); q.position = q.position - Vector3(4, 0, 0); s.limit = 3.0; "
     about.call += "s.share = 2.0; s.stiffness = 4.0; s.rest_length = 0.0; s.update_force(p, 0.5)"
-    about.cause = "Read the attributes in each call. The pull is 4 * 3 + 2 * 4 (4 - 3)."
+    about.cause = (
+        "The attributes may change between two calls, so read them in each call. The pull here is "
+        "4 * 3 + 2 * 4 (4 - 3)."
+    )
     p.clear_forces()
     q.position = q.position - Vector3(4.0, 0.0, 0.0)
     s.limit, s.share, s.stiffness, s.rest_length = 3.0, 2.0, 4.0, 0.0

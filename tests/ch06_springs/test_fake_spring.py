@@ -41,16 +41,21 @@ def test_the_force_by_its_formula() -> None:
     about.read = READ
     about.call = "p of 1 kg at (1, 0, 0), at rest, with acceleration (0, -10, 0) and damping 0.5; "
     about.call += "FakeStiffSpring(Vector3(), 400, 0).update_force(p, 1/60)"
-    about.cause = "(T - x) / h^2 - v / h, here with T = cos(chi h)"
+    about.cause = (
+        "The force on 1 kg is (T - x) / h^2 - v / h, where T is the position of a real spring "
+        "after the step. Here T is cos(chi h)."
+    )
     p = Particle(Vector3(1.0, 0.0, 0.0), acceleration=Vector3(0.0, -10.0, 0.0), damping=0.5)
     FakeStiffSpring(Vector3(), 400.0, 0.0).update_force(p, 1.0 / 60.0)
     got = xyz(p.force_accumulator)
     wanted = (-198.15499326694427, 0.0, 0.0)
     sizes = {
-        "In the printed listing, 1 / h * h does not divide by h^2 (E-6).": wanted[0] / 3600.0,
-        "The force is that of a real spring, -k x, which is too large for such a step.": -400.0,
-        "The force is for a step that moves p by a h^2 / 2, but semi-implicit Euler moves it by a "
-        "h^2.": 2.0 * wanted[0],
+        "Your force does not divide by h^2. In the printed listing 1 / h * h lacks parentheses "
+        "(E-6), so write 1 / (h * h).": wanted[0] / 3600.0,
+        "The force is that of a real spring, -k x, which is too large for such a step. Compute "
+        "the force that leads to T within one step.": -400.0,
+        "Your force suits a step that moves p by a h^2 / 2. Semi-implicit Euler moves it by a "
+        "h^2, so remove the factor 2.": 2.0 * wanted[0],
     }
     blame(got, {slip: (size, 0.0, 0.0) for slip, size in sizes.items()})
     # 1 - cos(1/3) loses a digit, and is multiplied by 3600.
@@ -58,15 +63,18 @@ def test_the_force_by_its_formula() -> None:
     about.call = "p of 1 kg at (0, 0, 0), velocity (0, 2, 0); "
     about.call += "FakeStiffSpring(Vector3(), 400, 0).update_force(p, 1/60)"
     about.cause = (
-        "Along y, use (T - x) / h^2 - v / h with x = 0 and v = 2. Here T = v sin(chi h) / chi."
+        "Compute each axis in the same way. Along y the force is (T - x) / h^2 - v / h with x = 0 "
+        "and v = 2, where T is v sin(chi h) / chi."
     )
     p = Particle(velocity=Vector3(0.0, 2.0, 0.0))
     FakeStiffSpring(Vector3(), 400.0, 0.0).update_force(p, 1.0 / 60.0)
     wanted = (0.0, (2.0 * math.sin(1.0 / 3.0) / 20.0 * 60.0 - 2.0) * 60.0, 0.0)
     got = xyz(p.force_accumulator)
     sizes = {
-        "The force is the printed (T - x) / h^2 - v (E-6). Use v / h.": wanted[1] + 120.0 - 2.0,
-        "The force is (T - x) / h^2. Subtract v / h, too.": wanted[1] + 120.0,
+        "Your force is (T - x) / h^2 - v, as printed (E-6). The velocity must also be divided by "
+        "the duration, so use v / h.": wanted[1] + 120.0 - 2.0,
+        "Your force is (T - x) / h^2. Subtract v / h, too, because p already moves.": wanted[1]
+        + 120.0,
         "There is no force, although p moves along y. The offset from the anchor is 0, so it has "
         "no direction: compute x, y and z separately, not the distance as a whole.": 0.0,
     }
@@ -79,7 +87,8 @@ def test_a_soft_spring_is_faked_too() -> None:
     about("p of 1 kg at (0, 0, 1), at rest; FakeStiffSpring(Vector3(), 0.5, ", read=READ)
     about.call += "0).update_force(p, 0.1)"
     about.cause = (
-        "(T - x) / h^2 is about half of a real spring's force, because it acts for the whole step."
+        "The force (T - x) / h^2 is about half of a real spring's force here, because "
+        "semi-implicit Euler applies it for the whole step."
     )
     p = Particle(Vector3(0.0, 0.0, 1.0))
     FakeStiffSpring(Vector3(), 0.5, 0.0).update_force(p, 0.1)
@@ -102,8 +111,8 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         about.call += f"{k}, {c}); s.update_force(p, {h}); a step of semi-implicit Euler; "
         about.call += "p.position"
         about.cause = (
-            "T is relative to the anchor, on each axis separately, with this mass and damping. "
-            "Then x + (v + a h) h must equal T."
+            "Compute T relative to the anchor, on each axis separately, with this mass and "
+            "damping. After the step x + (v + a h) h must equal T."
         )
         ends = faked(anchor, place, v, k, c, m, h, 1)
         wanted = tuple(
@@ -111,18 +120,17 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         )
         axes = list(zip(anchor, place, v, wanted, strict=True))
         slips = {
-            "The force is not multiplied by the mass. It must be m times the acceleration.": [
-                x + u * h + (end - x - u * h) / m for _, x, u, end in axes
-            ],
-            "T is computed for 1 kg. Use the particle's mass.": [
+            "Your force is the acceleration, which only suits 1 kg. Multiply it by the mass of "
+            "the particle.": [x + u * h + (end - x - u * h) / m for _, x, u, end in axes],
+            "Your T is computed for a mass of 1 kg. Use the particle's mass, because a heavier "
+            "particle oscillates more slowly.": [
                 a + true_spring(x - a, u, k, c, 1.0, h) for a, x, u, _ in axes
             ],
-            "T is computed without damping. Use self.damping.": [
+            "Your T is computed without damping. Use self.damping.": [
                 a + true_spring(x - a, u, k, 0.0, m, h) for a, x, u, _ in axes
             ],
-            "T is computed for an anchor at (0, 0, 0). Use self.anchor.": [
-                true_spring(x, u, k, c, m, h) for _, x, u, _ in axes
-            ],
+            "Your T is computed for an anchor at (0, 0, 0). Use the position relative to "
+            "self.anchor.": [true_spring(x, u, k, c, m, h) for _, x, u, _ in axes],
         }
         blame(ends[-1], slips)
         # Divided by h^2 and multiplied by it again: a few roundings of numbers up to 20.

@@ -26,14 +26,14 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
     for time, cause in (
         (
             0.0,
-            "Without a look-ahead, the force pulls toward the target's current position: k (q - "
-            "p).",
+            "The look-ahead is 0, so the bullet does not predict anything. The force k (q - p) "
+            "pulls toward the target's current position.",
         ),
         (
             ahead,
             (
-                "The force is k times the displacement from p + v T to q + w T. Both predictions "
-                "are straight lines, without damping, acceleration or mass."
+                "The force is k times the displacement from p + v T to q + w T. Predict both "
+                "positions along straight lines, without damping, acceleration or mass."
             ),
         ),
     ):
@@ -52,32 +52,30 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
         closing = [w[i] - v[i] for i in range(3)]
         way = [now[i] + closing[i] * time for i in range(3)]
         pulls = {
-            "The force pushes away from the target. Subtract in the opposite order.": [
-                -k * part for part in way
-            ],
-            "The stiffness is missing. Multiply the displacement by it.": way,
-            "The force is k times a unit vector. Use the whole displacement.": [
-                k * part / math.hypot(*way) for part in way
-            ],
+            "The force pushes the bullet away from the target. Subtract the bullet's position "
+            "from the target's.": [-k * part for part in way],
+            "Your force is the displacement itself. Multiply it by the stiffness.": way,
+            "Your force is k times a unit vector, so it is the same at every distance. Use the "
+            "whole displacement.": [k * part / math.hypot(*way) for part in way],
             (
-                "The force pulls toward the target's current position. Use the position after "
-                "look_ahead."
+                "Your force pulls toward the target's current position. Predict where the target "
+                "will be after look_ahead, and where the bullet will be."
             ): [k * part for part in now],
             (
                 "The prediction leaves out the bullet's own velocity. The bullet also moves "
-                "during look_ahead."
+                "during look_ahead, so predict its position, too."
             ): [k * (now[i] + w[i] * time) for i in range(3)],
             "The prediction leaves out the target's velocity. The target also moves during "
-            "look_ahead.": [k * (now[i] - v[i] * time) for i in range(3)],
-            "The prediction uses the duration of the step. Use self.look_ahead.": [
-                k * (now[i] + closing[i] * 0.5) for i in range(3)
-            ],
+            "look_ahead, so predict its position, "
+            "too.": [k * (now[i] - v[i] * time) for i in range(3)],
+            "Your prediction looks ahead by the duration of one step. Use self.look_ahead "
+            "instead.": [k * (now[i] + closing[i] * 0.5) for i in range(3)],
         }
         slips = {slip: [f[i] + pull[i] for i in range(3)] for slip, pull in pulls.items()}
         blame(got, slips)
         # A few roundings of numbers up to 2000.
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
-        about.cause = "Do not change the target."
+        about.cause = "The force acts only on the bullet. Do not add a force to the target."
         expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
 
 
@@ -87,7 +85,10 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
     here, v, there, w = (components(rng) for _ in range(4))
     about.call = f"p at {here}, velocity {v}; q at {there}, velocity {w}; b = HomingBullet(q, 2.0, "
     about.call += "3.0); b.update_force(p, 0.5)"
-    about.cause = "add_scaled, += and *= work in place. Use them on a new vector."
+    about.cause = (
+        "This call changed a position or a velocity. The methods add_scaled, += and *= work in "
+        "place, so use them only on a new vector."
+    )
     p, q = Particle(Vector3(*here), Vector3(*v)), Particle(Vector3(*there), Vector3(*w))
     b = HomingBullet(q, 2.0, 3.0)
     b.update_force(p, 0.5)
@@ -100,7 +101,10 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
         expect_unchanged(name, xyz(now), before)
     about.call = f"p at {here}, velocity {v}; q at {there}, velocity {v}; b.stiffness changed from "
     about.call += "2 to 4, b.look_ahead from 3 to 1; b.update_force(p, 0.5)"
-    about.cause = "Read stiffness, look_ahead and the target's position and velocity in each call."
+    about.cause = (
+        "The attributes may change between two calls. Read stiffness, look_ahead and the target's "
+        "position and velocity in each call."
+    )
     p.clear_forces()
     b.stiffness, b.look_ahead, q.velocity = 4.0, 1.0, Vector3(*v)
     b.update_force(p, 0.5)
@@ -111,7 +115,10 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
         f"p at {here}, velocity {v}; b.stiffness 4, b.look_ahead 1, b.target changed to an "
     )
     about.call += f"immovable particle at {w}; b.update_force(p, 0.5)"
-    about.cause = "Read self.target in every call. An immovable particle can also be a target."
+    about.cause = (
+        "The target may be replaced between two calls, so read self.target in each call. An "
+        "immovable particle can also be a target."
+    )
     p.clear_forces()
     b.target = Particle(Vector3(*w), mass=math.inf)
     b.update_force(p, 0.5)
@@ -127,8 +134,8 @@ def test_it_catches_a_target_that_flies_straight_on(rng: Random) -> None:
     about.call = f"p at (0, 0, 0), at rest; q at {start}, velocity {w}; 20 s of HomingBullet(q, "
     about.call += "4.0, 1.0).update_force(p, h), p.integrate(h), h = 1/240: distance"
     about.cause = (
-        "k T damps the velocity relative to the target, so the bullet reaches the target and "
-        "stays there."
+        "The term k T damps the velocity relative to the target. The bullet must therefore reach "
+        "the target and stay with it."
     )
     distances = chased(start, w, 4.0, 1.0, 1.0 / 240.0, 4800)
     expect_close(distances[-1], 0.0, then=" in the end", tolerance=1e-6)

@@ -45,30 +45,30 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
         other = "trapezoidal" if method == "backward_euler" else "backward_euler"
         u = v + (-stiffness * x - damping * v) / m * h
         slips = {
-            "The result is the step of explicit Euler.": (x + v * h, u),
-            "The result is the step of semi-implicit Euler.": (x + u * h, u),
+            "The result is the step of explicit Euler, which uses only the old values. An "
+            "implicit step needs the new ones.": (x + v * h, u),
+            "The result is the step of semi-implicit Euler, whose acceleration uses the old "
+            "position. An implicit step needs the new one.": (x + u * h, u),
         }
         fits = {
-            "The results are in the wrong order. Return x' first.": off(
-                method, x, v, stiffness, damping, m, h, (new[1], new[0])
-            ),
+            "The two results are in the wrong order. Return the position x' first and then the "
+            "velocity v'.": off(method, x, v, stiffness, damping, m, h, (new[1], new[0])),
             f"The result is that of {other}.": off(other, x, v, stiffness, damping, m, h, new),
-            "The damping is missing. Include c in m a = -k x - c v.": off(
+            "Your step has no damping. Include c in m a = -k x - c v before you solve for v'.": off(
                 method, x, v, stiffness, 0.0, m, h, new
             ),
-            "The stiffness is missing. Include k in m a = -k x - c v.": off(
-                method, x, v, 0.0, damping, m, h, new
-            ),
-            "k and c are not divided by the mass. Divide both by m.": off(
+            "Your step ignores the stiffness. Include k in m a = -k x - c v before you solve for "
+            "v'.": off(method, x, v, 0.0, damping, m, h, new),
+            "Your step is right only for a mass of 1 kg. Divide k and c by m.": off(
                 method, x, v, stiffness, damping, 1.0, h, new
             ),
         }
         # Where the equations of a mistake are met, it was made.
         slip = next((slip for slip in fits if max(map(abs, fits[slip])) < 1e-10), "")
         if not slip and abs(new[0] - x - v * h) < 1e-10:
-            slip = "The position is x' = x + v h, with the old velocity alone."
+            slip = "Your position is x' = x + v h, which uses only the old velocity."
         if not slip and abs(new[0] - x - new[1] * h) < 1e-10 and left[0] != 0.0:
-            slip = "The position is x' = x + v' h, with the new velocity alone."
+            slip = "Your position is x' = x + v' h, which uses only the new velocity."
         known = named(new, about.cause, slips)
         if slip and known == about.cause:
             about.cause = f"{slip} The method is {about.cause}"
@@ -107,8 +107,10 @@ def test_no_spring_is_too_stiff(method: str, rng: Random) -> None:
     about.read = f"the docstring of {method}"
     v = draw_number(rng)
     causes = {
-        "trapezoidal": "The trapezoidal rule keeps the energy of a spring without damping.",
-        "backward_euler": "Each step of backward Euler divides the energy by 1 + k h^2 / m.",
+        "trapezoidal": "The trapezoidal rule keeps the energy of an undamped spring, however "
+        "stiff the spring is. If yours does not, check both equations.",
+        "backward_euler": "Backward Euler loses energy. For an undamped spring, each step must "
+        "divide the energy by 1 + k h^2 / m, however stiff the spring is.",
     }
     about.cause = causes[method]
     for k, steps in ((1e3, 5), (1e3, 1000), (1e6, 1000), (1e12, 1000)):
@@ -129,7 +131,10 @@ def test_backward_euler_loses_energy_by_its_factor(rng: Random) -> None:
     x, v = draw_number(rng), draw_number(rng)
     k, m, h = (positive_number(rng) for _ in range(3))
     about.call = f"backward_euler({x}, {v}, {k}, 0.0, {m}, {h}): energy after / before"
-    about.cause = "Without damping, a step divides the energy by 1 + k h^2 / m."
+    about.cause = (
+        "Without damping, each step of backward Euler must divide the energy by 1 + k h^2 / m. "
+        "Check that both equations use the new values."
+    )
     new = backward_euler(x, v, k, 0.0, m, h)
     energy = 0.5 * k * new[0] ** 2 + 0.5 * m * new[1] ** 2
     before = 0.5 * k * x * x + 0.5 * m * v * v
@@ -147,7 +152,10 @@ def test_an_implicit_step_needs_numbers_that_mean_something(method: str) -> None
     expect_finite_numbers(method, step, (1, 2, 3, 4, 5, 6), bad)
     about(
         f"{method}(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)",
-        cause=("Without a force, the body moves at constant velocity: x + v h."),
+        cause=(
+            "Without stiffness and damping no force acts, so the body moves at constant "
+            "velocity to x + v h."
+        ),
     )
     got = step(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)
     expect_close(got, (11.0, 3.0))

@@ -26,8 +26,8 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
         about.call = f"p at (3, {y}, 5); p.add_force(Vector3{f}); LighterThanAir({most}, "
         about.call += f"{scale}).update_force(p, 0.5); p.force_accumulator"
         about.cause = (
-            "Add F e^(-y / H), upward, to the existing forces. At the scale height the lift is 1 / "
-            "e of F."
+            "Add an upward lift of F e^(-y / H) to the existing forces. At the scale height H the "
+            "lift has fallen to F / e."
         )
         p = Particle(Vector3(3.0, y, 5.0), mass=7.0)
         p.add_force(Vector3(*f))
@@ -36,17 +36,19 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         lift = most * math.exp(-share)
         lifts = {
-            "The lift is F H / y, which is infinite at the ground. Use F e^(-y / H).": most / share,
+            "The lift is F H / y, which is infinite at the ground. Use F e^(-y / H) instead.": most
+            / share,
             "The lift is F (1 - y / H), which falls along a straight line and becomes negative "
             "above H. Use F e^(-y / H), which never reaches 0.": most * (1.0 - share),
             "The lift is F e^-y, as if the scale height were 1 m. Divide the height by H.": most
             * math.exp(-y),
-            "The lift is F 2^(-y / H). Use e instead of 2.": most * 0.5**share,
-            "This is F / (1 + y / H). Use F e^(-y / H).": most / (1.0 + share),
-            "The lift is F e^(y / H). The exponent needs a minus sign.": most * math.exp(share),
+            "The lift is F 2^(-y / H). The base must be e instead of 2.": most * 0.5**share,
+            "The lift is F / (1 + y / H). Use F e^(-y / H) instead.": most / (1.0 + share),
+            "The lift is F e^(y / H), which grows with the height. The exponent needs a minus "
+            "sign.": most * math.exp(share),
             "The lift points down, so the balloon would fall faster. It must point up.": -lift,
-            "The lift is multiplied by the mass of 7 kg. It does not depend on the mass.": 7.0
-            * lift,
+            "The lift is multiplied by the mass of 7 kg. The force does not depend on the mass, "
+            "so remove the factor.": 7.0 * lift,
         }
         slips = {name: (f[0], f[1] + size, f[2]) for name, size in lifts.items()}
         blame(got, slips)
@@ -69,7 +71,8 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
         ),
         (
             -1e6,
-            "Below the ground, the lift is the same as at the ground. Do not compute e^1000000.",
+            "Below the ground the lift is the same as at the ground. Limit the height to 0 or "
+            "more first, because e^1000000 overflows.",
         ),
     ):
         about.cause = cause
@@ -82,7 +85,10 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
     about.call = f"balloon = LighterThanAir({most}, {scale}); balloon.max_lift = {2 * most}; "
     about.call += f"balloon.scale_height = {3 * scale}; p at (0, {3 * scale}, 0); "
     about.call += "balloon.update_force(p, 0.5)"
-    about.cause = "Read the attributes in every call."
+    about.cause = (
+        "The attributes may change between two calls, so read max_lift and scale_height in every "
+        "call."
+    )
     balloon.max_lift, balloon.scale_height = 2.0 * most, 3.0 * scale
     p = Particle(Vector3(0.0, 3.0 * scale, 0.0))
     balloon.update_force(p, 0.5)

@@ -35,27 +35,37 @@ def test_how_the_particle_is_released() -> None:
     about("swings_wider(integrator, 7.0, 0.25, 0.125): what the integrator gets", read=WIDER)
     seen = released()
     name = "swings_wider(integrator, 7.0, 0.25, 0.125): is the integrator called"
-    calls = "The integrator that is passed must make the steps, because no formula covers it."
+    calls = (
+        "Your function did not call the integrator. It must make the steps with the one that is "
+        "passed, because no formula covers every integrator."
+    )
     expect_exactly(len(seen) > 0, True, call=name, cause=calls)
     count, place, velocity, mass, damping, before, force, h, drift = seen[0]
     about.cause = "Pass one particle to the integrator, in a list."
     expect_exactly(count, 1, then=": how many particles")
-    about.cause = "The particle has a mass of 1 kg."
+    about.cause = "The particle must have a mass of 1 kg, because the limit depends on the mass."
     expect_close(mass, 1.0, then=": its mass")
-    about.cause = "Create the particle with this damping."
+    about.cause = (
+        "The damping of the particle differs from the one that was passed. Create the particle "
+        "with this damping."
+    )
     if damping == 1.0:
         about.cause = (
             "The particle has no damping. The damping belongs to the particle and not to the "
             "spring."
         )
     expect_close(damping, 0.25, then=": its damping")
-    about.cause = "Pass the duration on to the integrator."
+    about.cause = (
+        "The integrator got a different duration. Pass it the duration that swings_wider received."
+    )
     expect_close(h, 0.125, then=": the duration")
     about.cause = "Release the particle at a distance of START, 10 m, from the anchor."
     expect_close(math.hypot(*place), 10.0, then=": distance from the anchor")
-    about.cause = "There is no gravity. Leave the particle's own acceleration at 0."
+    about.cause = (
+        "Gravity does not act in this measurement, so leave the particle's own acceleration at 0."
+    )
     expect_close(drift, (0.0, 0.0, 0.0), then=": acceleration")
-    about.cause = "Release the particle at rest."
+    about.cause = "The particle must start at rest. Leave its velocity at 0."
     expect_close(velocity, (0.0, 0.0, 0.0), then=": velocity")
     by_hand = "You added a force to the particle yourself before you called the integrator. Pass "
     by_hand += "registry.update_forces as apply_forces, and let the integrator call it."
@@ -85,27 +95,33 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
         (
             0.98,
             False,
-            "At 2 % below the limit the oscillations die out, so they do not grow.",
+            "This stiffness is 2 % below the limit, so the oscillations die out. Return False.",
         ),
         (
             1.02,
             True,
             (
-                "At 2 % above the limit the oscillations grow, but only slowly with the book's "
-                "step. Compare late oscillations with early ones."
+                "This stiffness is 2 % above the limit, so the oscillations grow, although only "
+                "slowly with the book's step. Compare late oscillations with early ones."
             ),
         ),
-        (0.5, False, "Far below the limit the oscillations die out."),
+        (
+            0.5,
+            False,
+            "This stiffness is far below the limit, so the oscillations die out quickly. "
+            "Return False.",
+        ),
         (
             4.0,
             True,
-            "Far above the limit the oscillations grow without bounds. Stop before a number "
-            "overflows.",
+            "This stiffness is far above the limit, so the oscillations grow without bound. Stop "
+            "the simulation before a number overflows.",
         ),
         (
             1e6,
             True,
-            "After some steps the oscillations are too large for a float. Stop before that.",
+            "This spring is so stiff that after a few steps the positions are too large for a "
+            "float. Stop the simulation before that happens.",
         ),
     ):
         about.cause = cause
@@ -130,7 +146,7 @@ def test_swings_that_stay_as_they_are_are_not_wider() -> None:
         got = wider(1.0, False, k, 1.0, 1.0 / 60.0)
         expect_exactly(got, False)
     about.call = "swings_wider(integrator, 14700, 1.0, 1/60), a step that is stable up to 14400 N/m"
-    about.cause = "At 2 % above the limit, the oscillations grow."
+    about.cause = "This stiffness is 2 % above the limit, so the oscillations grow. Return True."
     got = wider(1.0, False, 14_700.0, 1.0, 1.0 / 60.0)
     expect_exactly(got, True)
 
@@ -175,19 +191,22 @@ def test_the_ends_of_what_is_measured() -> None:
     h = 1.0 / 60.0
     about.call = "largest_stable_stiffness(integrator, 1.0, 1/60), the book's step"
     about.cause = (
-        "Without damping the book's step is not stable for any spring. Return 0 or almost 0."
+        "Without damping the book's step is unstable for every spring. The largest stable "
+        "stiffness is therefore 0 or almost 0."
     )
     got = measured(1.0, True, 1.0, h)
     # With k h^2 / m = 1e-4, 0.36 N/m here, a swing grows by 10 % in FRAMES.
     expect_between(got, -0.36, 0.36)
     about.call = "largest_stable_stiffness(integrator, 0.5, 1/60), a step that makes every swing "
     about.call += "wider"
-    about.cause = "If no spring is stable, return 0 or almost 0."
+    about.cause = (
+        "This step makes every oscillation grow, so no spring is stable. Return 0 or almost 0."
+    )
     got = never_safe(h)
     expect_between(got, -0.36, 0.36)
     about.cause = (
-        "Do not try any stiffness above STIFFEST / h^2. If even this stiffness is stable, return "
-        "it."
+        "This step is stable even at STIFFEST / h^2. Do not try any stiffness above that value, "
+        "but return it."
     )
     for rate in (60.0, 1.25):
         about.call = f"largest_stable_stiffness(integrator, 0.5, 1/{rate:g}), a step stable up to "
@@ -197,7 +216,8 @@ def test_the_ends_of_what_is_measured() -> None:
         expect_close(got, most, tolerance=0.01 * most)
     about.call = "largest_stable_stiffness(integrator, 0.0, 1/60), the velocity-first step"
     about.cause = (
-        "A damping of 0 is valid. With damping 0 the particle is at rest at the end of each step."
+        "A damping of 0 is a valid argument. It stops the particle at the end of each step, so "
+        "even the stiffest spring is stable."
     )
     got = measured(1.0, False, 0.0, h)
     most = 16.0 * 3600.0

@@ -36,7 +36,11 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
             "A particle that is slightly closer than the distance pushes p away with a small "
             "force.",
         ),
-        (1.1, "Beyond the distance there is no push and no pull."),
+        (
+            1.1,
+            "The other particle is farther away than the distance, so it neither pushes nor "
+            "pulls p.",
+        ),
     ):
         about.cause = cause
         there = tuple(h + share * distance * part for h, part in zip(here, d, strict=True))
@@ -52,12 +56,14 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
         near = share * distance
         pushes = {
             "The force pulls toward the other particle, but it must push away.": -push,
-            "There is no push. The search may stop at p itself, which is in the list.": 0.0,
+            "There is no push. Perhaps your loop ends at p itself, which is also in the list. "
+            "Skip p and continue.": 0.0,
             "The push is k at any distance. It must grow as the particles come closer, so "
             "multiply k by (distance - l).": k,
             "The push is multiplied by the whole offset, so it depends on the distance twice. Use "
             "the unit vector along the offset.": push * near,
-            "The push uses the square of the distance. Use the distance.": k * (distance - near**2),
+            "The push uses the square of the distance between the particles. Use magnitude() to "
+            "get the distance itself.": k * (distance - near**2),
         }
         if share < 1.0:
             slips = {
@@ -67,7 +73,8 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
             blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
         about.cause = (
-            "Push only the particle of this call. The other particle is pushed in its own call."
+            "Push only the particle that was passed. The other particle is pushed when the "
+            "registry passes that one."
         )
         expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
 
@@ -81,8 +88,8 @@ def test_every_one_who_is_too_near_counts(rng: Random) -> None:
     about.call = f"p at {here}, others at distances of 1, 2, 1.5 and 4 m along x, y, -z and -y; "
     about.call += f"crowd = Overcrowding(all, 3.0, {k}); crowd.update_force(p, 0.5)"
     about.cause = (
-        "Add the pushes of all particles that are closer than the distance. Do not stop after the "
-        "first."
+        "Several particles are closer than the distance here. Add the pushes of all of them, and "
+        "do not stop after the first one."
     )
     p = Particle(Vector3(*here))
     others = [Particle(p.position + Vector3(*offset)) for offset in offsets]
@@ -94,8 +101,8 @@ def test_every_one_who_is_too_near_counts(rng: Random) -> None:
     about.call += "; p.clear_forces(); crowd.particles.pop(); crowd.distance = 1.25; "
     about.call += f"crowd.stiffness = {2 * k}; crowd.update_force(p, 0.5)"
     about.cause = (
-        "Read particles, distance and stiffness in each call. Only one particle is closer than "
-        "1.25 m."
+        "The attributes may change between two calls, so read particles, distance and stiffness "
+        "in each call. Only one particle is closer than 1.25 m now."
     )
     p.clear_forces()
     crowd.particles.pop()
@@ -113,8 +120,8 @@ def test_a_particle_does_not_push_itself_nor_who_is_at_its_place(rng: Random) ->
     about.call = f"p and q at {here}, r 1 m above; Overcrowding([p, q, r], 3.0, "
     about.call += "5.0).update_force(p, 0.5)"
     about.cause = (
-        "p itself and q are at p's position, so they have no direction and do not push. r pushes "
-        "down."
+        "p itself and q are at p's position. There is no direction from them to p, so they must "
+        "not push. Only r pushes, and it pushes down."
     )
     p, q = Particle(Vector3(*here)), Particle(Vector3(*here))
     r = Particle(p.position + Vector3(0.0, 1.0, 0.0), mass=math.inf)
@@ -122,7 +129,10 @@ def test_a_particle_does_not_push_itself_nor_who_is_at_its_place(rng: Random) ->
     crowd.update_force(p, 0.5)
     got = xyz(p.force_accumulator)
     expect_close(got, (0.0, -10.0, 0.0), then="; p.force_accumulator", tolerance=1e-12)
-    about.cause = "The list belongs to the caller. Do not change its order or its particles."
+    about.cause = (
+        "Your code changed the list of particles or their positions. The list belongs to the "
+        "caller, so only read it."
+    )
     got = [part for one in crowd.particles for part in xyz(one.position)]
     wanted = [here[0], here[1] + 1.0, here[2], *here, *here]
     expect_close(
@@ -134,8 +144,8 @@ def test_a_particle_does_not_push_itself_nor_who_is_at_its_place(rng: Random) ->
     about.call = "p at (0, 1e-9, 0), not in the crowd; Overcrowding([q], 3.0, 5.0).update_force(p, "
     about.call += "0.5), q at (0, 0, 0); p.force_accumulator"
     about.cause = (
-        "The particle need not be in the crowd. A neighbor that is very close still has a "
-        "direction, so it pushes."
+        "The particle that is passed need not be in the crowd. Its neighbor is very close but not "
+        "at the same position, so it pushes."
     )
     p, q = Particle(Vector3(0.0, 1e-9, 0.0)), Particle()
     Overcrowding([q], 3.0, 5.0).update_force(p, 0.5)
@@ -152,7 +162,10 @@ def test_a_crowd_moves_apart_and_keeps_its_momentum(rng: Random) -> None:
     places[1] = (0.9 * x, 0.9 * y, 0.9 * z)  # two are too near, wherever the others are
     about.call = f"6 particles at {places[0]} ..., damping 0.2, Overcrowding(all, 1.0, 40.0) for "
     about.call += "each; 600 frames of registry.update_forces(h), p.integrate(h)"
-    about.cause = "All particles that are closer than 1 m push each other apart."
+    about.cause = (
+        "All particles that are closer than 1 m must push each other apart, until every distance "
+        "is at least 1 m. Opposite pushes keep the total momentum."
+    )
     nearest, momentum = crowded(places, 1.0, 40.0, 0.2, 1.0 / 60.0, 600)
     # Pushed out of the way, each coasts on a little, slowed by the damping.
     before = min(math.dist(a, b) for a in places for b in places if a is not b)

@@ -49,20 +49,20 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
         *numbers
     )
     about.cause = (
-        "The rest length of each spring is its current length: the height for the hangers, and "
-        "the distance between the planks for the others."
+        "A new bridge must be at rest, so no spring is stretched. Use the height as the rest "
+        "length of the hangers, and the distance between two planks for the others."
     )
     forces = hung_bridge(places, [(place, ZERO) for place in places], numbers)[:-1]
     # Lengths of up to 20 m are 1e-14 m off, times a stiffness of up to 9 N/m.
     height, k, _ = numbers
     for i, force in enumerate(forces):
-        slack = (
-            "The hangers have no rest length. Use the height, which is their length at the start."
-        )
+        slack = "The hangers pull as if their rest length were 0. Use the height instead."
         blame(force, [((0.0, k * height, 0.0), slack)])
         expect_close(force, ZERO, then=f"; planks[{i}].force_accumulator", tolerance=1e-12)
     about.call += ", the first plank 0.5 m lower"
-    about.cause = "A plank that was moved is pulled back."
+    about.cause = (
+        "This plank was moved away from its rest position, so its springs must pull it back."
+    )
     x, y, z = places[0]
     got = hung_bridge(places[:1], [((x, y - 0.5, z), ZERO)], numbers)
     wanted = (0.0, 0.5 * numbers[1], 0.0)
@@ -82,8 +82,8 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
     about.call = f"hang_bridge(registry, planks, {height}, {k}, {c}); all planks moved a little, "
     about.call += "with velocities; registry.update_forces(0.5)"
     about.cause = (
-        "Use one AnchoredSpring straight above each plank, and connect each plank to the next one "
-        "once. connect acts on both ends."
+        "Attach one AnchoredSpring straight above each plank, and connect each plank to the next "
+        "one. Connect each pair once, because connect acts on both ends."
     )
     forces = hung_bridge(places, after, (height, k, c))
     for i, end in enumerate(after):
@@ -97,12 +97,14 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
         wanted = tuple(math.fsum(part[axis] for part in parts) for axis in range(3))
         below = pull(end, ((x, y - height, z), ZERO), k, height, c)
         slips = {
-            "The anchors are below the planks. They must be above them.": [
+            "Your anchors are below the planks, so the hangers push instead of pulling. Place "
+            "each anchor straight above its plank.": [
                 total - hanger + part
                 for total, hanger, part in zip(wanted, parts[0], below, strict=True)
             ],
-            "Only the hangers act. Connect the planks to each other, too.": parts[0],
-            "Each spring between two planks acts twice. Connect each pair once.": [
+            "Only the hangers act. Connect neighboring planks to each other, too.": parts[0],
+            "Each spring between two planks acts twice. connect already acts on both ends, so "
+            "connect each pair once.": [
                 2.0 * total - hanger for total, hanger in zip(wanted, parts[0], strict=True)
             ],
         }
@@ -110,7 +112,10 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
         expect_close(
             forces[i], wanted, then=f"; planks[{i}].force_accumulator", cause=why, tolerance=1e-11
         )
-    about.cause = "Keep the pairs that the registry already has."
+    about.cause = (
+        "The spring that was registered before must keep its force. Add your springs without "
+        "clearing the registry."
+    )
     expect_close(
         forces[-1],
         (0.0, -2.0, 0.0),
@@ -127,9 +132,15 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         (
             -1.25,
             (0.75, 0.25, 0.0),
-            "The nearer plank carries more. The two fractions of the weight are 1 - s and s.",
+            "Two planks share the weight of the walker, and the nearer one carries more. Their "
+            "fractions of the weight are 1 - s and s.",
         ),
-        (1.0, (0.0, 0.25, 0.75), "s goes from 0 at one plank to 1 at the next. Divide by the gap."),
+        (
+            1.0,
+            (0.0, 0.25, 0.75),
+            "The fraction s goes from 0 at one plank to 1 at the next, "
+            "whatever their distance is. Divide by the gap between the two.",
+        ),
         (-0.5, (0.0, 1.0, 0.0), "A walker directly above a plank is carried by that plank alone."),
         (-7.0, (1.0, 0.0, 0.0), "A walker before the first plank is carried by that plank alone."),
         (9.0, (0.0, 0.0, 1.0), "A walker beyond the last plank is carried by that plank alone."),
@@ -150,16 +161,16 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         wanted = [-weight * share for share in shares]
         beside = max(shares) < 1.0
         slips = {
-            "The fractions s and 1 - s are swapped.": [
-                -weight * (1.0 - share) if share else 0.0 for share in shares
-            ],
-            "Each plank carries half. The nearer one must carry more.": [
+            "The fractions s and 1 - s are swapped, so the more distant plank carries more. "
+            "Exchange them.": [-weight * (1.0 - share) if share else 0.0 for share in shares],
+            "Your two planks carry half of the weight each. The nearer one must carry more.": [
                 -0.5 * weight * (share > 0.0) for share in shares
             ],
-            "The weight points up. It must point down.": [-part for part in wanted],
-            "The weight is multiplied by 9.81, but it is already in N.": [
-                9.81 * part for part in wanted
+            "Your force points up. A weight pulls down, so its y component must be negative.": [
+                -part for part in wanted
             ],
+            "Your force is 9.81 times too large. The weight is already in N, so do not multiply "
+            "it by g.": [9.81 * part for part in wanted],
         }
         about.cause = named(got, about.cause, slips) if beside else about.cause
         expect_close(
@@ -186,7 +197,10 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
     places = [(float(i), 0.0, 0.0) for i in range(7)]
     about.call = "7 planks of 2 kg, hang_bridge(registry, planks, 3, 200, 20); load_bridge(planks, "
     about.call += "3, 100) in every frame, 20 s: the pull of all hangers less 7 m g and 100 N"
-    about.cause = "At rest the springs carry the planks and the walker."
+    about.cause = (
+        "The loaded bridge has come to rest, so the hangers together must carry the weight of the "
+        "planks and of the walker."
+    )
     ends = settled_bridge(places, (3.0, 200.0, 20.0), 2.0, (3.0, 100.0), 1200)
     up = math.fsum(
         pull((end, ZERO), ((place[0], 3.0, 0.0), ZERO), 200.0, 3.0, 0.0)[1]
@@ -227,7 +241,10 @@ def test_a_bridge_needs_numbers_that_mean_something() -> None:
             )
     about.call = "hang_bridge(registry, planks, ...) was refused; planks[0] is moved; "
     about.call += "registry.update_forces(0.5)"
-    about.cause = "A refused call must not register anything."
+    about.cause = (
+        "The call raised an error, so it must not change the registry. Check all arguments before "
+        "you register the first spring."
+    )
     planks[0].position.y = -0.5
     registry.update_forces(0.5)
     got = xyz(planks[0].force_accumulator)

@@ -40,29 +40,32 @@ def spring_slips(
         return [size * part for part in d]
 
     return {
-        "The extension is abs(l - l0), so a compressed spring pulls. Remove abs (E-3), because a "
-        "compressed spring pushes this end away, along the offset.": along(-abs(pull) - c * rate),
-        "The damping pushes in the direction of the motion, so it would make the spring swing "
-        "more and more. Check its sign.": along(c * rate - pull),
+        "Your extension is abs(l - l0), so a compressed spring pulls. A compressed spring pushes "
+        "this end away, along the offset. Remove abs, which comes "
+        "from the printed formula (E-3).": along(-abs(pull) - c * rate),
+        "The damping acts in the direction of the motion, so the spring would swing more and "
+        "more. Damping must oppose the motion. Check its sign.": along(c * rate - pull),
         "The force points along the offset, so a stretched spring would push its end farther "
-        "away. The minus sign is missing.": along(pull + c * rate),
-        "The force is -k l d^, as if the rest length were 0. Only the extension counts, so "
-        "subtract the rest length from the length.": along(-k * length - c * rate),
-        "The force is multiplied by the whole offset, so a long spring is too strong. The offset "
-        "only gives the direction. Normalize it first.": along(-(pull + c * rate) * length),
-        "The force uses the squared length of the offset. Take its magnitude.": along(
-            -k * (length**2 - rest) - c * rate
-        ),
-        "The damping is missing. Add -c (v . d^) d^.": along(-pull),
-        "There is no force, as if the spring were a slack rope.": along(0.0 * pull),
+        "away. Add the missing minus sign.": along(pull + c * rate),
+        "The force is -k l d^, as if the rest length were 0. Only the extension produces a force, "
+        "so subtract the rest length from the length.": along(-k * length - c * rate),
+        "The force is multiplied by the whole offset, which makes a long spring too strong. The "
+        "offset only gives the direction, so normalize it "
+        "first.": along(-(pull + c * rate) * length),
+        "The force uses the squared length of the offset. Hooke's law needs the length itself, so "
+        "use magnitude().": along(-k * (length**2 - rest) - c * rate),
+        "The damping force is missing. Add -c (v . d^) d^ to the spring force.": along(-pull),
+        "There is no force, as if the spring were a slack rope. Unlike a rope, a compressed "
+        "spring pushes, so remove the condition on the length.": along(0.0 * pull),
         "The damping is -c v, so it also slows down motion across the spring, which does not "
         "stretch it. Use only the part of v along the spring.": [
             a - c * v for a, v in zip(along(-pull), velocity, strict=True)
         ],
         "The damping uses the speed |v|, which is positive even if the spring gets shorter. Use v "
-        ". d^, the rate at which the length changes.": along(-pull - c * math.hypot(*velocity)),
-        "The damping uses v . offset, which grows with the length of the spring. Normalize the "
-        "offset first.": along(-pull - c * rate * length),
+        ". d^, which is the rate at which the length "
+        "changes.": along(-pull - c * math.hypot(*velocity)),
+        "The damping uses the dot product of v with the whole offset, so it grows with the length "
+        "of the spring. Normalize the offset first.": along(-pull - c * rate * length),
     }
 
 
@@ -71,9 +74,21 @@ def test_a_stretched_spring_pulls_and_a_compressed_one_pushes(rng: Random) -> No
     about.read = READ
     d, k, rest = direction(rng), positive_number(rng), positive_number(rng, 1.0, 5.0)
     for share, cause in (
-        (1.5, "A stretched spring pulls this end back, against the offset."),
-        (0.5, "A compressed spring pushes this end away, along the offset."),
-        (1e-3, "A compressed spring pushes this end away, along the offset."),
+        (
+            1.5,
+            "This spring is longer than its rest length, so it pulls this end back, against the "
+            "offset.",
+        ),
+        (
+            0.5,
+            "This spring is shorter than its rest length. A compressed spring pushes this end "
+            "away, along the offset.",
+        ),
+        (
+            1e-3,
+            "This spring is shorter than its rest length. A compressed spring pushes this end "
+            "away, along the offset.",
+        ),
     ):
         about.cause = cause
         offset = tuple(share * rest * part for part in d)
@@ -105,14 +120,23 @@ def test_damping_acts_along_the_spring_alone(rng: Random) -> None:
         expect_close(got, wanted, cause=why, tolerance=1e-11)
     across = (-offset[1], offset[0], 0.0)
     about.call = f"spring_force(Vector3{offset}, Vector3{across}, 0.0, {rest}, {c})"
-    about.cause = "Motion across the spring does not change its length, so it is not damped."
+    about.cause = (
+        "Motion across the spring does not change its length, so it produces no damping force. "
+        "Project the velocity onto the direction of the spring."
+    )
     got = xyz(spring_force(Vector3(*offset), Vector3(*across), 0.0, rest, c))
     expect_close(got, ZERO, tolerance=1e-11)
     about.call = "spring_force(Vector3(0, 2, 0), Vector3(0, 3, 0), 0.0, 2.0, 5.0)"
-    about.cause = "The damping acts against the velocity along the spring."
+    about.cause = (
+        "The damping must act against the velocity along the spring. Here that velocity is 3 m/s "
+        "along y, so the force points along -y."
+    )
     got = xyz(spring_force(Vector3(0.0, 2.0, 0.0), Vector3(0.0, 3.0, 0.0), 0.0, 2.0, 5.0))
     expect_close(got, (0.0, -15.0, 0.0))
-    about.cause = "A compressed spring is damped too, even if the damping exceeds the push."
+    about.cause = (
+        "A compressed spring is damped too, even if the damping exceeds the push. Do not limit the "
+        "force as you would for a rope."
+    )
     for speed, wanted in ((-5.0, 25.0), (5.0, -5.0)):
         about.call = f"spring_force(Vector3(0, 1, 0), Vector3(0, {speed}, 0), 10, 2, 3)"
         got = xyz(spring_force(Vector3(0.0, 1.0, 0.0), Vector3(0.0, speed, 0.0), 10.0, 2.0, 3.0))
@@ -124,11 +148,17 @@ def test_ends_at_one_place_have_no_direction(rng: Random) -> None:
     about.read = READ
     v = components(rng)
     about.call = f"spring_force(Vector3(), Vector3{v}, 100.0, 2.0, 3.0)"
-    about.cause = "A zero offset has no direction, so there is no force. normalized() returns zero."
+    about.cause = (
+        "A zero offset has no direction, so the spring exerts no force. normalized() returns the "
+        "zero vector in this case."
+    )
     got = xyz(spring_force(Vector3(), Vector3(*v), 100.0, 2.0, 3.0))
     expect_close(got, ZERO)
     about.call = "spring_force(Vector3(0, 1e-9, 0), Vector3(), 100.0, 2.0)"
-    about.cause = "The ends are close but not at the same point, so the spring pushes with k l0."
+    about.cause = (
+        "The ends are close together, but not at the same position. The offset still has a "
+        "direction, so the spring pushes with almost k l0."
+    )
     got = xyz(spring_force(Vector3(0.0, 1e-9, 0.0), Vector3(), 100.0, 2.0))
     expect_close(got, (0.0, 200.0 - 1e-7, 0.0), tolerance=1e-10)
     about.call = f"p at the anchor with velocity {v}; AnchoredSpring(Vector3{v}, 100.0, 2.0, "
@@ -140,14 +170,14 @@ def test_ends_at_one_place_have_no_direction(rng: Random) -> None:
         "The offset is p.position minus the anchor. Here it is zero, so there is no force."
     )
     slips = {
-        "The spring behaves as if its other end were at (0, 0, 0). Subtract self.anchor from "
-        "the position.": hooke(v, v, 100.0, 2.0, 3.0)
+        "The spring behaves as if its other end were at (0, 0, 0). Subtract self.anchor from the "
+        "position to get the offset.": hooke(v, v, 100.0, 2.0, 3.0)
     }
     expect_close(got, ZERO, cause=named(got, about.cause, slips))
     about.call = "spring_force(Vector3(2, 0, 0), Vector3(), 100.0, 1.0)"
     about.cause = (
-        "The ends are close, but they are not at the same position. The offset still has a "
-        "direction, so there is a force."
+        "The ends are 2 m apart and the rest length is 1 m. The offset has a direction, so the "
+        "spring must pull."
     )
     got = xyz(spring_force(Vector3(2.0, 0.0, 0.0), Vector3(), 100.0, 1.0))
     expect_close(got, (-100.0, 0.0, 0.0))
@@ -158,17 +188,25 @@ def test_the_vectors_of_a_spring_are_only_read(rng: Random) -> None:
     about.read = READ
     offset, velocity = components(rng), components(rng)
     about.call = f"o, v = Vector3{offset}, Vector3{velocity}; spring_force(o, v, 3.0, 1.0, 2.0)"
-    about.cause = "normalize and *= change the vector. Use normalized and *."
+    about.cause = (
+        "This call changed one of its vectors. The methods normalize and *= work in place, so use "
+        "normalized and * instead."
+    )
     o, v = Vector3(*offset), Vector3(*velocity)
     force = spring_force(o, v, 3.0, 1.0, 2.0)
     expect_unchanged("o", xyz(o), offset)
     expect_unchanged("v", xyz(v), velocity)
     wanted = hooke(offset, velocity, 3.0, 1.0, 2.0)
-    about.cause = "The force is -(k (l - l0) + c l') d^."
+    about.cause = (
+        "The arguments are unchanged, but the force is wrong. It must be -(k (l - l0) + c l') d^."
+    )
     expect_close(xyz(force), wanted, tolerance=1e-11)
     about.call = f"p at {offset}, velocity {velocity}; q at {velocity}, velocity {offset}; "
     about.call += "Spring(q, 3.0, 1.0, 2.0).update_force(p, 0.5)"
-    about.cause = "-= and normalize change the vector. Use - and normalized."
+    about.cause = (
+        "This call changed a position or a velocity. The methods -= and normalize work in place, "
+        "so use - and normalized instead."
+    )
     p = Particle(Vector3(*offset), Vector3(*velocity))
     q = Particle(Vector3(*velocity), Vector3(*offset))
     Spring(q, 3.0, 1.0, 2.0).update_force(p, 0.5)
@@ -188,8 +226,8 @@ def test_the_vectors_of_a_spring_are_only_read(rng: Random) -> None:
     expect_unchanged("p.position", xyz(p.position), velocity)
     about.call = "o = Vector3(); f = spring_force(o, Vector3(), 3.0, 1.0); f.x = 99.0"
     about.cause = (
-        "The result is one of the vectors that were passed in. Return a new vector, even if there "
-        "is no direction."
+        "The result is one of the vectors that were passed in, so changing it changes an "
+        "argument. Return a new vector, even if there is no direction."
     )
     o = Vector3()
     f = spring_force(o, Vector3(), 3.0, 1.0)
@@ -224,36 +262,44 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     back = tuple(-part for part in offset)
     forces = {
-        "The offset is q - p, so the force on p has the wrong direction. Use p - q.": hooke(
-            back, relative, k, rest, c
+        "Your offset is q - p, so the force on p points in the wrong direction. Subtract q's "
+        "position from p's.": hooke(back, relative, k, rest, c),
+        "Your relative velocity is q's minus p's, so the damping has the wrong sign. Subtract q's "
+        "velocity from p's.": hooke(offset, tuple(-part for part in relative), k, rest, c),
+        "Your damping uses only p's velocity, but the length also changes when q moves. Subtract "
+        "q's position and velocity from p's.": hooke(offset, v, k, rest, c),
+        "The damping force is missing. Add -c (v . d^) d^ to the spring force.": hooke(
+            offset, relative, k, rest, 0.0
         ),
-        "The velocity is q's minus p's, so the damping has the wrong sign. Reverse it.": hooke(
-            offset, tuple(-part for part in relative), k, rest, c
-        ),
-        "The velocity is p's alone. Subtract q's position and velocity from p's.": hooke(
-            offset, v, k, rest, c
-        ),
-        "The damping is missing. Add -c (v . d^) d^.": hooke(offset, relative, k, rest, 0.0),
-        "The force points in the wrong direction.": tuple(-part for part in pull),
-        "The force is divided by the mass of p. The integrator divides by the mass later, so "
-        "return the force itself.": tuple(part / 2.0 for part in pull),
-        "The force is divided by the mass of q.": tuple(part / 3.0 for part in pull),
-        "There is no force on p, the particle that was passed.": ZERO,
+        "The force on p points in the wrong direction. Check the order of the two positions, and "
+        "the sign of the force.": tuple(-part for part in pull),
+        "The force is divided by the mass of p. The integrator divides by the mass later, so add "
+        "the force itself.": tuple(part / 2.0 for part in pull),
+        "The force is divided by the mass of q. The force of a spring does not depend on a mass, "
+        "so remove the division.": tuple(part / 3.0 for part in pull),
+        "p, the particle that was passed, received no force. Call particle.add_force with the "
+        "force of the spring.": ZERO,
     }
     slips = {name: [a + b for a, b in zip(f, force, strict=True)] for name, force in forces.items()}
-    slips["The force that was already on p is lost. Use add_force, which adds to it."] = [*pull]
+    slips[
+        "The force that was already on p is lost. Call add_force, which adds to the existing "
+        "forces."
+    ] = [*pull]
     blame(got, slips)
     # A few roundings of numbers up to 600.
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
     about.cause = (
-        "A force has been added to q as well. A Spring acts only on p, and another Spring acts on "
-        "q."
+        "Your code also added a force to q. A Spring acts only on the particle that is passed, "
+        "and a second Spring acts on the other end."
     )
     expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
     about.call = "s = Spring(q, 1, 1, 1) has acted; s.stiffness, s.rest_length, s.damping = 5, 2, "
     about.call += "3; p at (0, 3, 0), velocity (0, 1, 0), q at rest at (0, 0, 0); "
     about.call += "s.update_force(p, 0.5)"
-    about.cause = "Read the attributes in every call. The force is -(5 (3 - 2) + 3 * 1)."
+    about.cause = (
+        "The attributes of the spring may change between two calls, so read them in every call. "
+        "The force here is -(5 (3 - 2) + 3 * 1)."
+    )
     s.stiffness, s.rest_length, s.damping = 5.0, 2.0, 3.0
     p, q.position, q.velocity = Particle(Vector3(0, 3, 0), Vector3(0, 1, 0)), Vector3(), Vector3()
     s.update_force(p, 0.5)
@@ -283,13 +329,16 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
     wanted = hooke(offset, v, k, rest, c)
     got = xyz(p.force_accumulator)
     slips = {
-        "The offset is anchor - position, so the force has the wrong direction. Use position - "
-        "anchor.": hooke(tuple(-part for part in offset), v, k, rest, c),
-        "The damping is missing. Add -c (v . d^) d^.": hooke(offset, v, k, rest, 0.0),
+        "Your offset is anchor - position, so the force has the wrong direction. Use position - "
+        "anchor instead.": hooke(tuple(-part for part in offset), v, k, rest, c),
+        "The damping force is missing. Add -c (v . d^) d^ to the spring force.": hooke(
+            offset, v, k, rest, 0.0
+        ),
         "The force uses a rest length of 0. Use self.rest_length.": hooke(offset, v, k, 0.0, c),
         "The spring behaves as if its other end were at (0, 0, 0). Subtract self.anchor from the "
-        "position.": hooke(here, v, k, rest, c),
-        "The force points in the wrong direction.": tuple(-part for part in wanted),
+        "position to get the offset.": hooke(here, v, k, rest, c),
+        "The force on p points in the wrong direction. Check the order of the two positions, and "
+        "the sign of the force.": tuple(-part for part in wanted),
     }
     blame(got, slips)
     expect_close(got, wanted, tolerance=1e-11)

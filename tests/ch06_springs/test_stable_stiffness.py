@@ -31,26 +31,31 @@ def test_the_largest_stiffness_by_known_values() -> None:
         got = max_stable_stiffness(d, 1.0 / 60.0)
         keep = d ** (1.0 / 60.0)
         slips = {
-            "The result is -m ln d / h, which is right only for short steps.": -math.log(d) * 60.0,
-            "The result is m (d^-h - 1) / h. Divide by h^2.": wanted / 60.0,
-            "The result is m (1 / d - 1) / h^2, with the damping per step. The damping is per "
-            "second.": (1.0 / d - 1.0) * 3600.0,
+            "Your result is -m ln d / h, which is an approximation for short steps. Use m (d^-h - "
+            "1) / h^2, which holds for every step.": -math.log(d) * 60.0,
+            "The result is m (d^-h - 1) / h, which has the wrong unit. Divide by h^2.": wanted
+            / 60.0,
+            "Your result is m (1 / d - 1) / h^2, as if d were the damping of one step. The "
+            "damping is given per second, so use d^h.": (1.0 / d - 1.0) * 3600.0,
             "The result is m (1 - d^h) / h^2, which is right for Eq. 3.6 but not for this step "
             "(E-16).": (1.0 - keep) * 3600.0,
-            "The result is the limit of semi-implicit Euler.": 2.0 * (1.0 + keep) / keep * 3600.0,
+            "This is the limit of semi-implicit Euler. The book's step uses the old velocity for "
+            "the position, so its limit is much lower.": 2.0 * (1.0 + keep) / keep * 3600.0,
         }
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=1e-10 * wanted)
     for mass in (2.0, 0.25):
         about(
             f"max_stable_stiffness(0.5, 1/60, {mass})",
-            cause="The largest stable stiffness is proportional to the mass.",
+            cause="The stability depends on k / m, so the largest stable stiffness is "
+            "proportional to the mass.",
         )
         got = max_stable_stiffness(0.5, 1.0 / 60.0, mass)
         wanted = mass * 41.829985086921
         slips = {
-            "The result is the stiffness for 1 kg. Multiply it by the mass.": 41.829985086921,
-            "The result is divided by the mass. Multiply by the mass.": 41.829985086921 / mass,
+            "Your result is for a mass of 1 kg. Multiply it by the mass.": 41.829985086921,
+            "Your result is divided by the mass, but a heavier particle allows a stiffer spring. "
+            "Multiply by the mass instead.": 41.829985086921 / mass,
         }
         blame(got, slips)
         expect_close(got, wanted, tolerance=1e-10 * wanted)
@@ -84,7 +89,11 @@ def test_the_step_explodes_beyond_it_and_not_before(rng: Random) -> None:
 def test_the_ends_of_the_damping() -> None:
     about.read = READ
     for d, wanted, cause in (
-        (1.0, 0.0, "Without damping no spring is stable. Return 0, and not -0."),
+        (
+            1.0,
+            0.0,
+            "Without damping the book's step is unstable for every spring. Return 0, and not -0.",
+        ),
         (
             1.5,
             0.0,
@@ -93,18 +102,30 @@ def test_the_ends_of_the_damping() -> None:
                 "negative number."
             ),
         ),
-        (0.0, math.inf, "A damping of 0 stops everything in each step, so every spring is stable."),
+        (
+            0.0,
+            math.inf,
+            "A damping of 0 stops the particle in each step, so every spring is "
+            "stable. Return math.inf.",
+        ),
     ):
         about(f"max_stable_stiffness({d}, 0.25)", cause=cause)
         got = max_stable_stiffness(d, 0.25)
         expect_exactly(f"{got:.15g}", f"{wanted:.15g}", then=" as text")
     about.call = "max_stable_stiffness(1 - 1e-12, 1e-3)"
-    about.cause = "d^-h - 1 loses its digits if d is close to 1. math.expm1 keeps them."
+    about.cause = (
+        "If d is close to 1, the difference d^-h - 1 loses its digits. Use math.expm1, which "
+        "computes such a difference accurately."
+    )
     d = 1.0 - 1e-12
     got = max_stable_stiffness(d, 1e-3)
     wanted = -math.log(d) / 1e-3
     expect_close(got, wanted, tolerance=1e-9 * wanted)
-    about("max_stable_stiffness(0.5, 2.0)", cause="(0.5^-2 - 1) / 2^2 is 0.75.")
+    about(
+        "max_stable_stiffness(0.5, 2.0)",
+        cause="Check the exponent and the division by h^2. "
+        "The result here is (0.5^-2 - 1) / 2^2 = 0.75.",
+    )
     got = max_stable_stiffness(0.5, 2.0)
     expect_close(got, 0.75)
 

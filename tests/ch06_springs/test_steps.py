@@ -64,7 +64,7 @@ def slips_of(
     """Return what likely mistakes make of what walk returns."""
     p, v, a, mass, d, hand = body
     bodies: dict[str, Body] = {
-        "The step leaves out p.acceleration, the constant part such as gravity. Add it to f / m.": (
+        "Your step leaves out p.acceleration, the constant part such as gravity. Add it to f / m.": (
             p,
             v,
             ZERO,
@@ -74,10 +74,24 @@ def slips_of(
         ),
         "The step leaves out the force that was added by hand before it. It acts during the whole "
         "step, so include it.": (p, v, a, mass, d, ZERO),
-        "The forces are not divided by the mass. Add f / m.": (p, v, a, 1.0, d, hand),
-        "The damping is missing. Multiply the velocity by d^h once.": (p, v, a, mass, 1.0, hand),
-        "The velocity is multiplied by d, which is the damping of a whole second. Multiply by "
-        "d^h.": (p, v, a, mass, d ** (1.0 / h), hand),
+        "Your forces are not divided by the mass. The acceleration is p.acceleration + f / m.": (
+            p,
+            v,
+            a,
+            1.0,
+            d,
+            hand,
+        ),
+        "Your step has no damping. Multiply the new velocity by d^h once.": (
+            p,
+            v,
+            a,
+            mass,
+            1.0,
+            hand,
+        ),
+        "Your velocity is multiplied by d, which is the damping of a whole second. Use d^h for a "
+        "step of duration h.": (p, v, a, mass, d ** (1.0 / h), hand),
     }
     slips = {slip: walk(method, wrong, k, c, h, frames) for slip, wrong in bodies.items()}
     slips[
@@ -114,7 +128,10 @@ def call_of(method: str, what: str) -> str:
 def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
     about.read = f"the docstring of {method}"
     k, c, h = positive_number(rng), positive_number(rng, 0.2, 2.0), positive_number(rng, 0.1, 0.4)
-    by_hand = "A force that was added by hand before the step counts in every evaluation."
+    by_hand = (
+        "A force was added by hand before this step. It acts during the whole step, so include it "
+        "in every evaluation."
+    )
     for what, body, frames, cause in (
         ("one step", draw_body(rng), 1, RULES[method]),
         ("one step", draw_body(rng, components(rng)), 1, by_hand),
@@ -129,7 +146,8 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
             "one step",
             (*draw_body(rng)[:4], 0.0, ZERO),
             1,
-            "With d = 0, the whole velocity is lost.",
+            "The damping is 0, so the factor d^h is 0 and the particle loses its whole velocity "
+            "in the step.",
         ),
     ):
         about.cause = cause
@@ -193,7 +211,10 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     expect_exactly(
         len(asked), frames * EVALUATIONS[method], then=": how often apply_forces is called"
     )
-    about.cause = "Pass the duration of the whole step to apply_forces each time."
+    about.cause = (
+        "apply_forces received a different duration. Pass it the duration of the whole step each "
+        "time."
+    )
     expect_close(
         [d for d, _, _ in asked],
         [h] * len(asked),
@@ -260,7 +281,10 @@ def test_what_a_step_leaves_behind(method: str, rng: Random) -> None:
     about.call = call_of(
         method, f"a = {a}, m = {mass}; by hand {hand}, forces -{k} x - {c} v; h = {h}"
     )
-    about.cause = "At the end of the step the accumulators must be empty."
+    about.cause = (
+        "Forces are left in the accumulator after the step, so they would act again in the next "
+        "one. Clear every accumulator at the end."
+    )
     ends = stepped(method, [body], (k, c), h, 1)
     expect_close(ends["forces"][0], ZERO, then=": p.force_accumulator")
     about.cause = (
@@ -285,19 +309,23 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
         method, f"an immovable particle at {place}, velocity {velocity}, beside another"
     )
     about.cause = (
-        "An immovable particle stays where it is, whatever its velocity and acceleration are."
+        "This particle is immovable, so its position and velocity must not change, whatever its "
+        "velocity and acceleration are."
     )
     ends = stepped(method, [still, other], (3.0, 0.5), 0.25, 2)
     expect_close(ends["positions"][0], place, then=": its position", tolerance=0.0)
     expect_close(ends["velocities"][0], velocity, then=": its velocity", tolerance=0.0)
-    about.cause = "The accumulator of an immovable particle must be empty after the step, too."
+    about.cause = (
+        "Forces are left on the immovable particle. Clear its accumulator at the end of the step, "
+        "too."
+    )
     expect_close(ends["forces"][0], ZERO, then=": its force_accumulator")
     x, v = 1.0, 0.0
     for _ in range(2):
         x, v, _ = one_step(method, x, v, 0.0, 1.5, 0.25, 1.0, 0.25)
     about.cause = (
-        "The step has stopped at the immovable particle. Skip only that one, so that the other "
-        "particles still move."
+        "The other particle has not moved correctly. Perhaps your loop ends at the immovable "
+        "particle. Skip only that one, so that the others still move."
     )
     got = ends["positions"][1][0]
     expect_close(got, x, then=": the position of the other one, x", tolerance=1e-12)
@@ -308,7 +336,10 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
 def test_a_step_needs_a_duration(method: str) -> None:
     about.read = "the docstring of the module"
     body: Body = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), ZERO, 1.0, 1.0, ZERO)
-    refuse = "Refuse it with ValueError. positive() does that."
+    refuse = (
+        "A duration must be a positive, finite number. Raise ValueError for any other value, for "
+        "example with positive() from arguments.py."
+    )
     late = (
         "The step is refused only after something has changed. Check the duration before you "
         "change anything."
@@ -331,11 +362,15 @@ def test_a_step_needs_a_duration(method: str) -> None:
             tolerance=0.0,
         )
         about.cause = (
-            "The forces were evaluated before the duration was refused. Check the duration first."
+            "The forces were evaluated before the duration was refused. Check the duration on the "
+            "first line of the step."
         )
         expect_exactly(after["asked"], [0], then=" was refused; how often apply_forces was called")
     about.call = f"{method}([], apply_forces, 0.5), and with one particle"
-    about.cause = "An empty list is not an error, and a single particle must move."
+    about.cause = (
+        "The step must work for any number of particles. An empty list is not an error, and a "
+        "single particle must move."
+    )
     ends = stepped(method, [], (5.0, 0.0), 0.5, 1)
     expect_exactly(ends["positions"], [], then=": positions")
     ends = stepped(method, [body], (0.0, 0.0), 0.5, 1)

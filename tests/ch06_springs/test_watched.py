@@ -21,7 +21,10 @@ def test_a_watched_step_does_what_the_step_does(rng: Random) -> None:
     about.read = READ
     frames, limit = rng.randint(2, 5), positive_number(rng, 2.0, 90.0)
     about.call = f"{CALL.format(limit)}, {frames} times, h = 0.25, 1.25, ..."
-    about.cause = "Pass particles, apply_forces and duration on unchanged, once per call."
+    about.cause = (
+        "The integrator must be called once per step. Pass particles, apply_forces and duration on "
+        "to it unchanged."
+    )
     speeds = [[0.5 * limit, 0.999 * limit, -0.999 * limit]] * frames
     calls, error = watching(limit, speeds)
     at_limit = (
@@ -59,7 +62,7 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         got = (math.nan,) * 4 if error is None else tuple(error)
         size = 1.25 * limit
         slips = {
-            "The number of the step is one too small. The first step has the number 1.": (
+            "The number of the step is one too small. Count the first step as number 1.": (
                 fast,
                 number - 1,
                 size,
@@ -67,13 +70,15 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
             ),
             "The index of the particle is one too large. Number the particles from 0, as in the "
             "list.": (fast + 1, number, size, limit),
-            "The error reports the last particle that is too fast. Report the first one.": (
+            "The error reports the last particle that is too fast. Raise it for the first one in "
+            "the list.": (
                 3,
                 number,
                 2.0 * limit,
                 limit,
             ),
-            "The speed and the limit are in the wrong order. The speed comes first.": (
+            "The speed and the limit are in the wrong order. Pass the speed of the particle first "
+            "and then the limit.": (
                 fast,
                 number,
                 limit,
@@ -109,7 +114,10 @@ def test_a_speed_at_the_limit_is_not_over_it() -> None:
     expect_exactly(error, None)
     about.call = "watched(integrator, 1.0), 2 m/s after the first step: (particle, step) of the "
     about.call += "error, nan where none is raised"
-    about.cause = "This limit is valid, so the steps must be watched."
+    about.cause = (
+        "The speed of 2 m/s is above the limit of 1 m/s. The watched step must raise "
+        "SimulationDiverged after the first step."
+    )
     _, error = watching(1.0, [[2.0]])
     got = (math.nan, math.nan) if error is None else tuple(error[:2])
     expect_close(got, (0.0, 1.0))
@@ -158,13 +166,19 @@ def test_two_watches_count_for_themselves() -> None:
     about.read = READ
     about.call = "two steps by watched(integrator, 5.0), one after the other; the second is too "
     about.call += "fast at once"
-    about.cause = "Count the steps in the function that watched() returns, not in the module."
+    about.cause = (
+        "Each watched step counts its own steps. Keep the counter inside watched(), and not in the "
+        "module."
+    )
     watching(5.0, [[1.0]] * 3)
     _, error = watching(5.0, [[9.0]])
     got = (math.nan, math.nan) if error is None else tuple(error[:2])
     expect_close(got, (0.0, 1.0), then=": (particle, step) of the error, nan where none is raised")
     about.call = "watched(integrator, 5.0), watched(integrator, 9.0): 7 m/s under the second one"
-    about.cause = "Each call of watched() has its own limit."
+    about.cause = (
+        "Each call of watched() has its own limit, so 7 m/s must be allowed under a limit of 9 "
+        "m/s. Do not store the limit in the module."
+    )
     _, error = watching(9.0, [[7.0]])
     expect_exactly(error, None, then=": SimulationDiverged")
 

@@ -167,10 +167,11 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
     )
     got = measured(share, explicit, damping, h)
     wanted = limit_of(share, explicit, damping, h)
-    begun = "/ h^2, where the search began, and"
+    begun = "/ h^2, where the search began."
     slips = {
-        f"SOFTEST {begun} a middle that is safe is the new low end": 1e-7 / h**2,
-        f"STIFFEST {begun} one that is not safe is the new high end": 16.0 / h**2,
+        f"The result is SOFTEST {begun} If a middle is stable, make it the lower end.": 1e-7 / h**2,
+        f"The result is STIFFEST {begun} If a middle is unstable, make it the upper end.": 16.0
+        / h**2,
         "The result is max_stable_stiffness, the formula for the book's step. The integrator here "
         "is another one, so measure with swings_wider.": limit_of(1.0, True, damping, h),
         "The result is STIFFEST / h. The bounds of the search are divided by h^2.": 16.0 / h,

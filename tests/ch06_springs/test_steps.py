@@ -21,18 +21,21 @@ EXERCISES = {
     "runge_kutta_4": "B6.8",
 }
 RULES = {
-    "explicit_euler": "p' = p + v h, then v' = (v + a h) d^h once, with the a and v of the start.",
+    "explicit_euler": (
+        "Explicit Euler uses the a and v of the start. Compute p' = p + v h, then v' = (v + a h) "
+        "d^h, damped once."
+    ),
     "semi_implicit_euler": (
-        "v' = (v + a h) d^h once, then p' = p + v' h with the new velocity and the old position. "
-        "Copy a vector that a move changes in place."
+        "Compute v' = (v + a h) d^h first, damped once. Then p' = p + v' h uses the new velocity "
+        "and the old position, so copy a vector before you change it in place."
     ),
     "leapfrog": (
-        "p1 = p + v h / 2, where the forces are evaluated. Then v' = (v + a h) d^h once, and p' = "
-        "p1 + v' h / 2."
+        "Drift to p1 = p + v h / 2 and evaluate the forces there. Then v' = (v + a h) d^h, damped "
+        "once, and p' = p1 + v' h / 2."
     ),
     "velocity_verlet": (
-        "p' = p + v h + a h^2 / 2. Evaluate b at p', with v + a h. Then v' = (v + (a + b) h / 2) "
-        "d^h, damped once."
+        "Move to p' = p + v h + a h^2 / 2. Evaluate the acceleration b there, with the velocity "
+        "v + a h. Then v' = (v + (a + b) h / 2) d^h, damped once."
     ),
     "runge_kutta_4": (
         "Use the weighted mean of four rates, in which the second and the third count double. "
@@ -64,7 +67,8 @@ def slips_of(
     """Return what likely mistakes make of what walk returns."""
     p, v, a, mass, d, hand = body
     bodies: dict[str, Body] = {
-        "Your step leaves out p.acceleration, the constant part such as gravity. Add it to f / m.": (
+        "Your step leaves out p.acceleration, the constant part such as gravity. Add it to the "
+        "acceleration f / m.": (
             p,
             v,
             ZERO,

@@ -138,7 +138,7 @@ def wrong_steps(
     if method == "runge_kutta_4":
         parts = (0.0, 0.5, 0.5, 1.0)
         return {
-            "All rates count the same in your mean. The two in the middle must count double.": mean_of(
+            "All rates count the same here. The two in the middle must count double.": mean_of(
                 (1.0, 1.0, 1.0, 1.0), parts
             ),
             "In your mean the first and the last rate count double. Only the two in the middle "

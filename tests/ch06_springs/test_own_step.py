@@ -80,8 +80,8 @@ def test_it_moves_all_by_their_forces(rng: Random) -> None:
     v, a, middle = components(rng), components(rng), components(rng)
     about.call = f"my_step with two particles of {m} and {n} kg on a spring of {stiffness} N/m"
     about.cause = (
-        "Each particle has its own mass, velocity and acceleration. Clear the forces after use, "
-        f"and evaluate them at most {MOST} times."
+        "Use each particle's own mass, velocity and acceleration. Clear the forces after you have "
+        f"used them, and evaluate them at most {MOST} times."
     )
 
     def ends(swung: float, t: float) -> list[Components]:
@@ -130,8 +130,8 @@ def test_it_goes_round_an_orbit(rng: Random, on_chart: Callable[[float, float], 
     about.read = STEP
     about.call = f"my_step, {FRAMES} times in a turn of an orbit of eccentricity {ECCENTRICITY}"
     about.cause = (
-        f"Use a method of order 2 or more, with as many parts as you like, up to {MOST} "
-        "evaluations in all."
+        "Use a method of order 2 or more. You may divide each step into as many parts as you like, "
+        f"as long as you evaluate the forces at most {MOST} times in all."
     )
     count, error = turn_of_an_orbit(rng)
     on_chart(count, error)
@@ -144,13 +144,16 @@ def test_it_goes_round_an_orbit(rng: Random, on_chart: Callable[[float, float], 
 def test_it_is_near_for_few_evaluations(rng: Random, most: float) -> None:
     about.read = STEP
     about.call = f"my_step, {FRAMES} times in a turn of an orbit of eccentricity {ECCENTRICITY}"
-    about.cause = f"{FEW} are allowed. Use fewer parts, or a method with fewer evaluations."
+    about.cause = (
+        f"At most {FEW} evaluations are allowed. Divide each step into fewer parts, or use a "
+        "method that needs fewer evaluations."
+    )
     count, error = turn_of_an_orbit(rng)
     name = f": evaluations of the forces, with an error of {error:.1e}"
     expect_between(count, 0, FEW, then=name)
     about.cause = (
-        f"Your method makes {count} evaluations, and {FEW} are allowed. Use more parts where the "
-        "orbit is fast, or a better method."
+        f"Your method makes {count} of {FEW} allowed evaluations, but its error is too large. Use "
+        "more parts where the particle is fast, or a more accurate method."
     )
     # Runge-Kutta 4, twice a frame, has 480 and 2.4e-4. These do not depend on what is drawn.
     expect_between(error, -most, most, then=": largest distance from the true orbit / half axis")

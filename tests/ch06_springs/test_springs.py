@@ -247,11 +247,11 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
     q = Particle(Vector3(*there), Vector3(*w), mass=3.0)
     p.add_force(Vector3(*f))
     about.cause = (
-        "Subtract the other particle's position and velocity from p's. Add the force to p. "
+        "Subtract the other particle's position and velocity from p's, and add the force to p. "
     )
     about.cause += (
-        "The result depends on a mass. The force of a spring depends only on its length and on how "
-        "fast the length changes."
+        "It depends only on the length of the spring and on how fast the length changes, so no "
+        "mass enters it."
     )
     s = Spring(q, k, rest, c)
     s.update_force(p, 0.5)

@@ -28,9 +28,9 @@ def test_a_watched_step_does_what_the_step_does(rng: Random) -> None:
     speeds = [[0.5 * limit, 0.999 * limit, -0.999 * limit]] * frames
     calls, error = watching(limit, speeds)
     at_limit = (
-        "the speed is |v|, the root of the sum of the squares, and no speed here is over the "
+        "No speed is over the limit here, so nothing must be raised. The speed of a particle is "
     )
-    at_limit += "limit"
+    at_limit += "|v|, the square root of the sum of the squares."
     expect_exactly(
         error, None, then=", speeds at the limit and below: SimulationDiverged", cause=at_limit
     )
@@ -87,7 +87,7 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         }
         blame(got, slips)
         if error is None:
-            about.cause = f"Nothing was raised. {about.cause}"
+            about.cause = f"No error was raised. {about.cause}"
         elif got[1] > number:
             about.cause = (
                 "The error was raised in a later step. Check right after each step, and let each "

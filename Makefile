@@ -33,11 +33,11 @@ LIST := -e 's/^\([a-z]*\): .*\#\# /  make \1|/p'
 ALIGN := awk -F'|' 'NF == 1 {print "\n" $$0} NF > 1 {printf "%-17s  %s\n", $$1, $$2}'
 
 help:
-	@echo "Your commands. CH=3 names a chapter, EX=2.5 an exercise; GIVEN=2-5 takes"
-	@echo "chapters 2 to 5 from the reference, where it is in this folder."
+	@echo "These are your commands. CH=3 means chapter 3, and EX=2.5 means exercise 2.5."
+	@echo "If this folder has the reference, GIVEN=2-5 takes chapters 2 to 5 from it."
 	@sed -n $(LIST) $(firstword $(MAKEFILE_LIST)) | $(ALIGN)
 ifneq ($(wildcard instructor.mk),)
-	@echo "make help-all lists the commands of instructors and developers too."
+	@echo "To see the commands for instructors and developers too, run: make help-all"
 endif
 
 help-all: help
@@ -45,28 +45,28 @@ ifneq ($(wildcard instructor.mk),)
 	@sed -n -e 's/^# == \(.*\) ==$$/\1:/p' $(LIST) instructor.mk | $(ALIGN)
 endif
 
-watch: $(READY) ## check the exercise you are at whenever you save (CH=3)
+watch: $(READY) ## check your current exercise whenever you save a file (CH=3)
 	@$(RUN) -m autograder watch --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(SEED),--seed "$(SEED)")
 
-check: $(READY) ## check everything, one chapter (CH=3) or one exercise (EX=2.5)
+check: $(READY) ## check everything, a chapter (CH=3) or an exercise (EX=2.5)
 	@$(RUN) -m autograder check --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(EX),--exercise "$(EX)") $(if $(GIVEN),--given "$(GIVEN)") $(if $(SEED),--seed "$(SEED)") $(DIAGNOSIS)
 
 hint: $(READY) ## show a hint for an exercise (EX=2.5), or the first two (N=2)
 	@$(RUN) -m autograder hint $(or $(EX),$(error name an exercise: make hint EX=2.5)) $(if $(N),--count $(N)) $(if $(GIVEN),--given "$(GIVEN)")
 
-reset: $(READY) ## put a stub back (EX=2.5), or its file (WHOLE=1); keeps a copy
+reset: $(READY) ## restore a stub (EX=2.5) or its file (WHOLE=1); keep a copy
 	@$(RUN) -m autograder reset $(or $(EX),$(error name an exercise: make reset EX=2.5)) --engine "$(ENGINE)" $(if $(WHOLE),--whole) $(if $(GIVEN),--given "$(GIVEN)")
 
-lab: $(READY) ## play with your engine in the browser (CH=6, SCENE=one-spring)
+lab: $(READY) ## run scenes with your engine in the browser (SCENE=one-spring)
 	@$(RUN) -m lab serve $(if $(SCENE),"$(SCENE)") --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(GIVEN),--given "$(GIVEN)") $(foreach set,$(SET),--set "$(set)") $(if $(filter 0,$(OPEN)),--no-browser)
 
-plot: $(READY) ## draw pictures with your own functions (CH=2)
+plot: $(READY) ## draw the pictures of a chapter with your engine (CH=2)
 	@$(RUN) -m studies plot --engine "$(ENGINE)" $(if $(CH),--chapter "$(CH)") $(if $(GIVEN),--given "$(GIVEN)") $(DIAGNOSIS)
 
-demo: $(READY) ## play a scene of the lab in a window instead (DEMO=fireworks)
+demo: $(READY) ## run a scene of the lab in its own window (DEMO=fireworks)
 	@$(RUN) -m lab play $(if $(DEMO),"$(DEMO)") --engine "$(ENGINE)" $(if $(GIVEN),--given "$(GIVEN)") $(DIAGNOSIS)
 
-setup: $(READY) ## make .venv; the other commands do it by themselves
+setup: $(READY) ## create .venv (the other commands do this when needed)
 	@echo "Set up: .venv is ready."
 
 $(READY): requirements.lock autograder/make_venv.py

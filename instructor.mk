@@ -50,30 +50,30 @@ grade: $(READY) ## grade a class (SUBMISSIONS=dir CHAPTERS=3 or ASSIGNMENT=lab1)
 progress: $(READY) ## compare graded assignments (RUNS="build/lab1 build/lab2")
 	@$(RUN) -m autograder progress $(or $(RUNS),$(error name the graded folders: make progress RUNS="build/lab1 build/lab2")) --out "$(or $(OUT),build/progress)"
 
-release: $(READY) ## the reference, after the deadline (CHAPTERS=2 OUT=dir)
+release: $(READY) ## release the solutions after the deadline (CHAPTERS=2 OUT=dir)
 	@$(RUN) -m autograder release $(NAMED) --out "$(or $(OUT),$(BUILT)release)" $(ASSIGNED) $(if $(EX),--exercises "$(EX)") $(if $(GRADES)$(wildcard $(BUILT)grades/results),--submissions "$(SUBMISSIONS)" --grades "$(or $(GRADES),$(BUILT)grades)") $(if $(ROSTER),--roster "$(ROSTER)")
 
-similarity: $(READY) ## which submissions of a class are alike (CHAPTERS=2-3)
+similarity: $(READY) ## find similar submissions (SUBMISSIONS=dir CHAPTERS=2-3)
 	@$(RUN) -m autograder similarity "$(SUBMISSIONS)" --out "$(or $(OUT),build/similarity)" $(if $(CHAPTERS),--chapters "$(CHAPTERS)")
 
 mark: $(READY) ## mark written answers on a page (SUBMISSIONS=dir CHAPTERS=2)
 	@$(RUN) -m autograder mark "$(if $(filter file,$(origin SUBMISSIONS)),$(error name the class: make mark SUBMISSIONS=dir),$(SUBMISSIONS))" $(if $(CHAPTERS),--chapters "$(CHAPTERS)") $(if $(filter 0,$(OPEN)),--no-browser) $(ASSIGNED)
 
-handout: $(READY) ## what students get (CHAPTERS=4-5 GIVEN=2-3 OUT=dir)
+handout: $(READY) ## make a hand-out (CHAPTERS=4-5 GIVEN=2-3 OUT=dir)
 	@$(RUN) -m autograder handout $(NAMED) --out "$(or $(OUT),$(BUILT)handout)" $(ASSIGNED) $(if $(GIVEN),--given "$(GIVEN)")
 
-classroom: $(READY) ## a hand-out for GitHub Classroom (CHAPTERS=2 OUT=dir)
+classroom: $(READY) ## make a hand-out for GitHub Classroom (CHAPTERS=2 OUT=dir)
 	@$(RUN) -m autograder classroom $(NAMED) --out "$(or $(OUT),$(BUILT)classroom)" $(ASSIGNED) $(if $(GIVEN),--given "$(GIVEN)")
 
-gradescope: $(READY) ## the zip for Gradescope (CHAPTERS=2-3 OUT=file.zip)
+gradescope: $(READY) ## make the zip for Gradescope (CHAPTERS=2-3 OUT=file.zip)
 	@$(RUN) -m autograder gradescope $(NAMED) --out "$(or $(OUT),$(BUILT)gradescope.zip)" $(ASSIGNED) $(if $(GIVEN),--given "$(GIVEN)")
 
-site: $(READY) ## the course as a site; needs Node.js (OUT=dir SOLUTIONS=1)
+site: $(READY) ## build the website; needs Node.js (OUT=dir SOLUTIONS=1)
 	@$(RUN) -m web --out "$(or $(OUT),build/site)" $(if $(SOLUTIONS),--with-solutions)
 
 # == For those who work on the companion itself ==
 # A test runs lint beside the others. The tests of one chapter are few, so there it comes first.
-test: say-what-test-is .venv/extras $(if $(CH),lint) ## test the companion itself; CH=6: what is about a chapter
+test: say-what-test-is .venv/extras $(if $(CH),lint) ## run all tests, or only the tests of one chapter (CH=6)
 ifneq ($(CH),)
 	@PYTHONPATH=tests/helpers $(RUN) -m pytest -n auto -p by_chapter --chapter "$(CH)" --ignore=tests/autograder
 else
@@ -96,42 +96,42 @@ lint: $(READY) ## check style, types and spelling
 	@$(RUN) -m mypy
 	@$(RUN) -m codespell_lib
 
-update: stubs ## generate all that is generated: stubs and tables
+update: stubs ## generate all stubs and tables again
 	@$(RUN) tests/strength table
 
-stubs: $(READY) ## make chapters/ from solutions/ again
+stubs: $(READY) ## generate the stubs in chapters/ from solutions/
 	@$(RUN) -m autograder stubs
 
 figures: $(READY) ## draw the pictures of the lessons again
 	@$(RUN) -m studies figures
 
 # == Measurements ==
-mutants: .venv/extras ## how many changed references the checks notice (CH=6)
+mutants: .venv/extras ## count the mutants that the checks catch (CH=6)
 	@$(RUN) tests/strength mutants $(if $(CH),--chapter "$(CH)")
 
 seeds: $(READY) ## check right answers with 1,000 seeds (CH=6 SEEDS=100)
 	@$(RUN) tests/strength seeds $(if $(CH),--chapter "$(CH)") $(if $(SEEDS),--seeds "$(SEEDS)")
 
-table: $(READY) ## put measured figures into the pages
+table: $(READY) ## copy the measured figures into the pages
 	@$(RUN) tests/strength table
 
-bench: $(READY) ## speed, as ratios measured in turn
+bench: $(READY) ## measure ratios of speed and compare them with their targets
 	@$(RUN) -m studies bench
 
-charts: $(READY) ## speed against accuracy (QUICK=1 takes one minute)
+charts: $(READY) ## measure speed against accuracy (QUICK=1 takes one minute)
 	@$(RUN) -m studies charts $(if $(QUICK),--quick)
 
-choose: $(READY) ## the cheapest model (SCENE=my_scene.py TOLERANCE=1e-3)
+choose: $(READY) ## find the cheapest model (SCENE=my_scene.py TOLERANCE=1e-3)
 	@$(RUN) -m studies choose "$(or $(SCENE),$(error name a scene: make choose SCENE=pendulum, or a file that describes yours))" $(if $(TOLERANCE),--tolerance "$(TOLERANCE)") $(DIAGNOSIS)
 
-limits: $(READY) ## the stiffness and drag up to which methods are stable
+limits: $(READY) ## find the stiffness and drag up to which methods are stable
 	@$(RUN) -m studies limits
 
-economy: $(READY) ## what parts of a model cost that a scene does not need
+economy: $(READY) ## measure the cost of parts that a scene does not need
 	@$(RUN) -m studies economy
 
-soak: $(READY) ## run bridge and platform for ten minutes each
+soak: $(READY) ## simulate the bridge and the platform for ten minutes each
 	@$(RUN) -m studies soak
 
-contacts: $(READY) ## contact solvers, error over time (QUICK=1 takes one minute)
+contacts: $(READY) ## compare the contact solvers (QUICK=1 takes one minute)
 	@$(RUN) -m studies contacts $(if $(QUICK),--quick)

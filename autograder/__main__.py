@@ -48,31 +48,39 @@ def main() -> int:
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add the student's commands: check, watch, hint and reset."""
     check_command = commands.add_parser("check", help="check your work")
-    check_command.add_argument("--exercise", help="one exercise, such as 2.5 or B2.3")
+    check_command.add_argument("--exercise", help="check only this exercise, such as 2.5 or B2.3")
     check_command.add_argument(
         "--only",
         action="store_true",
-        help="with --exercise: judge only its own checks, not the exercises it builds on",
+        help="with --exercise: run only its own checks, not those of the exercises it builds on",
     )
     check_command.set_defaults(run=run_check)
-    watch_command = commands.add_parser("watch", help="check your exercise whenever you save")
+    watch_command = commands.add_parser(
+        "watch", help="check your current exercise whenever you save"
+    )
     watch_command.set_defaults(run=run_watch)
     for command in (check_command, watch_command):
-        command.add_argument("--chapter", default="", help="such as 2 or 2-4 (default: all)")
-        command.add_argument("--engine", default="chapters", help="folder of chapters to check")
+        command.add_argument(
+            "--chapter", default="", help="chapters, such as 2 or 2-4 (default: all)"
+        )
+        command.add_argument(
+            "--engine", default="chapters", help="folder that contains the chapters to check"
+        )
         command.add_argument("--given", default="", help="chapters to take from the reference")
-        command.add_argument("--seed", default="1", help="seed of the checks' random numbers")
+        command.add_argument("--seed", default="1", help="seed of the random numbers in the checks")
 
     command = commands.add_parser("hint", help="show hints for an exercise")
-    command.add_argument("exercise", help="such as 2.5 or B2.3")
-    command.add_argument("--count", type=int, default=1, help="number of hints (default: 1)")
+    command.add_argument("exercise", help="the exercise, such as 2.5 or B2.3")
+    command.add_argument("--count", type=int, default=1, help="how many hints to show (default: 1)")
     command.add_argument("--given", default="", help="chapters to take from the reference")
     command.set_defaults(run=run_hint)
 
     command = commands.add_parser("reset", help="restore the stub of an exercise")
-    command.add_argument("exercise", help="such as 2.5 or B2.3")
-    command.add_argument("--engine", default="chapters", help="folder of chapters with your work")
-    command.add_argument("--whole", action="store_true", help="restore its whole file")
+    command.add_argument("exercise", help="the exercise, such as 2.5 or B2.3")
+    command.add_argument("--engine", default="chapters", help="folder that contains your chapters")
+    command.add_argument(
+        "--whole", action="store_true", help="restore the whole file of the exercise"
+    )
     command.add_argument("--given", default="", help="chapters to take from the reference")
     command.set_defaults(run=run_reset)
 

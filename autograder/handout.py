@@ -32,27 +32,29 @@ STUDENT_TOOLS = {
 README = """\
 # Game physics: {titles}
 
-Write part of a game physics engine in the files under `chapters/`, and check your work as you go.
-You need Python 3.11 or newer. With make, the first command sets up everything else. Without make,
-as on most Windows machines, use the Python commands in [chapters/README.md](chapters/README.md).
+In this assignment you write a part of a game physics engine. Your files are under `chapters/`, and
+you can check your work as often as you like. You need Python 3.11 or newer. If you have make, the
+first command sets up everything else. If you have no make, as on most Windows computers, use the
+Python commands in [chapters/README.md](chapters/README.md).
 
     make watch          check your current exercise whenever you save its file
     make check          show the state of every exercise, and the first thing to fix
     make check EX={example}  check one exercise and the exercises it builds on
     make hint EX={example}   show a hint; N=2 shows the second hint too
     make reset EX={example}  restore its stub, and keep a copy of your work
-    make lab            play scenes with your own engine in the browser
-    make plot           draw what your own functions compute, under build/plots/
-    make demo DEMO=...  play a scene in a window, or write files without a display
+    make lab            run scenes with your own engine in the browser
+    make plot           draw pictures with your own engine, into build/plots/
+    make demo DEMO=...  run a scene in a window (without a display: write files)
 
-Each chapter's README maps the book's sections to the functions that you write. Answer written
-questions in `answers.md`. Hand in the folders under `chapters/` that you have edited. Only the
-files that the exercise table names are graded, so keep your own helper functions in them.
+The README of each chapter is the lesson. The page `reference.md` beside it lists the exercises, and
+shows which functions belong to which section of the book. Write your answers to written questions
+into `answers.md`. When you are done, hand in the folders under `chapters/` that you have edited.
+Only the files that the table of exercises names are graded, so put helper functions into them, too.
 """
 PAGE_LINK = re.compile(r"(?<!!)\[([^\[\]]*)\]\(([^)#:\s]+\.md)(?:#[^)]*)?\)")
 CHARTS = "ch08_charts.py"  # scenes for charts of the reference, which hand-outs do not need
 KEPT_README = """\
-The original stubs, which `make reset` restores. Nothing in this folder is checked or handed in.
+This folder has the original stubs, which `make reset` restores. Do not edit or hand in these files.
 """
 
 

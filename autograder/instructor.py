@@ -18,21 +18,27 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     The module that a command needs is imported only when the command runs, so that `check` starts
     quickly.
     """
-    unsafe = "if there is no sandbox here, grade a class that you trust without one"
+    unsafe = "grade without a sandbox if this machine has none; only for a class that you trust"
     command = commands.add_parser("grade", help="grade a folder of submissions")
-    command.add_argument("folder", type=Path, help="a folder or .zip per student, or a zip of them")
+    command.add_argument("folder", type=Path, help="folder of submissions, or a zip of all of them")
     command.add_argument("--out", type=Path, required=True, help="folder for the results")
-    command.add_argument("--seed", help="seed of the checks' numbers (default: a new one)")
-    command.add_argument("--chapters", default="", help="such as 2,3 (default: all)")
+    command.add_argument("--seed", help="seed of the random numbers (default: a new one)")
+    command.add_argument("--chapters", default="", help="chapters, such as 2,3 (default: all)")
     command.add_argument("--given", default="", help="chapters that were handed out complete")
-    command.add_argument("--jobs", type=int, help="submissions at a time (default: one per core)")
+    command.add_argument(
+        "--jobs", type=int, help="submissions graded at once (default: one per core)"
+    )
     command.add_argument("--cluster", help="Dask scheduler to use, such as tcp://host:8786")
-    command.add_argument("--checks", type=Path, help="folder of hidden checks, chNN_name/test_*.py")
-    command.add_argument("--student", help="grade only this one again, with the seed of the class")
-    command.add_argument("--note", default="", help="with --student: the reason, for regrades.csv")
+    command.add_argument(
+        "--checks", type=Path, help="folder of hidden checks (chNN_name/test_*.py)"
+    )
+    command.add_argument("--student", help="grade only this student again, with the same seed")
+    command.add_argument(
+        "--note", default="", help="with --student: the reason to write to regrades.csv"
+    )
     command.add_argument("--roster", type=Path, help="CSV with the columns id,name,email,login")
-    command.add_argument("--anonymous", action="store_true", help="codes in place of names")
-    command.add_argument("--title", default="", help="assignment in Canvas, as in 'Lab 1 (12345)'")
+    command.add_argument("--anonymous", action="store_true", help="show codes instead of names")
+    command.add_argument("--title", default="", help="title in Canvas, such as 'Lab 1 (12345)'")
     command.add_argument("--points", type=float, help="points of the assignment on the platform")
     command.add_argument("--unsafe-no-sandbox", action="store_true", help=unsafe)
     add_options(command)
@@ -43,14 +49,22 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
         ("classroom", "make a hand-out with a workflow for GitHub Classroom", run_classroom),
     ):
         command = commands.add_parser(name, help=help_text)
-        command.add_argument("chapters", nargs="?", help="chapters as stubs, such as 4-5")
-        command.add_argument("--given", default="", help="complete chapters, such as 2-3")
+        command.add_argument(
+            "chapters", nargs="?", help="chapters to hand out as stubs, such as 4-5"
+        )
+        command.add_argument(
+            "--given", default="", help="chapters to hand out complete, such as 2-3"
+        )
         command.add_argument("--out", type=Path, required=True, help="a new folder")
         add_options(command)
         command.set_defaults(run=run)
 
-    command = commands.add_parser("gradescope", help="make the autograder zip for Gradescope")
-    command.add_argument("chapters", nargs="?", default="", help="such as 2-3 (default: all)")
+    command = commands.add_parser(
+        "gradescope", help="make the zip with the autograder for Gradescope"
+    )
+    command.add_argument(
+        "chapters", nargs="?", default="", help="chapters, such as 2-3 (default: all)"
+    )
     command.add_argument("--given", default="", help="chapters that were handed out complete")
     command.add_argument("--out", type=Path, required=True, help="the zip file")
     command.add_argument("--unsafe-no-sandbox", action="store_true", help=unsafe)
@@ -58,15 +72,21 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command.set_defaults(run=run_gradescope)
 
     command = commands.add_parser("similarity", help="compare the submissions of a class")
-    command.add_argument("folder", type=Path, help="with a folder, or a .zip, for each student")
-    command.add_argument("--out", type=Path, required=True, help="where the pages go")
-    command.add_argument("--chapters", default="", help="such as 2,3 (default: all)")
+    command.add_argument(
+        "folder", type=Path, help="folder of submissions, one folder or .zip per student"
+    )
+    command.add_argument("--out", type=Path, required=True, help="folder for the pages")
+    command.add_argument("--chapters", default="", help="chapters, such as 2,3 (default: all)")
     command.set_defaults(run=run_similarity)
 
     command = commands.add_parser("mark", help="mark the written answers of a class on a page")
-    command.add_argument("folder", type=Path, help="with a folder, or a .zip, for each student")
-    command.add_argument("--chapters", default="", help="such as 2,3 (default: all)")
-    command.add_argument("--no-browser", action="store_true", help="print the address only")
+    command.add_argument(
+        "folder", type=Path, help="folder of submissions, one folder or .zip per student"
+    )
+    command.add_argument("--chapters", default="", help="chapters, such as 2,3 (default: all)")
+    command.add_argument(
+        "--no-browser", action="store_true", help="print the address instead of opening a browser"
+    )
     add_options(command)
     command.set_defaults(run=run_mark)
 

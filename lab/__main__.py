@@ -27,20 +27,26 @@ def main() -> int:
     serve.add_argument("scene", nargs="?", default="", help="the scene to open first")
     serve.add_argument("--chapter", type=int, help="open the first scene of this chapter")
     serve.add_argument("--port", type=int, default=0, help="the port (default: any free port)")
-    serve.add_argument("--no-browser", action="store_true", help="only print the address")
+    serve.add_argument(
+        "--no-browser", action="store_true", help="print the address instead of opening a browser"
+    )
     play = commands.add_parser("play", help="play a scene in a window, or record it to files")
     play.add_argument("scene", nargs="?", default="", help="a scene, such as one-spring")
     record = commands.add_parser("record", help="record a scripted run of a scene to files")
     record.add_argument("scene", nargs="?", default="", help="a scene, such as one-spring")
     for command in (play, record):
-        command.add_argument("--seconds", type=float, help="the length of the recording in s")
+        command.add_argument("--seconds", type=float, help="length of the recording in seconds")
         command.add_argument(
             "--out", type=Path, default=ROOT / "build" / "lab", help="the folder for the files"
         )
     for command in (serve, play, record):
         add_engine_options(command)
         command.add_argument(
-            "--set", action="append", default=[], metavar="NAME=VALUE", help="set a parameter"
+            "--set",
+            action="append",
+            default=[],
+            metavar="NAME=VALUE",
+            help="set a parameter of the scene",
         )
     options = parser.parse_args()
     if not prepare():

@@ -13,7 +13,7 @@ from collections.abc import Callable
 from typing import Any
 
 from lab.catalog import load
-from lab.pen import Pen
+from lab.drawing.pen import Pen
 from lab.scene import FRAME, Scene, described, parameters_of
 
 Message = dict[str, Any]

@@ -20,7 +20,7 @@ from matplotlib.animation import FuncAnimation, PillowWriter
 from matplotlib.figure import Figure
 from rich.progress import track
 
-from lab.picture import Picture
+from lab.drawing.picture import Picture
 from lab.scene import FRAME, Scene, name_of
 
 STEPS_A_PICTURE = 3  # gives 20 pictures per second; GIF delays are whole hundredths of a second

@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from lab.drawing.pen import Pen
 from lab.parameters import Parameter
-from lab.pen import Pen
 
 FRAME = 1.0 / 60.0  # s per frame
 

@@ -9,10 +9,10 @@ from collections.abc import Callable, Iterable
 
 from ch07_constraints.links import AnchoredCable, Cable
 from ch08_mass_aggregate.world import ParticleWorld
-from lab.camera import flat
-from lab.contact_view import ContactView
+from lab.drawing.camera import flat
+from lab.drawing.contact_view import ContactView
+from lab.drawing.pen import Pen
 from lab.parameters import Choice
-from lab.pen import Pen
 from lab.scene import Scene
 from studies.runs.links import ends_of
 

@@ -15,7 +15,7 @@ from pathlib import Path
 from autograder.handout import CHARTS
 from autograder.manifest import ROOT
 from lab.catalog import Entry, entries, load
-from lab.pen import Pen
+from lab.drawing.pen import Pen
 from lab.scene import FRAME
 from studies.engine import use_engine
 from web.svg import svg

@@ -9,9 +9,9 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from lab.pen import Item
+from lab.drawing.pen import Item
 
-COLORS = Path(__file__).parent.parent / "lab" / "page" / "colors.css"
+COLORS = Path(__file__).parent.parent / "lab" / "page" / "styles" / "colors.css"
 WIDTH, HEIGHT = 640.0, 400.0  # of every picture, in pixels
 TURNS = 24  # corners in the zigzag of a spring
 HIDDEN = ("force", "contact")  # arrows that a page shows only on request

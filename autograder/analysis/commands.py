@@ -9,7 +9,7 @@ from pathlib import Path
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add the command `progress` to the command line."""
     command = commands.add_parser("progress", help="compare several graded assignments of a class")
-    command.add_argument("runs", nargs="+", type=Path, help="folders that grade has written")
+    command.add_argument("runs", nargs="+", type=Path, help="folders with the results of grade")
     command.add_argument("--out", type=Path, required=True, help="folder for the page")
     command.set_defaults(run=run_progress)
 

@@ -31,17 +31,23 @@ SLIPS = (
     ("NotImplementedType", NOT_IMPLEMENTED),
     (
         "SystemExit",
-        "The code stops the Python interpreter. Remove the call to sys.exit, exit or quit.",
+        "Your code stops the Python interpreter, so the check cannot continue. Remove the call to "
+        "sys.exit, exit or quit.",
     ),
     (
         "EOF when reading",
-        "The code waits for keyboard input. Remove the call to input or breakpoint.",
+        "Your code waits for keyboard input, but nobody can type anything during a check. Remove "
+        "the call to input or breakpoint.",
     ),
-    ("BdbQuit", "The code waits for keyboard input. Remove the call to input or breakpoint."),
+    (
+        "BdbQuit",
+        "Your code waits for keyboard input, but nobody can type anything during a check. "
+        "Remove the call to input or breakpoint.",
+    ),
     (
         "circular import",
-        "Two files import each other, so neither can be loaded first. Remove one of the imports. "
-        "Move the code that both files need into the file that is still imported.",
+        "Two files import each other, so neither can be loaded first. Remove one of the imports, "
+        "and move the code that both files need into the file that is still imported.",
     ),
     ("No module named 'ch0", NOT_HANDED_IN),
     ("(unknown location)", NOT_HANDED_IN),
@@ -61,17 +67,31 @@ SLIPS = (
     ("start new thread", ONLY_COMPUTES),
     (
         "must be a Vector3, got None",
-        "A method that works in place returns None. Do not assign its result.",
+        "A method that works in place changes its vector and returns None. Call it on a line of "
+        "its own, and do not assign its result.",
     ),
     ("has no setter", "This property has no setter, so it can be read but not assigned."),
-    ("for ^", "Write a power with **. In Python ^ is another operator, bitwise exclusive or."),
-    ("is not defined", "The name is misspelled, or its import is missing at the top of the file."),
-    ("local variable", "The code reads a variable before it assigns a value to it."),
+    ("for ^", "Python writes powers with **. The operator ^ is bitwise exclusive or."),
+    (
+        "is not defined",
+        "Python does not know this name. Check its spelling, and check that the "
+        "file imports it at the top.",
+    ),
+    (
+        "local variable",
+        "Your code reads this variable before it assigns a value to it. Give it a "
+        "value first, on every path that leads to this line.",
+    ),
     (
         "unexpected keyword",
-        "A parameter in the def line does not have the name that the docstring says.",
+        "A parameter in the def line has a different name from the one in the docstring. Use the "
+        "names of the docstring, because callers pass arguments by name.",
     ),
-    ("and 'method'", "A method is used without being called. Add parentheses after its name."),
+    (
+        "and 'method'",
+        "Your code uses a method as if it were its result. Add parentheses after its "
+        "name to call it.",
+    ),
     ("can't decode", "Save the file as UTF-8 in your editor."),
     ("null bytes", "Save the file as UTF-8 in your editor."),
 )
@@ -80,50 +100,50 @@ SLIPS = (
 PERHAPS = (
     (
         "'tuple'",
-        "A function with several results returns a tuple. Unpack the tuple before you "
-        "use a result.",
+        "A function with several results returns them as a tuple. Unpack the tuple into separate "
+        "names before you use a result.",
     ),
-    ("NoneType", "A value is None here. Is a return statement missing?"),
+    ("NoneType", "A value on this line is None. Is a return statement missing?"),
     (
         "maximum recursion",
-        "A function calls itself forever. Does an operator or method use itself, or does a setter "
-        "assign to its own name?",
+        "A function calls itself forever. Check whether an operator or a method uses itself, or "
+        "whether a setter assigns to its own name.",
     ),
     (
         "positional argument",
-        "The number of arguments does not match the def. Is self missing in a def, or is there "
-        "one argument too many?",
+        "The number of arguments does not match the def line. Perhaps self is missing there, or "
+        "the call passes one argument too many.",
     ),
     (
         "is not callable",
-        "The code calls a value that is not a function. Is it a property, or is "
-        "its name used twice?",
+        "Your code calls a value that is not a function. Perhaps it is a property, which needs no "
+        "parentheses, or its name is used for two things.",
     ),
     (
         "values to unpack",
-        "The number of returned values does not match the number of names. The "
-        "docstring says what to return.",
+        "The number of returned values differs from the number of names that they are assigned "
+        "to. The docstring says what the function returns.",
     ),
     (
         "cannot unpack",
-        "The number of returned values does not match the number of names. The "
-        "docstring says what to return.",
+        "The number of returned values differs from the number of names that they are assigned "
+        "to. The docstring says what the function returns.",
     ),
     (
         "has no attribute",
-        "Either the name is misspelled, or the object is not of the type that you expect.",
+        "Perhaps the name is misspelled, or the object has a different type than you expect.",
     ),
     ("unterminated", "A quotation mark is missing here or further up. A docstring needs three."),
-    ("TabError", "The line mixes tabs and spaces. Use four spaces for each level."),
-    ("unindent does not match", "Indent the line as far as the block that it belongs to."),
-    ("unexpected indent", "The line is indented too far. Use four spaces for each level."),
-    ("expected an indented block", "The body is missing, or is not indented by four spaces."),
-    ("MemoryError", "The code asks for more memory than a check may use. Is a list too long?"),
-    ("is not subscriptable", "A Vector3 has no index. Read v.x, v.y and v.z."),
+    ("TabError", "The indentation mixes tabs and spaces. Use four spaces for each level."),
+    ("unindent does not match", "Indent this line as far as the block that it belongs to."),
+    ("unexpected indent", "This line is indented too far. Use four spaces for each level."),
+    ("expected an indented block", "Write the body of this block, and indent it by four spaces."),
+    ("MemoryError", "Your code needs more memory than a check may use. Is a list too long?"),
+    ("is not subscriptable", "A Vector3 has no index. Read v.x, v.y and v.z instead."),
     (
         "TypeError",
-        "A value in this line has a different type than the code expects. Which type does each "
-        "name have there? A method name without parentheses does not call the method.",
+        "A value on this line has a different type than the code expects. Check the type of each "
+        "name there. Perhaps a method name lacks its parentheses, so the method is not called.",
     ),
 )
 ESCAPED = re.compile(

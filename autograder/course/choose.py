@@ -17,7 +17,9 @@ NOT_WITH_ASSIGNMENT = ("chapters", "given", "checks")  # these come from the cou
 def add_options(command: argparse.ArgumentParser) -> None:
     """Add the command-line options that select an assignment."""
     command.add_argument("--assignment", help="an assignment of the course file, such as lab1")
-    command.add_argument("--course", type=Path, default=DEFAULT, help="default: course.toml")
+    command.add_argument(
+        "--course", type=Path, default=DEFAULT, help="the course file (default: course.toml)"
+    )
 
 
 def work_of(arguments: argparse.Namespace, *, handed_out: bool = False) -> Work:

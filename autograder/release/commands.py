@@ -15,13 +15,17 @@ from autograder.manifest import load_chapters
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add the command `release` to the command line."""
     command = commands.add_parser("release", help="release the reference after the deadline")
-    what = "chapters whose reference to release, such as 2-3, unless there is an assignment"
+    what = "chapters to release, such as 2-3 (not needed with an assignment)"
     command.add_argument("chapters", nargs="?", default="", help=what)
-    command.add_argument("--exercises", default="", help="only these, such as 2.5,B2.3")
-    command.add_argument("--submissions", type=Path, help="the class, to compare its solutions")
-    command.add_argument("--grades", type=Path, help="the folder that the class was graded into")
-    command.add_argument("--roster", type=Path, help="the roster with which it was graded")
-    command.add_argument("--out", type=Path, required=True, help="folder for what is released")
+    command.add_argument(
+        "--exercises", default="", help="release only these exercises, such as 2.5,B2.3"
+    )
+    command.add_argument(
+        "--submissions", type=Path, help="folder of submissions to compare with the reference"
+    )
+    command.add_argument("--grades", type=Path, help="folder with the grades of the class")
+    command.add_argument("--roster", type=Path, help="the roster that the class was graded with")
+    command.add_argument("--out", type=Path, required=True, help="folder for the released files")
     add_options(command)
     command.set_defaults(run=run_release)
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 from ch02_vectors.vector import Vector3
-from lab.camera import flat, on_the_ground
-from lab.pen import Pen
+from lab.drawing.camera import flat, on_the_ground
+from lab.drawing.pen import Pen
 from lab.scene import Scene
 
 STEP = math.radians(5.0)  # rotation per key press

@@ -7,8 +7,8 @@ from itertools import pairwise
 
 from ch02_vectors.vector import Vector3
 from ch03_laws_of_motion.particle import Particle
+from lab.drawing.pen import Pen
 from lab.parameters import Choice, Slider
-from lab.pen import Pen
 from lab.scene import Scene
 from studies.runs.drag_flight import GRAVITY, DragFlight, State
 

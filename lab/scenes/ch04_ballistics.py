@@ -9,8 +9,8 @@ from ch03_laws_of_motion.particle import Particle
 from ch04_particle_engine.ballistics import MUZZLE, SHOT_TYPES, BallisticRange, Shot, grenade_after
 from ch04_particle_engine.closed_form import state_after
 from ch04_particle_engine.targets import TargetBlock, strike_first
+from lab.drawing.pen import Pen
 from lab.parameters import Choice, Slider
-from lab.pen import Pen
 from lab.scene import Question, Scene
 from studies.readings import is_written
 

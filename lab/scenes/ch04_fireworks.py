@@ -8,7 +8,7 @@ from ch04_particle_engine.display import Display, click, find_rocket, is_over, t
 from ch04_particle_engine.firework_types import FIREWORK_TYPES, own_types
 from ch04_particle_engine.fireworks import FireworkRule, FireworksShow, endless_types
 from ch04_particle_engine.screen_rotation import screen_angle, screen_corners
-from lab.pen import Pen
+from lab.drawing.pen import Pen
 from lab.scene import Scene
 from studies.readings import is_written
 

@@ -8,8 +8,8 @@ from ch02_vectors.vector import Vector3
 from ch05_forces.closed_form import quadratic_fall, terminal_speed
 from ch05_forces.forces import Drag, ForceRegistry, InverseSquareGravity
 from ch05_forces.particle import Particle
+from lab.drawing.pen import Pen
 from lab.parameters import Choice, Slider
-from lab.pen import Pen
 from lab.scene import Question, Scene
 
 G = 9.81  # m/s^2

@@ -18,7 +18,7 @@ from ch05_forces.sniper import (
     TARGETS,
     SniperRange,
 )
-from lab.pen import Pen
+from lab.drawing.pen import Pen
 from lab.scene import Scene
 
 COLORS = ("sky", "water", "blue")  # of the rings, from the outside in

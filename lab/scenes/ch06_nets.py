@@ -9,8 +9,8 @@ from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
 from ch06_springs.cloth import KNOTS, G, make_cloth, neighbors
 from ch06_springs.spring_bridge import hang_bridge, load_bridge
+from lab.drawing.pen import Pen
 from lab.parameters import Choice, Slider
-from lab.pen import Pen
 from lab.stepped import STEPS, Stepped
 
 

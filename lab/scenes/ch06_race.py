@@ -10,8 +10,8 @@ from ch05_forces.particle import Particle
 from ch06_springs.closed_form import damped_spring_state
 from ch06_springs.integrators import backward_euler, trapezoidal
 from ch06_springs.springs import AnchoredSpring
+from lab.drawing.pen import Pen
 from lab.parameters import Choice, Slider
-from lab.pen import Pen
 from lab.scene import Question, Scene
 from lab.stepped import RATES, STEPS
 

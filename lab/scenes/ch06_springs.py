@@ -9,8 +9,8 @@ from ch05_forces.forces import ForceRegistry
 from ch05_forces.particle import Particle
 from ch06_springs.closed_form import damped_spring_state
 from ch06_springs.springs import AnchoredSpring
+from lab.drawing.pen import Pen
 from lab.parameters import Slider
-from lab.pen import Pen
 from lab.scene import Question
 from lab.stepped import Stepped
 

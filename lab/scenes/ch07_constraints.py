@@ -12,9 +12,9 @@ from ch07_constraints.bouncing_ball import heights_in_frames
 from ch07_constraints.contacts import ContactResolver
 from ch07_constraints.detectors import Detectors, GroundPlane, ParticlePairs
 from ch07_constraints.time_division import TooManyImpacts, time_division_step
-from lab.contact_view import ContactView
+from lab.drawing.contact_view import ContactView
+from lab.drawing.pen import Pen
 from lab.parameters import Choice, Slider
-from lab.pen import Pen
 from lab.scene import FRAME, Question, Scene
 
 G = 9.81  # m/s^2

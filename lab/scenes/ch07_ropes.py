@@ -11,8 +11,8 @@ from ch06_springs.integrators import semi_implicit_euler
 from ch07_constraints.direct_chain import DirectChain
 from ch07_constraints.heap_resolver import HeapResolver
 from ch07_constraints.links import Rod
+from lab.drawing.pen import Pen
 from lab.parameters import Choice, Slider
-from lab.pen import Pen
 from lab.scene import Question, Scene
 
 LENGTH = 3.0  # m, of the whole rope

@@ -7,9 +7,9 @@ import math
 from ch02_vectors.vector import Vector3
 from ch07_constraints.links import Rod
 from ch08_mass_aggregate import blob, tilting_platform
-from lab.camera import flat
+from lab.drawing.camera import flat
+from lab.drawing.pen import Pen
 from lab.parameters import Choice, Slider
-from lab.pen import Pen
 from lab.scene import Question
 from lab.world_scene import WorldScene
 from studies.readings import is_written

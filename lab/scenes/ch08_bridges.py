@@ -5,9 +5,9 @@ from __future__ import annotations
 from ch02_vectors.vector import Vector3
 from ch08_mass_aggregate import ball_game, bridge
 from ch08_mass_aggregate.fixed_step import FixedStep
-from lab.camera import flat
+from lab.drawing.camera import flat
+from lab.drawing.pen import Pen
 from lab.parameters import Choice, Slider
-from lab.pen import Pen
 from lab.scene import Question, Scene
 from lab.world_scene import WorldScene, draw_cables
 from studies.runs.links import over_length

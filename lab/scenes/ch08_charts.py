@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import time as clock
 
+from lab.drawing.pen import Pen
 from lab.parameters import Choice
-from lab.pen import Pen
 from lab.scene import Scene
 from studies.accuracy.catalog import scenes_with
 from studies.accuracy.scene import RATE, Model, Place

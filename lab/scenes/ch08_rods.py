@@ -7,8 +7,8 @@ from itertools import combinations
 
 from ch02_vectors.vector import Vector3
 from ch08_mass_aggregate import cube, wheel
+from lab.drawing.pen import Pen
 from lab.parameters import Choice, Slider
-from lab.pen import Pen
 from lab.scene import Question
 from lab.world_scene import WorldScene
 from studies.readings import is_written

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ch08_mass_aggregate import trebuchet
+from lab.drawing.pen import Pen
 from lab.parameters import Choice, Slider
-from lab.pen import Pen
 from lab.scene import Question
 from lab.world_scene import WorldScene
 

@@ -6,10 +6,10 @@ import math
 
 from ch02_vectors.vector import Vector3
 from ch09_rotations.free_box import FreeBox
-from lab.box import draw_box
-from lab.camera import flat
+from lab.drawing.box import draw_box
+from lab.drawing.camera import flat
+from lab.drawing.pen import Pen
 from lab.parameters import Choice, Slider
-from lab.pen import Pen
 from lab.scene import Question, Scene
 from studies.readings import numbers
 

@@ -9,10 +9,10 @@ from ch09_rotations.angular import first_order_drift
 from ch09_rotations.euler import euler_rates, euler_to_quaternion
 from ch09_rotations.matrix3 import Matrix3
 from ch09_rotations.quaternion import Quaternion
-from lab.box import draw_box
-from lab.camera import flat
+from lab.drawing.box import draw_box
+from lab.drawing.camera import flat
+from lab.drawing.pen import Pen
 from lab.parameters import Choice, Slider
-from lab.pen import Pen
 from lab.scene import Question, Scene
 
 SIDES = (1.3, 0.8, 0.3)  # m

@@ -31,7 +31,7 @@ def main(arguments: list[str]) -> int:
         "--tolerance",
         type=float,
         default=1e-3,
-        help="allowed error, in units of the scene's scale, or for a file in those of its measure",
+        help="largest error, as a fraction of the scene's size; for a file, in its own units",
     )
     options = parser.parse_args(arguments)
     if not 0.0 < options.tolerance < math.inf:

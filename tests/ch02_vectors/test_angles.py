@@ -50,23 +50,27 @@ def test_the_sign_of_a_scalar_product_names_the_angle(rng: Random, word: str) ->
     about.read = "book 2.1.7, Eq. 2.4"
     for a in (long, (0.01 * long[0], 0.01 * long[1], 0.01 * long[2])):
         about.call = f"scalar_product_and_angle(Vector3{a}, Vector3{b})"
-        about.cause = "Return a pair: the scalar product a . b, and then the word."
+        about.cause = (
+            "Return a pair. Its first element is the scalar product a . b, and its second is the "
+            "word that names the angle."
+        )
         product, got = exercises.scalar_product_and_angle(Vector3(*a), Vector3(*b))
         name = f"{about.call}, the first"
         cosine = dot(a, b) / math.sqrt(dot(a, a) * dot(b, b))
         divided = (
-            "The result is the cosine of the angle. Return a . b without dividing by the lengths."
+            "The result is the cosine of the angle, so it was divided by both lengths. Return the "
+            "scalar product a . b without this division."
         )
         blame(product, [(cosine, divided)])
         expect_close(product, dot(a, b), call=name, tolerance=1e-12)
         about.cause = (
-            "The sign decides. A positive scalar product means an acute angle, and a negative one "
-            "means an obtuse angle."
+            "The sign of the scalar product decides which word is right. A positive product means "
+            "an acute angle, and a negative product means an obtuse angle."
         )
         if got == "right":
             about.cause = (
-                "A small product is still positive or negative, and its sign decides between "
-                "acute and obtuse."
+                "Only a scalar product of exactly 0 means a right angle. This product is small, "
+                "but its sign still decides between acute and obtuse, so do not round it."
             )
         expect_exactly(got, word, then=", the second")
 
@@ -90,7 +94,10 @@ def test_a_scalar_product_of_zero_is_a_right_angle(rng: Random) -> None:
 @pytest.mark.robust
 def test_a_product_that_is_nan_says_nothing_of_the_angle() -> None:
     about.call = "scalar_product_and_angle(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
-    about.cause = "NaN has no sign, so no word describes this angle. Raise ValueError."
+    about.cause = (
+        "This scalar product is NaN, which is neither positive nor negative, so it does not tell "
+        "you the kind of angle. Raise ValueError."
+    )
     about.read = "the docstring of scalar_product_and_angle"
     good = Vector3(1.0, 2.0, 3.0)
     expect_error(
@@ -108,47 +115,68 @@ def test_the_angles_of_the_book() -> None:
     a, b = Vector3(0.0, 1.0, 1.0), Vector3(0.0, -1.0, 0.0)
     about.call = "angle_by_scalar_product(Vector3(0, 1, 1), Vector3(0, -1, 0))"
     about.cause = (
-        "Divide a . b by both lengths to get the cosine. Return math.acos of the cosine, in "
-        "radians."
+        "Divide a . b by both lengths, which gives the cosine of the angle. Then return math.acos "
+        "of this cosine, which is the angle in radians."
     )
     about.read = "book 2.1.7, Eq. 2.4"
     got = exercises.angle_by_scalar_product(a, b)
     mistakes = [
-        (135.0, "The result is in degrees. Return radians, as math.acos does."),
+        (
+            135.0,
+            "The angle is in degrees, but this function must return radians. math.acos already "
+            "returns radians, so do not convert its result.",
+        ),
         (
             math.pi,
-            "The result is the arccosine of a . b itself. Divide a . b by both lengths first.",
+            "The result is the arccosine of a . b itself, but a . b is the cosine only for unit "
+            "vectors. Divide it by both lengths first.",
         ),
-        (-math.sqrt(0.5), "The result is the cosine. Return the angle, math.acos(cosine)."),
+        (
+            -math.sqrt(0.5),
+            "The result is the cosine of the angle. Pass it to math.acos to get the angle itself.",
+        ),
         (
             0.25 * math.pi,
-            "The sign of a . b was lost. A negative scalar product means an obtuse angle.",
+            "The scalar product is negative here, so the angle must be obtuse, but its sign was "
+            "lost on the way. Check whether you take an absolute value somewhere.",
         ),
-        (-0.25 * math.pi, "The result is math.asin of the cosine. Use math.acos."),
+        (
+            -0.25 * math.pi,
+            "The result is math.asin of the cosine. The function that turns a cosine "
+            "into an angle is math.acos.",
+        ),
     ]
     blame(got, mistakes)
     expect_close(got, 0.75 * math.pi)
     about.call = "angles_by_vector_product(Vector3(0, 1, 1), Vector3(0, -1, 0))"
-    about.cause = "Two angles have the same sine: t and pi - t. Return both, the smaller one first."
+    about.cause = (
+        "Two angles between 0 and pi have the same sine, because sin t = sin(pi - t). Return both "
+        "as a pair, with the smaller angle first."
+    )
     about.read = "book 2.1.8, Eq. 2.6"
     angles = exercises.angles_by_vector_product(a, b)
     wanted = (0.25 * math.pi, 0.75 * math.pi)
     mistakes = [
         (
             (0.0, math.pi),
-            "sqrt(1 - (a . b)^2) is the sine for unit vectors only. Normalize a and b first, or "
-            "divide |a x b| by both lengths.",
+            "sqrt(1 - (a . b)^2) is the sine of the angle only if a and b are unit vectors. "
+            "Normalize both vectors first, or divide |a x b| by both lengths.",
         ),
         (
             (0.5 * math.pi, 0.5 * math.pi),
-            "The results use |a x b| as the sine. Divide |a x b| by both lengths first.",
+            "The length |a x b| was used as the sine of the angle, but it also contains the "
+            "lengths of a and b. Divide it by both lengths first.",
         ),
-        ((45.0, 135.0), "The results are in degrees. Return radians, as math.asin does."),
+        (
+            (45.0, 135.0),
+            "The angles are in degrees, but this function must return radians. "
+            "math.asin already returns radians, so do not convert its result.",
+        ),
         (wanted[::-1], "The angles are in the wrong order. Return the smaller angle first."),
         (
             wanted[0],
-            "The result is only one of the two angles. pi - t has the same sine as t, so return "
-            "both.",
+            "Only one of the two possible angles was returned. Because pi - t has the same sine "
+            "as t, return both as a pair.",
         ),
     ]
     blame(angles, mistakes)
@@ -163,12 +191,15 @@ def test_the_angle_by_the_scalar_product(rng: Random, kind: str) -> None:
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; angle_by_scalar_product(v, w)"
     about.cause = (
-        "Divide v . w by both lengths to get the cosine. Return math.acos of the cosine, in "
-        "radians."
+        "Divide v . w by both lengths, which gives the cosine of the angle. Then return math.acos "
+        "of this cosine, which is the angle in radians."
     )
     about.read = "book 2.1.7, Eq. 2.4"
     got = exercises.angle_by_scalar_product(v, w)
-    other = "The result is pi minus the angle. The sign of a . b was lost or reversed."
+    other = (
+        "The result is pi minus the angle, so the sign of the scalar product was lost or reversed. "
+        "Check where your code changes the sign of a . b."
+    )
     blame(got, [(math.pi - angle, other)])
     # Rounding errors are divided by sin t, at least 0.3, and drawing the vectors adds its own.
     expect_close(got, angle, tolerance=1e-12)
@@ -183,8 +214,10 @@ def test_the_angles_by_the_vector_product(rng: Random, kind: str) -> None:
     a, b = two_at_an_angle(rng, angle)
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; angles_by_vector_product(v, w)"
-    about.cause = "The sine is |v x w| divided by both lengths. Return t and pi - t, in radians. "
-    about.cause += "sqrt(1 - (v . w)^2) is the sine for unit vectors only."
+    about.cause = (
+        "The sine of the angle is |v x w| divided by both lengths. Return t and pi - t in radians. "
+        "The formula sqrt(1 - (v . w)^2) gives the sine for unit vectors only."
+    )
     about.read = "book 2.1.8, Eq. 2.6"
     got = exercises.angles_by_vector_product(v, w)
     wanted = (min(angle, math.pi - angle), max(angle, math.pi - angle))
@@ -197,12 +230,11 @@ def test_the_angles_by_the_vector_product(rng: Random, kind: str) -> None:
 @pytest.mark.exercise("2.5")
 def test_parallel_and_perpendicular_vectors_have_angles_too(rng: Random) -> None:
     # In many of the 40 pairs, rounding leaves a cosine or a sine slightly above 1.
-    about.cause = "Rounding can leave a cosine or a sine slightly above 1 or below -1. math.acos "
-    about.cause += (
-        "and math.asin raise an error outside -1 to 1, so clamp the cosine and the sine to this "
-        "range "
+    about.cause = (
+        "Rounding can leave a cosine or a sine slightly above 1 or below -1, and math.acos and "
+        "math.asin raise an error for such a number. Clamp the cosine and the sine to the range "
+        "from -1 to 1 first."
     )
-    about.cause += "first."
     about.read = "the hints of exercise 2.5"
     for _ in range(40):
         a, scale = components(rng), rng.uniform(0.1, 9.0)
@@ -231,7 +263,8 @@ def test_a_zero_vector_has_no_angle(rng: Random, name: str) -> None:
         return function(Vector3(1.0, 0.0, 0.0), Vector3(0.0, 1.0, 0.0))
 
     about.cause = (
-        "A zero vector has no direction, so it has no angle with another vector. Raise ValueError."
+        "A zero vector has no direction, so there is no angle between it and another vector. Raise "
+        "ValueError."
     )
     about.read = f"the docstring of {name}"
     for call, attempt in (
@@ -247,8 +280,10 @@ def test_a_zero_vector_has_no_angle(rng: Random, name: str) -> None:
 def test_nan_has_no_angle() -> None:
     lost, good = Vector3(math.nan, 0.0, 0.0), Vector3(1.0, 2.0, 3.0)
     about.call = "angle_by_scalar_product(Vector3(nan, 0, 0), Vector3(1, 2, 3))"
-    about.cause = "A clamp can hide NaN: min(1.0, nan) is 1.0, but min(nan, 1.0) is nan. Put the "
-    about.cause += "number that you clamp first."
+    about.cause = (
+        "A clamp can hide NaN, because min(1.0, nan) is 1.0 while min(nan, 1.0) is nan. Pass the "
+        "number that you clamp as the first argument of min and max."
+    )
     about.read = "the docstring of angle_by_scalar_product"
     got = exercises.angle_by_scalar_product(lost, good)
     expect_nan(got)
@@ -259,7 +294,8 @@ def test_nan_has_no_angle() -> None:
         len(angles),
         2,
         call=f"len({about.call})",
-        cause="The angle with a NaN vector is unknown. Return a pair of two NaNs.",
+        cause="The angle between a NaN vector and another vector is unknown. Return a pair in "
+        "which both numbers are NaN.",
     )
     for angle in angles:
         expect_nan(angle)

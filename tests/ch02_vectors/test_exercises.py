@@ -30,25 +30,40 @@ ZERO = (0.0, 0.0, 0.0)
 @pytest.mark.exercise("2.1")
 def test_split_the_vector_of_the_book() -> None:
     about.call = "split(Vector3(2, -2, -2))"
-    about.cause = "Return a pair: the length of v, and a new unit vector in the same direction."
+    about.cause = (
+        "Return a pair. Its first element is the length of v, and its second is a new unit vector "
+        "in the same direction."
+    )
     about.read = "book 2.1"
     magnitude, unit = exercises.split(Vector3(2.0, -2.0, -2.0))
     if not is_plain(magnitude):
         about.cause = (
-            "The pair is in the wrong order. Return the length first and the direction second."
+            "The two results are in the wrong order. Return the length first and the direction "
+            "second."
         )
-    blame(magnitude, [(12.0, "The first result is the squared length. Return v.magnitude().")])
+    blame(
+        magnitude,
+        [
+            (
+                12.0,
+                "The first result is the squared length of v, but it should be the "
+                "length. Return v.magnitude() instead.",
+            )
+        ],
+    )
     third = 1.0 / math.sqrt(3.0)
     expect_close(magnitude, math.sqrt(12.0), then=", the first")
     wanted = (third, -third, -third)
     mistakes = [
         (
             (2.0, -2.0, -2.0),
-            "The second result is v itself. Return its direction, which has length 1.",
+            "The second result is v itself. It should be the direction of v, which is a vector of "
+            "length 1.",
         ),
         (
             (1.0 / 6.0, -1.0 / 6.0, -1.0 / 6.0),
-            "The second result was divided by the squared length. Divide by the length.",
+            "The second result is v divided by its squared length. Divide by the length instead, "
+            "because the result must be a unit vector.",
         ),
     ]
     blame(xyz(unit), mistakes)
@@ -60,23 +75,30 @@ def test_split_gives_two_factors_of_the_vector(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; split(v)"
-    about.cause = "Return a pair: the length of v, and a new unit vector in the same direction."
+    about.cause = (
+        "Return a pair. Its first element is the length of v, and its second is a new unit vector "
+        "in the same direction."
+    )
     about.read = "book 2.1"
     magnitude, unit = exercises.split(v)
     length = math.sqrt(dot(a, a))
     expect_close(magnitude, length, then=", the first")
     wanted = (a[0] / length, a[1] / length, a[2] / length)
     expect_close(xyz(unit), wanted, then=", the second")
-    about.cause = "v was changed: normalize works in place. Use normalized, which makes a new "
-    about.cause += "vector."
+    about.cause = (
+        "The call changed v, because normalize works in place. Use normalized instead, which "
+        "returns a new vector."
+    )
     expect_unchanged("v", xyz(v), a, read="the docstring of split")
 
 
 @pytest.mark.exercise("2.1")
 def test_split_the_zero_vector() -> None:
     about.call = "split(Vector3(0, 0, 0))"
-    about.cause = "The length of this vector is 0, so do not divide by it. The direction stays "
-    about.cause += "zero."
+    about.cause = (
+        "This vector has length 0, so do not divide by its length. Return the zero vector as its "
+        "direction."
+    )
     about.read = "the docstring of split"
     magnitude, unit = exercises.split(Vector3(0.0, 0.0, 0.0))
     expect_close(magnitude, 0.0, then=", the first")
@@ -89,15 +111,23 @@ def test_split_the_zero_vector() -> None:
 @pytest.mark.exercise("2.4")
 def test_the_perpendicular_vector_of_the_book() -> None:
     about.call = "make_perpendicular(Vector3(1, 2, 3), 7, -2)"
-    about(cause="Solve 1 * 7 + 2 * (-2) + 3 z = 0 for z.", read="book 2.1.7")
+    about(
+        cause="Two vectors are perpendicular if their scalar product is 0. Solve 1 * 7 + 2 * "
+        "(-2) + 3 z = 0 for z.",
+        read="book 2.1.7",
+    )
     got = exercises.make_perpendicular(Vector3(1.0, 2.0, 3.0), 7.0, -2.0)
     mistakes = [
         (
             1.0,
-            "The sign is wrong. Move the x and y terms to the other side: 3 z = -(1 * 7 + 2 * "
-            "(-2)).",
+            "The sign of z is wrong. When you move the x and y terms to the other side of the "
+            "equation, their signs change: 3 z = -(1 * 7 + 2 * (-2)).",
         ),
-        (-3.0, "The result is 3 z. Divide by a.z to get z."),
+        (
+            -3.0,
+            "The result is 3 z, because the last step of the solution is missing. Divide by a.z "
+            "to get z.",
+        ),
     ]
     blame(got, mistakes)
     expect_close(got, -1.0)
@@ -107,7 +137,8 @@ def test_the_perpendicular_vector_of_the_book() -> None:
 def test_the_component_makes_the_scalar_product_zero(rng: Random) -> None:
     (ax, ay, az), x, y = components(rng), number(rng), number(rng)
     about(
-        cause="Solve a.x x + a.y y + a.z z = 0 for z. Refuse a.z only if it is 0.",
+        cause="Solve a.x x + a.y y + a.z z = 0 for z. This works for every a.z except 0, so do not "
+        "refuse an a.z that is merely small.",
         read="book 2.1.7",
     )
     for z in (az, -az, az * 1e-12, az * -1e-12):
@@ -123,8 +154,11 @@ def test_the_component_makes_the_scalar_product_zero(rng: Random) -> None:
 @pytest.mark.robust
 def test_no_component_can_make_up_for_a_zero(rng: Random) -> None:
     x, y, _ = components(rng)
-    about.call = f"make_perpendicular(Vector3({x}, {y}, 0), 1, 2)"
-    about.cause = "If a.z is 0, z has no effect on the scalar product. Raise ValueError."
+    about.call = (
+        "If a.z is 0, no choice of z can change the scalar product, so the equation has no "
+        "solution for z. Raise ValueError."
+    )
+    about.cause = "the docstring of make_perpendicular"
     about.read = "the docstring of make_perpendicular"
     expect_error(
         lambda: exercises.make_perpendicular(Vector3(x, y, 0.0), 1.0, 2.0),
@@ -142,12 +176,16 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     a, b = (tuple(n * (1.0 + 1e-15) for n in direction(rng)) for _ in range(2))
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; remove_projection(v, w)"
-    about.cause = "Apart from rounding errors, these are unit vectors. Compare their lengths to 1 "
-    about.cause += "with the tolerance 1e-6 instead of ==."
+    about.cause = (
+        "Apart from rounding errors, both arguments are unit vectors, so accept them. Compare "
+        "their lengths with 1 using the tolerance 1e-6 instead of ==."
+    )
     about.read = "book 2.1.7"
     c, d, angle = exercises.remove_projection(v, w)
-    about.cause = "Return c = a . b, the vector d = b - c a, and the angle between a and d in "
-    about.cause += "radians."
+    about.cause = (
+        "Return three results: the number c = a . b, the vector d = b - c a, and the angle between "
+        "a and d in radians."
+    )
     along = dot(a, b)
     name = f"{about.call}, the first"
     expect_close(c, along, call=name, tolerance=1e-12)
@@ -156,11 +194,23 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     mistakes = [
         (
             tuple(along * n for n in a),
-            "The result is c a, which is the projection itself. Subtract it from b.",
+            "The result is c a, which is the projection itself. Subtract it from b to get the "
+            "part of b that is perpendicular to a.",
         ),
-        (tuple(-n for n in wanted), "This is c a - b. Return d = b - c a."),
-        (tuple(b[i] + along * a[i] for i in range(3)), "This is b + c a. Return d = b - c a."),
-        (tuple(a[i] - along * b[i] for i in range(3)), "This is a - c b. Return d = b - c a."),
+        (
+            tuple(-n for n in wanted),
+            "The result is c a - b, so the subtraction is the wrong way "
+            "around. Return d = b - c a.",
+        ),
+        (
+            tuple(b[i] + along * a[i] for i in range(3)),
+            "The result is b + c a, so the projection "
+            "was added to b. Subtract it instead, because d = b - c a.",
+        ),
+        (
+            tuple(a[i] - along * b[i] for i in range(3)),
+            "The result is a - c b, so a and b are swapped. Return d = b - c a.",
+        ),
     ]
     expect_close(
         xyz(d), wanted, call=name, cause=cause_of(xyz(d), mistakes, about.cause), tolerance=1e-12
@@ -168,16 +218,21 @@ def test_without_its_projection_a_vector_is_perpendicular(rng: Random) -> None:
     # A sine gives a right angle only to the root of a rounding error: 5e-8 for 1e-15.
     name = f"{about.call}, the third"
     mistakes = [
-        (90.0, "The angle is in degrees. Return radians."),
+        (90.0, "The angle is in degrees, but this function must return it in radians."),
         (
             math.acos(max(-1.0, min(along, 1.0))),
-            "The result is the angle between a and b. Return the angle between a and d.",
+            "The result is the angle between a and b. Return the angle between a and d instead.",
         ),
     ]
-    about.cause = cause_of(angle, mistakes, "d is perpendicular to a, so the angle is pi / 2.")
+    about.cause = cause_of(
+        angle,
+        mistakes,
+        "The vector d is perpendicular to a, so the angle between a and d must be pi / 2.",
+    )
     expect_close(angle, math.pi / 2.0, call=name, tolerance=1e-7)
     about.cause = (
-        "add_scaled, -= and *= change the caller's vector. b - a * c creates a new vector."
+        "The caller's vector was changed. add_scaled, -= and *= change a vector in place, so write "
+        "b - a * c instead, which creates a new vector."
     )
     expect_unchanged("v", xyz(v), a, read="the docstring of remove_projection")
     expect_unchanged("w", xyz(w), b, read="the docstring of remove_projection")
@@ -192,15 +247,16 @@ def remove_projection_of_length(length: float) -> object:
 @pytest.mark.robust
 def test_what_is_not_a_unit_vector_is_refused() -> None:
     about.cause = (
-        "A difference of 5e-7 from 1 is within the tolerance of 1e-6. Do not compare with ==."
+        "A length that differs from 1 by 5e-7 is within the tolerance of 1e-6, so accept it. Do "
+        "not compare lengths with ==."
     )
     about.read = "the docstring of remove_projection"
     for length in (1.0 - 5e-7, 1.0 + 5e-7):
         about.call = f"remove_projection(Vector3(0, {length!r}, 0), Vector3(0.6, 0.8, 0))"
         remove_projection_of_length(length)
     about.cause = (
-        "c a is the projection only if a and b are unit vectors. Check the lengths of a and b "
-        "first."
+        "The vector c a is the projection of b only if a is a unit vector. Check the lengths of "
+        "both a and b before you compute anything."
     )
     for length in (0.0, 3.0, 1.0 + 2e-6, 1.0 - 2e-6):
         about.call = f"remove_projection(Vector3(0, {length!r}, 0), Vector3(0.6, 0.8, 0))"
@@ -222,7 +278,8 @@ def test_what_is_not_a_unit_vector_is_refused() -> None:
 def test_nan_is_not_a_unit_vector() -> None:
     about.call = "remove_projection(Vector3(0, nan, 0), Vector3(0.6, 0.8, 0))"
     about(
-        cause="The length of a vector with NaN is NaN, which is not 1. Refuse it.",
+        cause="If a component is NaN, the length of the vector is NaN too, so it is not a unit "
+        "vector. Raise ValueError.",
         read="the docstring of remove_projection",
     )
     expect_error(
@@ -237,7 +294,8 @@ def test_nan_is_not_a_unit_vector() -> None:
 def test_nothing_is_left_of_a_parallel_vector(rng: Random) -> None:
     a = direction(rng)
     about.cause = (
-        "Here d consists of rounding errors only, so it has no direction. Raise ValueError."
+        "The vectors are parallel, so d consists only of rounding errors and has no meaningful "
+        "direction. Raise ValueError."
     )
     about.read = "the docstring of remove_projection"
     for b in (a, (-a[0], -a[1], -a[2])):
@@ -248,7 +306,8 @@ def test_nothing_is_left_of_a_parallel_vector(rng: Random) -> None:
             allowed=lambda: remove_projection_of_length(1.0),
         )
     about.cause = (
-        "If d is shorter than 1e-6, a and b count as parallel. Compare with 1e-6 instead of 0."
+        "If d is shorter than 1e-6, treat a and b as parallel. Compare the length of d with 1e-6 "
+        "instead of 0."
     )
     x = Vector3(1.0, 0.0, 0.0)
     # Both have length 1 to the last digit, and d is their Y component.
@@ -267,15 +326,24 @@ def test_nothing_is_left_of_a_parallel_vector(rng: Random) -> None:
 @pytest.mark.exercise("2.7")
 def test_ten_seconds_with_the_velocity_of_the_book() -> None:
     about.call = "position_after(Vector3(3, 5, -4), Vector3(1, -1, 2), 10)"
-    about(cause="Return a new vector p' = p + v t.", read="book 2.2, Eq. 2.7")
+    about(
+        cause="At a constant velocity, the position after a time t is p' = p + v t. Return it as "
+        "a new vector.",
+        read="book 2.2, Eq. 2.7",
+    )
     got = exercises.position_after(Vector3(3, 5, -4), Vector3(1, -1, 2), 10)
     mistakes = [
         (
             (4, 4, -2),
-            "The velocity was added as if one second had passed. Multiply the velocity by t first.",
+            "The velocity was added as if one second had passed. Multiply the velocity by the "
+            "time t before you add it.",
         ),
-        ((10, -10, 20), "The result is the displacement v t alone. Add it to p."),
-        ((40, 40, -20), "The result is (p + v) t. Multiply only the velocity by t."),
+        ((10, -10, 20), "The result is only the displacement v t. Add it to the position p."),
+        (
+            (40, 40, -20),
+            "The result is (p + v) t, so the position was multiplied by the time as "
+            "well. Multiply only the velocity by t.",
+        ),
     ]
     blame(xyz(got), mistakes)
     expect_close(xyz(got), (13.0, -5.0, 16.0))
@@ -286,14 +354,19 @@ def test_the_new_position_leaves_the_old_one_alone(rng: Random) -> None:
     start, velocity, duration = components(rng), components(rng), rng.uniform(0.1, 20.0)
     p, v = Vector3(*start), Vector3(*velocity)
     about.call = f"p, v = Vector3{start}, Vector3{velocity}; position_after(p, v, {duration})"
-    about(cause="Return a new vector p' = p + v t.", read="book 2.2, Eq. 2.7")
+    about(
+        cause="At a constant velocity, the position after a time t is p' = p + v t. Return it as "
+        "a new vector.",
+        read="book 2.2, Eq. 2.7",
+    )
     got = exercises.position_after(p, v, duration)
     wanted = tuple(x + step * duration for x, step in zip(start, velocity, strict=True))
     # Rounding of numbers up to 200.
     expect_close(xyz(got), wanted, tolerance=1e-12)
     about.read = "the docstring of position_after"
     about.cause = (
-        "add_scaled, += and *= change the caller's vector. p + v * t creates a new vector."
+        "The caller's vector was changed. add_scaled, += and *= change a vector in place, so write "
+        "p + v * t instead, which creates a new vector."
     )
     expect_unchanged("p", xyz(p), start)
     expect_unchanged("v", xyz(v), velocity)
@@ -304,8 +377,10 @@ def test_the_new_position_leaves_the_old_one_alone(rng: Random) -> None:
 @pytest.mark.parametrize("duration", [0.0, -1.0, math.inf, math.nan])
 def test_a_duration_must_be_positive_and_finite(duration: float) -> None:
     about.call = f"position_after(Vector3(1, 2, 3), Vector3(1, 1, 1), {duration})"
-    about.cause = "A duration must be positive and finite. Pass it to checked_duration before you "
-    about.cause += "use it."
+    about.cause = (
+        "A duration must be positive and finite, but this one was accepted. Pass it to "
+        "checked_duration before you use it."
+    )
     about.read = "the docstring of position_after"
     expect_error(
         lambda: exercises.position_after(Vector3(1, 2, 3), Vector3(1, 1, 1), duration),

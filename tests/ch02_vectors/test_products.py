@@ -34,7 +34,10 @@ def expect_vectors_only(
     """Expect a method or an operator to accept a vector and to refuse a number."""
     a, b = components(rng), components(rng)
     about.call = f"v = Vector3{a}; {expression}"
-    about.cause = "Check isinstance(v, Vector3) first, and raise TypeError if it is False."
+    about.cause = (
+        "The argument is not a vector, so raise TypeError. Check isinstance(v, Vector3) before you "
+        "use its components."
+    )
     about.read = "the docstring of the method"
     expect_error(
         lambda: attempt(Vector3(*a), 3.0),
@@ -52,32 +55,29 @@ def test_add_scaled_changes_the_vector_itself(rng: Random) -> None:
     v, w = Vector3(*a), Vector3(*b)
     wanted = (a[0] + b[0] * scale, a[1] + b[1] * scale, a[2] + b[2] * scale)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.add_scaled(w, {scale})"
-    about(cause="Add scale times w to v itself, without changing w.", read="book 2.1.4")
+    about(
+        cause="Multiply w by scale and add the result to v itself. The vector w must not change.",
+        read="book 2.1.4",
+    )
     v.add_scaled(w, scale)
     mistakes = [
         (a, LOST),
-        (
-            tuple(a[i] * scale + b[i] for i in range(3)),
-            "v was multiplied by the number instead of w. Add w times the number to v.",
-        ),
-        (
-            tuple((a[i] + b[i]) * scale for i in range(3)),
-            "The whole sum was multiplied. Multiply only w by the number.",
-        ),
-        (
-            tuple(a[i] + b[i] for i in range(3)),
-            "w was added without the number. Multiply w by the number first.",
-        ),
-        (
-            tuple(b[i] * scale for i in range(3)),
-            "The result is w times the number. Add this product to v.",
-        ),
-    ]
+        (tuple(a[i] * scale + b[i] for i in range(3)), "The number multiplied v instead of w. "
+            "Multiply w by the number, and add the product to v."),
+        (tuple((a[i] + b[i]) * scale for i in range(3)), "The whole sum was multiplied by the "
+            "number. Multiply only w by it, and then add the product to v."),
+        (tuple(a[i] + b[i] for i in range(3)), "The vector w was added without the number. "
+                                               "Multiply w by the number first."),
+        (tuple(b[i] * scale for i in range(3)), "The result is only w times the number. Add this "
+                                                "product to the components that v already has."),
+    ]  # fmt: skip
     blame(xyz(v), mistakes)
     # The rounding errors of numbers up to 100.
     expect_close(xyz(v), wanted, tolerance=1e-12)
-    about.cause = "w was changed, but it belongs to the caller. w *= number changes w in place, "
-    about.cause += "and w * number creates a new vector."
+    about.cause = (
+        "The vector w was changed, but it belongs to the caller. w *= number changes w in place, "
+        "so use w * number or multiply the components one by one."
+    )
     expect_unchanged("w", xyz(w), b)
 
 
@@ -87,8 +87,8 @@ def test_add_scaled_with_itself(rng: Random) -> None:
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.add_scaled(v, 2)"
     about.cause = (
-        "Here self and the argument are the same vector, v. Read every component of the argument "
-        "before you change self."
+        "Here self and the argument are the same vector, v, so changing self also changes the "
+        "argument. Read every component of the argument before you change it."
     )
     about.read = "the docstring of Vector3.add_scaled"
     v.add_scaled(v, 2.0)
@@ -100,7 +100,10 @@ def test_add_scaled_frame_after_frame(rng: Random) -> None:
     start, velocity = components(rng), components(rng)
     wanted = tuple(p + 10.0 * v for p, v in zip(start, velocity, strict=True))
     about.call = f"p, v = Vector3{start}, Vector3{velocity}; 600 times p.add_scaled(v, 1 / 60)"
-    about(cause="Each call adds v times 1/60 s: p' = p + v h.", read="book 2.2, Eq. 2.7")
+    about(
+        cause="Each call must add v times 1/60 s to the position, so that p' = p + v h.",
+        read="book 2.2, Eq. 2.7",
+    )
     got = walk(start, velocity, 1.0 / 60.0, 600)
     # 600 roundings of numbers up to 100.
     expect_close(got, wanted, tolerance=1e-10)
@@ -121,20 +124,27 @@ def test_the_component_product_is_a_new_vector(rng: Random) -> None:
     v, w = Vector3(*a), Vector3(*b)
     wanted = (a[0] * b[0], a[1] * b[1], a[2] * b[2])
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.component_product(w)"
-    about.cause = "Return a new vector of three products: x times x, y times y and z times z."
+    about.cause = (
+        "Multiply matching components: x by x, y by y and z by z. Return the three products as a "
+        "new vector."
+    )
     about.read = "book 2.1.6"
     got = xyz(v.component_product(w))
-    scalar = "The result is the scalar product, a number. Do not add the three products."
+    scalar = (
+        "The result is the scalar product, which is a number. The component product is a vector, "
+        "so do not add the three products."
+    )
     mistakes = [
         (dot(a, b), scalar),
-        (
-            tuple(a[i] + b[i] for i in range(3)),
-            "The result is v + w. Multiply the components instead of adding them.",
-        ),
-    ]
+        (tuple(a[i] + b[i] for i in range(3)), "The result is v + w, so the components were added. "
+                                               "Multiply matching components instead."),
+    ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, wanted)
-    about.cause = "This method must not change v or w. Only component_product_update changes v."
+    about.cause = (
+        "component_product must return a new vector and leave v and w unchanged. Only "
+        "component_product_update changes v."
+    )
     expect_unchanged("v", xyz(v), a)
     expect_unchanged("w", xyz(w), b)
 
@@ -145,7 +155,10 @@ def test_the_component_product_in_place(rng: Random) -> None:
     v, w = Vector3(*a), Vector3(*b)
     wanted = (a[0] * b[0], a[1] * b[1], a[2] * b[2])
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.component_product_update(w)"
-    about(cause="Store the three products in v itself.", read="book 2.1.6")
+    about(
+        cause="This method changes v itself. Store the three products in the components of v.",
+        read="book 2.1.6",
+    )
     v.component_product_update(w)
     blame(xyz(v), [(a, LOST)])
     expect_close(xyz(v), wanted)
@@ -159,8 +172,8 @@ def test_the_component_product_with_itself(rng: Random) -> None:
     wanted = (a[0] * a[0], a[1] * a[1], a[2] * a[2])
     about.call = f"v = Vector3{a}; v.component_product_update(v)"
     about.cause = (
-        "Here self and the argument are the same vector, v. Read each component before you change "
-        "it."
+        "Here self and the argument are the same vector, v, so changing one also changes the "
+        "other. Read each component before you change it."
     )
     about.read = "book 2.1.6"
     v.component_product_update(v)
@@ -187,24 +200,22 @@ def test_the_scalar_product_is_the_sum_of_the_products(rng: Random) -> None:
     v, w = Vector3(*a), Vector3(*b)
     wanted = dot(a, b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.dot(w)"
-    about(cause="Multiply matching components and add the three products.")
+    about(
+        cause="The scalar product is a number. Multiply matching components and add the three "
+        "products."
+    )
     about.read = "book 2.1.7, Eq. 2.4"
     # The terms may cancel, so rounding is measured by the terms: at most 100 each.
     got = v.dot(w)
     mistakes = [
-        (
-            wanted / (math.hypot(*a) * math.hypot(*b)),
-            "The result is the cosine of the angle. Do not divide by the lengths.",
-        ),
-        (
-            a[0] * b[0] + a[1] * b[1],
-            "The product of the z components is missing. Add it to the sum.",
-        ),
-        (
-            math.hypot(*a) * math.hypot(*b),
-            "The result is |v| |w|. The cosine of the angle is missing.",
-        ),
-    ]
+        (wanted / (math.hypot(*a) * math.hypot(*b)), "The result is the cosine of the angle, so it "
+            "was divided by both lengths. The scalar product is |v| |w| cos t, so do not divide."),
+        (a[0] * b[0] + a[1] * b[1], "The product of the z components is missing from the sum. Add "
+                                    "v.z times w.z."),
+        (math.hypot(*a) * math.hypot(*b), "The result is |v| |w|, so the cosine of the angle is "
+                                          "missing. Multiply matching components and add the "
+                                          "products instead."),
+    ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-12)
     expect_unchanged("v", xyz(v), a, cause=UNCHANGED)
@@ -216,7 +227,11 @@ def test_the_at_sign_is_the_scalar_product(rng: Random) -> None:
     a, b = components(rng), components(rng)
     wanted = dot(a, b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v @ w"
-    about(cause="v @ w means v.dot(w): return self.dot(v).", read="book 2.1.7, Eq. 2.4")
+    about(
+        cause="The operator @ is a second name for the scalar product, so v @ w must equal "
+        "v.dot(w). In __matmul__, return self.dot(v).",
+        read="book 2.1.7, Eq. 2.4",
+    )
     got = Vector3(*a) @ Vector3(*b)
     expect_close(got, wanted, tolerance=1e-12)
 
@@ -228,8 +243,10 @@ def test_the_scalar_product_is_the_lengths_times_the_cosine(rng: Random) -> None
     b = (second * math.sin(angle), second * math.cos(angle), 0.0)
     wanted = first * second * math.cos(angle)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.dot(w)"
-    about.cause = "The angle between v and w is obtuse, so the product is negative. Do not round "
-    about.cause += "it."
+    about.cause = (
+        "The angle between v and w is obtuse, so the scalar product must be slightly negative. Do "
+        "not round it to 0."
+    )
     about.read = "book 2.1.7, Eq. 2.4"
     got = Vector3(*a).dot(Vector3(*b))
     expect_close(got, wanted, tolerance=1e-12)
@@ -241,11 +258,15 @@ def test_nan_and_infinity_stay_visible_in_the_scalar_product() -> None:
     w = Vector3(1.0, 1.0, 1.0)
     about(
         "Vector3(nan, 1, 1).dot(Vector3(1, 1, 1))",
-        cause="If any component is NaN, the scalar product must also be NaN.",
+        cause="NaN in any component makes the scalar product NaN. If your code uses max, min or a "
+        "comparison, it can hide the NaN.",
     )
     about.read = "the docstring of Vector3"
     expect_nan(Vector3(math.nan, 1.0, 1.0).dot(w))
-    about("Vector3(inf, 1, 1).dot(Vector3(1, 1, 1))", cause="1 * inf + 1 + 1 is infinity.")
+    about(
+        "Vector3(inf, 1, 1).dot(Vector3(1, 1, 1))",
+        cause="The products are 1 * inf, 1 and 1, so their sum must be infinity.",
+    )
     got = Vector3(math.inf, 1.0, 1.0).dot(w)
     expect_exactly(got, math.inf)
 
@@ -268,7 +289,10 @@ def vector_product(a: Components, b: Components) -> Components:
 @pytest.mark.exercise("B2.9")
 def test_x_cross_y_is_z_and_so_on_round() -> None:
     axes = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-    about(cause="In right-handed axes X x Y = Z, Y x Z = X and Z x X = Y.")
+    about(
+        cause="In a right-handed coordinate system, X x Y = Z, Y x Z = X and Z x X = Y. Check "
+        "the order of the terms in each component."
+    )
     about.read = "book 2.1.8, Eq. 2.6"
     products = []
     for i in range(3):
@@ -279,9 +303,15 @@ def test_x_cross_y_is_z_and_so_on_round() -> None:
     for i, (call, got, wanted) in enumerate(products):
         about.call = call
         if all(turned):
-            about.cause = "All three signs are reversed. The result is b x a, which is -(a x b)."
+            about.cause = (
+                "All three signs are reversed. The result is b x a, which is -(a x b), so swap the "
+                "two terms of every component."
+            )
         elif turned[i]:
-            about.cause = f"The sign of {'zxy'[i]} is reversed. Swap the two terms of {'zxy'[i]}."
+            about.cause = (
+                f"The sign of the {'zxy'[i]} component is reversed. Swap the two terms of "
+                f"{'zxy'[i]}."
+            )
         expect_close(got, wanted)
 
 
@@ -290,7 +320,10 @@ def test_the_vector_product_is_a_new_vector(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.cross(w)"
-    about.cause = "Return a new vector. Compute x from y and z, y from z and x, and z from x and y."
+    about.cause = (
+        "Return a new vector. Its x component uses only y and z, its y component uses only z and "
+        "x, and its z component uses only x and y."
+    )
     about.read = "book 2.1.8, Eq. 2.6"
     wanted = vector_product(a, b)
     # The two terms of a component may cancel, so rounding is measured by the terms.
@@ -306,7 +339,10 @@ def test_the_vector_product_is_the_lengths_times_the_sine(rng: Random) -> None:
     b = (second * math.sin(angle), 0.0, second * math.cos(angle))
     wanted = (0.0, first * second * math.sin(angle), 0.0)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.cross(w)"
-    about.cause = "The y component is v.z * w.x - v.x * w.z, with z before x."
+    about.cause = (
+        "The y component must be v.z * w.x - v.x * w.z. Check the order of its two terms, because "
+        "the one that starts with z comes first."
+    )
     about.read = "book 2.1.8, Eq. 2.6"
     got = Vector3(*a).cross(Vector3(*b))
     expect_close(xyz(got), wanted, tolerance=1e-12)
@@ -317,7 +353,9 @@ def test_the_vector_product_in_place(rng: Random) -> None:
     a, b = components(rng), components(rng)
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.cross_update(w)"
-    about.cause = "v must become v x w, as cross returns it."
+    about.cause = (
+        "After the call, v must contain v x w, which is the same result that cross returns."
+    )
     about.read = "the docstring of Vector3.cross_update"
     v.cross_update(w)
     wanted = vector_product(a, b)
@@ -325,12 +363,10 @@ def test_the_vector_product_in_place(rng: Random) -> None:
     y = a[2] * b[0] - x * b[2]
     mistakes = [
         (a, LOST),
-        (
-            (x, y, x * b[1] - y * b[0]),
-            "y was computed from the new x. Compute all three components before you store the "
-            "first.",
-        ),
-    ]
+        ((x, y, x * b[1] - y * b[0]), "y was computed from the new x, because x had already been "
+                                      "stored. Compute all three components before you store the "
+                                      "first."),
+    ]  # fmt: skip
     blame(xyz(v), mistakes)
     expect_close(xyz(v), wanted, tolerance=1e-12)
     expect_unchanged("w", xyz(w), b, cause=UNCHANGED)
@@ -341,8 +377,11 @@ def test_a_vector_crossed_with_itself_in_place(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.cross_update(v)"
-    about.cause = "The vector product of a vector with itself is zero. Here v is both factors, so "
-    about.cause += "read all components before you change the first."
+    about.cause = (
+        "The vector product of a vector with itself is zero. Here v is both factors, so a "
+        "component that you overwrite changes both. Read all components before you change the "
+        "first."
+    )
     about.read = "book 2.1.8"
     v.cross_update(v)
     expect_close(xyz(v), (0.0, 0.0, 0.0), tolerance=1e-12)

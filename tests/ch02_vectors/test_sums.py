@@ -31,7 +31,8 @@ def test_the_sum_is_a_new_vector(rng: Random) -> None:
     wanted = (a[0] + b[0], a[1] + b[1], a[2] + b[2])
     about.call = f"v, w = Vector3{a}, Vector3{b}; v + w"
     about(
-        cause="Return a new vector with the sums of matching components: x + x, y + y and z + z.",
+        cause="Vectors are added component by component. Return a new vector whose components are "
+        "the sums x + x, y + y and z + z.",
         read="book 2.1.4",
     )
     expect_close(xyz(v + w), wanted)
@@ -49,13 +50,21 @@ def test_the_difference_is_a_new_vector(rng: Random) -> None:
     wanted = (a[0] - b[0], a[1] - b[1], a[2] - b[2])
     about.call = f"v, w = Vector3{a}, Vector3{b}; v - w"
     about.cause = (
-        "Return a new vector with the differences of matching components: v.x - w.x, and so on."
+        "Vectors are subtracted component by component. Return a new vector whose components are "
+        "v.x - w.x, and so on."
     )
     about.read = "book 2.1.4"
     got = xyz(v - w)
     mistakes = [
-        (tuple(-n for n in wanted), "The result is w - v. Swap the operands."),
-        ((a[0] + b[0], a[1] + b[1], a[2] + b[2]), "The result is v + w. Subtract the components."),
+        (
+            tuple(-n for n in wanted),
+            "The result is w - v, so the two operands are swapped. "
+            "Subtract the components of w from the components of v.",
+        ),
+        (
+            (a[0] + b[0], a[1] + b[1], a[2] + b[2]),
+            "The result is v + w, so the components were added. Subtract them instead.",
+        ),
     ]
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-14)
@@ -77,8 +86,10 @@ def test_plus_and_minus_equals_change_the_vector_itself(
     wanted = (a[0] + sign * b[0], a[1] + sign * b[1], a[2] + sign * b[2])
     made, step = f"v, other = Vector3{a}, Vector3{b}", f"v {operator} other"
     about.call = f"{made}; {step}"
-    about.cause = "Change the components of self, and end with return self. Python assigns the "
-    about.cause += "returned value to v."
+    about.cause = (
+        "Change the components of self and end the method with return self, because Python assigns "
+        "the returned value to v."
+    )
     about.read = "book 2.1.4"
     if operator == "+=":
         v += w
@@ -86,10 +97,18 @@ def test_plus_and_minus_equals_change_the_vector_itself(
         v -= w
     opposite = (a[0] - sign * b[0], a[1] - sign * b[1], a[2] - sign * b[2])
     wrong_sign = "-" if sign > 0.0 else "+"
-    mistakes = [(opposite, f"The sign is wrong. The result is v {wrong_sign} other.")]
+    mistakes = [
+        (
+            opposite,
+            f"The result is v {wrong_sign} other, so the components were combined "
+            "with the wrong sign.",
+        )
+    ]
     blame(xyz(v), mistakes)
     expect_close(xyz(v), wanted, tolerance=1e-14)
-    about.cause = "Only self may change, but the other vector was changed as well."
+    about.cause = (
+        "Only self may change in this operation, but the other vector was changed as well."
+    )
     expect_unchanged("other", xyz(w), b)
     expect_same_object(made, step, v, before)
 
@@ -99,8 +118,8 @@ def test_a_vector_minus_itself_in_place(rng: Random) -> None:
     a = components(rng)
     v, w = Vector3(*a), Vector3(*a)
     about.cause = (
-        "Here self and the argument are the same vector, v. Read each component before you change "
-        "it."
+        "Here self and the argument are the same vector, v, so changing one also changes the "
+        "other. Read each component before you change it."
     )
     about(f"v = Vector3{a}; v -= v", read="book 2.1.4")
     v -= v
@@ -115,8 +134,10 @@ def test_a_vector_minus_itself_in_place(rng: Random) -> None:
 def test_a_vector_plus_a_number_is_refused(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
-    about.cause = "Return NotImplemented if the other operand is not a Vector3. Python then raises "
-    about.cause += "the TypeError."
+    about.cause = (
+        "The other operand is not a Vector3, so return NotImplemented. Python then raises the "
+        "TypeError for you."
+    )
     about.read = "the docstring of Vector3.__add__"
     for call, attempt, allowed in (
         (f"Vector3{a} + 1.0", lambda: v + 1.0, lambda: v + v),

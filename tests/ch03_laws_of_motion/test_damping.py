@@ -44,26 +44,35 @@ def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) ->
     for d, h in ((draw_damping(rng), 0.1), (draw_damping(rng), 0.7), (0.0, 0.5), (1.5, 0.5)):
         about.call = f"damp_per_frame(Vector3{v}, Vector3{a}, {d}, {h})"
         about.cause = (
-            "By Eq. 3.5, v' = v d + a h. In every step, multiply the velocity by d, and then add "
-            "a h."
+            "Eq. 3.5 is v' = v d + a h. In every step, multiply the velocity by d, and then add "
+            "the acceleration times h."
         )
         got = forms.damp_per_frame(Vector3(*v), Vector3(*a), d, h)
-        undamped = "The velocity was not damped. Multiply the velocity by d."
+        undamped = (
+            "The velocity was not damped. Multiply it by d before you add the acceleration times h."
+        )
         if d == 0.0:
             undamped = (
-                "A damping of 0 keeps none of the velocity. Python treats 0 as false in an if, so "
-                "do not test the damping itself."
+                "A damping of 0 removes the whole velocity, but here all of it was kept. Python "
+                "treats 0 as false in an if statement, so do not use the damping itself as the "
+                "condition."
             )
         mistakes = [
             (
                 combined(v, a, d**h, h),
-                "The result follows Eq. 3.6, which uses d^h. Eq. 3.5 uses d in every step.",
+                "The velocity was multiplied by d^h, as in Eq. 3.6. This function follows Eq. "
+                "3.5, which multiplies it by d in every step.",
             ),
             (
                 combined(v, a, d, 1.0),
-                "The acceleration is per second, so multiply it by the duration of the step.",
+                "The acceleration is given per second, so multiply it by the duration of the step "
+                "before you add it.",
             ),
-            (combined(v, a, d, d * h), "The acceleration was damped too. Damp only the velocity."),
+            (
+                combined(v, a, d, d * h),
+                "The acceleration was damped as well, but in Eq. 3.5 the "
+                "factor d belongs only to the velocity.",
+            ),
             (combined(v, a, 1.0, h), undamped),
         ]
         blame(xyz(got), mistakes)
@@ -77,16 +86,21 @@ def test_damping_per_second_takes_less_from_a_shorter_frame(rng: Random) -> None
     about.read = "book 3.3, Eq. 3.6"
     for d, h in ((drawn, 0.25), (drawn, 1.0), (drawn, 2.0), (0.0, 0.5), (1.5, 0.5)):
         about.call = f"damp_per_second(Vector3{v}, Vector3(0, 0, 0), {d}, {h})"
-        about.cause = "Without acceleration, v' = v d^h, where h is the duration of the step."
+        about.cause = (
+            "There is no acceleration here, so Eq. 3.6 becomes v' = v d^h. The exponent h is the "
+            "duration of the step."
+        )
         got = forms.damp_per_second(Vector3(*v), Vector3(), d, h)
         mistakes = [
             (
                 combined(v, v, d, 0.0),
-                "The result follows Eq. 3.5, which uses d in every step. Use d^h.",
+                "The velocity was multiplied by d, as in Eq. 3.5. This function follows Eq. 3.6, "
+                "which multiplies it by d^h.",
             ),
             (
                 combined(v, v, d * h, 0.0),
-                "The velocity was multiplied by d times h. Use damping**duration.",
+                "The velocity was multiplied by d times h, but h is an exponent in Eq. 3.6. Use "
+                "damping**duration.",
             ),
         ]
         blame(xyz(got), mistakes)
@@ -100,12 +114,15 @@ def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> N
     about.read = "book 3.3, Eq. 3.6, and errata.md"
     for d in (draw_damping(rng), 0.0, 1.5):
         about.call = f"damp_per_second(Vector3{v}, Vector3{a}, {d}, 0.5)"
-        about.cause = "By Eq. 3.6, v' = v d^h + a h. The term a h is not damped."
+        about.cause = (
+            "Eq. 3.6 is v' = v d^h + a h. Damp only the velocity, because the term a h is added "
+            "without damping."
+        )
         got = forms.damp_per_second(Vector3(*v), Vector3(*a), d, 0.5)
         listing = (
-            "The result is (v + a h) d^h, the form of the book's listing, which contradicts Eq. "
-            "3.6 (E-16). Use Eq. 3.6 here, v d^h + a h. Particle.kick uses the form of the "
-            "listing."
+            "The result is (v + a h) d^h. The book's listing has this form, and so does "
+            "Particle.kick, but it contradicts Eq. 3.6 (E-16). In this function, use Eq. 3.6 "
+            "itself: v d^h + a h."
         )
         kept = math.sqrt(d)
         mistakes = [(combined(v, a, kept, 0.5 * kept), listing)]
@@ -117,8 +134,11 @@ def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> N
 @pytest.mark.exercise("B3.3")
 def test_both_equations_give_a_new_vector(rng: Random) -> None:
     first, second = components(rng), components(rng)
-    about.cause = "Return a new vector, because v *= d would change the caller's velocity."
-    about.read = "the head of damping.py"
+    about.cause = (
+        "The vectors v and a belong to the caller, and v *= d would change v itself. Compute the "
+        "result as a new vector and return it."
+    )
+    about.read = "the docstring in damping.py"
     for name in ("damp_per_frame", "damp_per_second"):
         about.call = f"v, a = Vector3{first}, Vector3{second}; {name}(v, a, 0.5, 2.0)"
         v, a = Vector3(*first), Vector3(*second)
@@ -149,7 +169,10 @@ def expect_refusal(
 @pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_both_equations_refuse_a_bad_duration(name: str, bad: float) -> None:
-    about.cause = "A duration must be positive and finite. Pass it to positive from arguments.py."
+    about.cause = (
+        "A duration must be positive and finite. Pass it to positive from arguments.py, which "
+        "raises the ValueError."
+    )
     about.read = f"the docstring of {name}"
     expect_refusal(name, 0.5, bad, ValueError, good=(0.5, 1.0))
 
@@ -158,8 +181,11 @@ def test_both_equations_refuse_a_bad_duration(name: str, bad: float) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
 def test_both_equations_refuse_text(name: str) -> None:
-    about.cause = "not_negative and positive from arguments.py raise the TypeError for you."
-    about.read = "the head of damping.py"
+    about.cause = (
+        "not_negative and positive from arguments.py raise this TypeError for you, so pass the "
+        "arguments to them."
+    )
+    about.read = "the docstring in damping.py"
     for numbers in (("0.5", 0.5), (0.5, "0.5")):
         expect_refusal(name, *numbers, TypeError, good=(0.5, 0.5))
 
@@ -169,7 +195,10 @@ def test_both_equations_refuse_text(name: str) -> None:
 @pytest.mark.parametrize("name", ["damp_per_frame", "damp_per_second"])
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_both_equations_refuse_a_bad_damping(name: str, bad: float) -> None:
-    about.cause = "A damping must be finite and not negative: use not_negative from arguments.py."
+    about.cause = (
+        "A damping must be finite and must not be negative. Pass it to not_negative from "
+        "arguments.py, which raises the ValueError."
+    )
     about.read = f"the docstring of {name}"
     expect_refusal(name, bad, 0.5, ValueError, good=(0.0, 0.5))
 
@@ -182,7 +211,10 @@ def test_one_second_of_equal_frames_ends_as_the_sums_say(rng: Random) -> None:
     damping, frames = draw_damping(rng), rng.choice((20, 40, 80))
     h = 1.0 / frames
     about.call = f"damping_difference(Vector3(), Vector3(0, -10, 0), {damping}, [[{h}] * {frames}])"
-    about.cause = "In every step, update each of the two velocities by its own equation."
+    about.cause = (
+        "Start with the same velocity for both equations. In every step, update one velocity by "
+        "Eq. 3.5 and the other by Eq. 3.6."
+    )
     about.read = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
     got = exercises.damping_difference(Vector3(), Vector3(0.0, -10.0, 0.0), damping, [[h] * frames])
     # From rest both velocities are sums of powers: a h (1 - q^n) / (1 - q), with q = d and d^h.
@@ -194,8 +226,9 @@ def test_one_second_of_equal_frames_ends_as_the_sums_say(rng: Random) -> None:
         [
             (
                 0.0,
-                "The two velocities ended up equal. Are both the same vector? If so, make two "
-                "copies.",
+                "Both velocities ended up equal. Perhaps they are the same vector, so that a "
+                "change to one also changes the other. Use two separate copies of the given "
+                "velocity.",
             )
         ],
     )
@@ -207,7 +240,10 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
     v, a, damping = components(rng), components(rng), draw_damping(rng)
     runs = [[round(rng.uniform(0.05, 0.3), 3) for _ in range(n)] for n in (2, 3, 5)]
     about.call = f"damping_difference(Vector3{v}, Vector3{a}, {damping}, {runs})"
-    about.cause = "Start every run from the given velocity, and average the results over the runs."
+    about.cause = (
+        "Every run must start from the given velocity. Compute the result of each run, and then "
+        "return the mean over all runs."
+    )
     about.read = "book 3, exercise 3.5; Eq. 3.5 and 3.6"
     got = exercises.damping_difference(Vector3(*v), Vector3(*a), damping, runs)
     distances, speeds = [], []
@@ -226,14 +262,19 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
     mistakes = [
         (
             wanted * len(runs),
-            "The result is the sum over the runs. Divide it by the number of runs.",
+            "The result is the sum over all runs, but it should be their mean. Divide it by the "
+            "number of runs.",
         ),
         (
             math.fsum(speeds) / len(speeds),
-            "The result is the difference of the speeds. Subtract the velocities first, and then "
-            "take the length.",
+            "The result is the difference of the two speeds. Subtract the velocities as vectors "
+            "first, and then take the length of the difference.",
         ),
-        (distances[-1], "The result is the difference of the last run. Average over all runs."),
+        (
+            distances[-1],
+            "The result is the difference of the last run alone. Add up the "
+            "differences of all runs and divide by their number.",
+        ),
     ]
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-12)
@@ -243,9 +284,12 @@ def test_the_difference_is_averaged_over_the_runs(rng: Random) -> None:
 def test_the_difference_leaves_its_vectors_alone(rng: Random) -> None:
     first, second = components(rng), components(rng)
     v, a = Vector3(*first), Vector3(*second)
-    about.call = f"v, a = Vector3{first}, Vector3{second}; damping_difference(v, a, 1.0, [[0.5, "
-    about.call += "0.5]])"
-    about.cause = "With a damping of 1, both equations give v + a h, so the difference is 0."
+    about.call = (
+        f"v, a = Vector3{first}, Vector3{second}; damping_difference(v, a, 1.0, [[0.5, 0.5]])"
+    )
+    about.cause = (
+        "With a damping of 1 both equations give v + a h, so the difference between them must be 0."
+    )
     about.read = "the docstring of damping_difference"
     got = exercises.damping_difference(v, a, 1.0, [[0.5, 0.5]])
     expect_close(got, 0.0, tolerance=1e-13)
@@ -272,7 +316,10 @@ def expect_no_difference(damping: float, runs: Runs, *, good: tuple[float, Runs]
 @pytest.mark.exercise("3.5b")
 @pytest.mark.robust
 def test_no_run_has_no_mean() -> None:
-    about.cause = "Without runs there is no mean. Raise ValueError instead of dividing by zero."
+    about.cause = (
+        "The mean over an empty list of runs does not exist. Raise ValueError before you divide by "
+        "the number of runs."
+    )
     expect_no_difference(0.9, [], good=(0.9, [[0.5]]))
 
 
@@ -280,7 +327,10 @@ def test_no_run_has_no_mean() -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_run_of_bad_durations_is_refused(bad: float) -> None:
-    about.cause = "The two damping functions refuse this duration if you call them."
+    about.cause = (
+        "This duration is not valid, so it must raise an error. The two damping functions already "
+        "refuse it, so call them in every step."
+    )
     expect_no_difference(0.9, [[0.5, bad]], good=(0.9, [[0.5, 0.5]]))
 
 
@@ -288,5 +338,8 @@ def test_a_run_of_bad_durations_is_refused(bad: float) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_runs_with_a_bad_damping_are_refused(bad: float) -> None:
-    about.cause = "The two damping functions refuse this damping if you call them."
+    about.cause = (
+        "This damping is not valid, so it must raise an error. The two damping functions already "
+        "refuse it, so call them in every step."
+    )
     expect_no_difference(bad, [[0.5, 0.5]], good=(0.0, [[0.5, 0.5]]))

@@ -20,15 +20,19 @@ from expect import about, blame, cause_of, expect_close, expect_error, expect_un
 def test_twice_the_mass_gets_half_the_speed() -> None:
     about(
         "speed_ratio(2, 1)",
-        cause="By a = f / m, the same force gives the heavier body a smaller speed.",
+        cause="Because a = f / m, the same force accelerates the heavier body less, so it ends up "
+        "slower.",
     )
     about.read = "book 3.2, Eq. 3.2; errata.md"
     got = exercises.speed_ratio(2, 1)
     faster = (
-        "The heavier body became the faster one, but a = f / m. The book's sentence that "
-        "acceleration is proportional to the mass is wrong (E-1)."
+        "The heavier body became the faster one, but a = f / m makes it slower. Do not follow the "
+        "book's sentence that acceleration is proportional to the mass, because it is wrong (E-1)."
     )
-    mistakes = [(2.0, faster), (0.0, "// rounds down to a whole number. Divide with / instead.")]
+    mistakes = [
+        (2.0, faster),
+        (0.0, "The operator // rounds down to a whole number. Divide with / instead."),
+    ]
     expect_close(got, 0.5, cause=cause_of(got, mistakes, about.cause))
 
 
@@ -36,7 +40,10 @@ def test_twice_the_mass_gets_half_the_speed() -> None:
 def test_speeds_go_as_the_inverse_masses(rng: Random) -> None:
     first, second = round(rng.uniform(1.0, 9.0), 3), round(rng.uniform(10.0, 90.0), 3)
     about.call = f"speed_ratio({first}, {second})"
-    about.cause = "The ratio of the speeds is (f t / m1) / (f t / m2)."
+    about.cause = (
+        "After a time t the speeds are f t / m1 and f t / m2. Return the first speed divided by "
+        "the second, in which f and t cancel."
+    )
     about.read = "the docstring of speed_ratio"
     got = exercises.speed_ratio(first, second)
     expect_close(got, second / first)
@@ -46,7 +53,10 @@ def test_speeds_go_as_the_inverse_masses(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_the_masses_of_a_ratio_are_positive_and_finite(bad: float) -> None:
-    about.cause = "A mass must be positive and finite. Pass it to positive from arguments.py."
+    about.cause = (
+        "A mass must be positive and finite. Pass it to positive from arguments.py, which raises "
+        "the ValueError."
+    )
     about.read = "the docstring of speed_ratio"
     for masses in ((bad, 1.0), (1.0, bad), (bad, bad)):
         about.call = f"speed_ratio{masses}"
@@ -62,12 +72,19 @@ def test_the_masses_of_a_ratio_are_positive_and_finite(bad: float) -> None:
 
 @pytest.mark.exercise("3.2")
 def test_the_force_between_two_people_of_100_kg() -> None:
-    about("gravity_between(100, 100, 1)", cause="Eq. 3.3: G m1 m2 / r^2 with G = 6.67428e-11.")
+    about(
+        "gravity_between(100, 100, 1)",
+        cause="Use Eq. 3.3: the force is G m1 m2 / r^2, with G = 6.67428e-11.",
+    )
     about.read = "book 3.2, Eq. 3.3"
     got = exercises.gravity_between(100, 100, 1)
     mistakes = [
-        (6.67428e-11 * 200, "The masses were added. Multiply them."),
-        (1e4, "G is missing. Multiply by GRAVITATIONAL_CONSTANT."),
+        (
+            6.67428e-11 * 200,
+            "The masses were added, but the force is proportional to both of them. "
+            "Multiply the masses.",
+        ),
+        (1e4, "The constant G is missing from the product. Multiply it by GRAVITATIONAL_CONSTANT."),
     ]
     blame(got, mistakes)
     expect_close(got, 6.67428e-7, tolerance=1e-20)
@@ -78,13 +95,27 @@ def test_the_force_falls_with_the_square_of_the_distance(rng: Random) -> None:
     m1, m2 = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 90.0), 3)
     about.read = "book 3.2, Eq. 3.3"
     for distance in (round(rng.uniform(2.0, 9.0), 3), 0.25):
-        about(f"gravity_between({m1}, {m2}, {distance})", cause="Eq. 3.3: G m1 m2 / r^2.")
+        about(
+            f"gravity_between({m1}, {m2}, {distance})",
+            cause="Use Eq. 3.3: the force is G m1 m2 / r^2.",
+        )
         got = exercises.gravity_between(m1, m2, distance)
         wanted = 6.67428e-11 * m1 * m2 / (distance * distance)
         mistakes = [
-            (wanted * distance, "The distance was not squared. Divide by r^2."),
-            (wanted * distance**2, "The distance is missing. Divide by r^2."),
-            (wanted * distance**4, "The force grows with the distance. Divide by r^2."),
+            (
+                wanted * distance,
+                "The result was divided by the distance once. Divide by its square, r^2.",
+            ),
+            (
+                wanted * distance**2,
+                "The distance does not affect the result, but gravity gets "
+                "weaker with the distance. Divide by r^2.",
+            ),
+            (
+                wanted * distance**4,
+                "The force grows with the distance here, although gravity gets "
+                "weaker with it. Divide by r^2 instead of multiplying.",
+            ),
         ]
         blame(got, mistakes)
         expect_close(got, wanted)
@@ -94,7 +125,10 @@ def test_the_force_falls_with_the_square_of_the_distance(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_masses_and_distance_are_positive_and_finite(bad: float) -> None:
-    about.cause = "Masses and distance must be positive and finite: use positive from arguments.py."
+    about.cause = (
+        "The masses and the distance must be positive and finite. Pass each of them to positive "
+        "from arguments.py, which raises the ValueError."
+    )
     about.read = "the docstring of gravity_between"
     for data in ((bad, 1.0, 1.0), (1.0, bad, 1.0), (1.0, 1.0, bad)):
         about.call = f"gravity_between{data}"
@@ -108,7 +142,9 @@ def test_masses_and_distance_are_positive_and_finite(bad: float) -> None:
 @pytest.mark.exercise("3.2")
 @pytest.mark.robust
 def test_text_is_no_mass_and_no_distance() -> None:
-    about.cause = "positive from arguments.py raises the TypeError for you."
+    about.cause = (
+        "positive from arguments.py raises this TypeError for you, so pass the arguments to it."
+    )
     about.read = "the docstring of gravity_between"
     data: Any
     for data in (("2", 1.0, 1.0), (1.0, "2", 1.0), (1.0, 1.0, "2")):
@@ -133,14 +169,31 @@ def vectors(*all_of: Components) -> tuple[Any, ...]:
 
 @pytest.mark.exercise("3.4a")
 def test_five_seconds_by_the_equation() -> None:
-    about(f"position_by_equation({EXAMPLE}, 5)", cause="p' = p + v t + a t^2 / 2.")
+    about(
+        f"position_by_equation({EXAMPLE}, 5)",
+        cause="The position after a time t under constant "
+        "acceleration is p' = p + v t + a t^2 / 2.",
+    )
     about.read = "book 2.2, Eq. 2.9"
     got = exercises.position_by_equation(*vectors(START, VELOCITY, ACCELERATION), 5)
     mistakes = [
-        ((-43.0, 25.0, 21.5), "The half is missing. Add a t^2 / 2."),
-        ((2.0, 2.5, 10.25), "The time was not squared. Add a t^2 / 2."),
-        ((-20.0, 7.5, 16.25), "The start position is missing. Add p."),
-        ((-22.0, 16.5, 7.25), "The velocity was added as if one second had passed. Add v t."),
+        (
+            (-43.0, 25.0, 21.5),
+            "The factor 1/2 of the acceleration term is missing. The term must be a t^2 / 2.",
+        ),
+        (
+            (2.0, 2.5, 10.25),
+            "The acceleration term contains t, but it needs the square of the "
+            "time. The term must be a t^2 / 2.",
+        ),
+        (
+            (-20.0, 7.5, 16.25),
+            "The result is only the displacement. Add it to the start position p.",
+        ),
+        (
+            (-22.0, 16.5, 7.25),
+            "The velocity was added as if one second had passed. Multiply it by the time t first.",
+        ),
     ]
     blame(xyz(got), mistakes)
     expect_close(xyz(got), (-18.0, 12.5, 15.25))
@@ -152,15 +205,20 @@ def test_the_equation_gives_a_new_position(rng: Random) -> None:
     position, velocity, acceleration = vectors(x, v, a)
     about.read = "book 2.2, Eq. 2.9"
     for t in (round(rng.uniform(2.0, 9.0), 3), 0.25):
-        about.call = f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; position_by_equation(p, v, a, "
-        about.call += f"{t})"
-        about.cause = "Return a new vector, p + v t + a t^2 / 2."
+        about.call = (
+            f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; position_by_equation(p, v, a, {t})"
+        )
+        about.cause = (
+            "The position after a time t under constant acceleration is p + v t + a t^2 / 2. "
+            "Return it as a new vector."
+        )
         got = exercises.position_by_equation(position, velocity, acceleration, t)
         wanted = tuple(x[i] + v[i] * t + 0.5 * a[i] * t * t for i in range(3))
         # The rounding errors of numbers up to 400.
         expect_close(xyz(got), wanted, tolerance=1e-12)
         about.cause = (
-            "+=, *= and add_scaled change the caller's vector. + and * create a new vector."
+            "One of the caller's vectors was changed, because +=, *= and add_scaled change a "
+            "vector in place. Use + and *, which create a new vector."
         )
         expect_unchanged("p", xyz(position), x)
         expect_unchanged("v", xyz(velocity), v)
@@ -172,7 +230,10 @@ def test_the_equation_gives_a_new_position(rng: Random) -> None:
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.inf, math.nan])
 def test_the_time_of_the_equation_is_positive_and_finite(bad: float) -> None:
     about.call = f"position_by_equation({EXAMPLE}, {bad})"
-    about.cause = "The time must be positive and finite. Pass it to positive from arguments.py."
+    about.cause = (
+        "The time must be positive and finite. Pass it to positive from arguments.py, which raises "
+        "the ValueError."
+    )
     about.read = "the docstring of position_by_equation"
     data = vectors(START, VELOCITY, ACCELERATION)
     expect_error(
@@ -189,24 +250,31 @@ def test_one_step_and_five_steps_of_a_second() -> None:
     for steps, (x, v) in wanted.items():
         about.call = f"state_by_steps({EXAMPLE}, 1, {steps})"
         about.cause = (
-            "Return a pair of position and velocity. In each step, first p' = p + v h, then "
+            "Return the position and the velocity as a pair. In each step, first move the position "
+            "by p' = p + v h, and then change the velocity by v' = v + a h."
         )
-        about.cause += "v' = v + a h."
         position, velocity = exercises.state_by_steps(
             *vectors(START, VELOCITY, ACCELERATION), 1, steps
         )
         few = (
             "One step is missing. A loop over range(steps) runs steps times, but a loop over "
-            "range(1, steps) runs one time fewer."
+            "range(1, steps) runs only steps - 1 times."
         )
         mistakes = [
-            (v, "The pair is in the wrong order. Return the position first, then the velocity."),
-            ((7.0, 0.0, 9.0), "The result is one step of 5 s. Make five steps of 1 s."),
+            (
+                v,
+                "The two results are in the wrong order. Return the position first and the "
+                "velocity second.",
+            ),
+            (
+                (7.0, 0.0, 9.0),
+                "The result comes from a single step of 5 s. Make five steps of 1 s instead.",
+            ),
             (START if steps == 1 else (-6.0, 7.0, 10.0), few),
             (
                 (1.0, 5.0, 1.5) if steps == 1 else (-23.0, 15.0, 16.5),
-                "The velocity was changed first. Move the position first, with the old velocity "
-                "(E-17).",
+                "The velocity was changed before the position. Move the position first, because "
+                "this method uses the old velocity (E-17).",
             ),
         ]
         blame(xyz(position), mistakes)
@@ -219,9 +287,13 @@ def test_many_steps_lag_by_half_a_step_and_change_no_argument(rng: Random) -> No
     x, v, a = components(rng), components(rng), components(rng)
     h, steps = round(rng.uniform(0.1, 0.5), 3), rng.randrange(10, 40)
     p, velocity, acceleration = vectors(x, v, a)
-    about.call = f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; state_by_steps(p, v, a, {h}, "
-    about.call += f"{steps})"
-    about.cause = "Make n steps of h seconds. Each step starts where the last one ended."
+    about.call = (
+        f"p, v, a = Vector3{x}, Vector3{v}, Vector3{a}; state_by_steps(p, v, a, {h}, {steps})"
+    )
+    about.cause = (
+        "Make the given number of steps, each of h seconds. Each step must start from the position "
+        "and velocity at which the last one ended."
+    )
     about.read = "book 2.2, Eq. 2.7 and 2.8"
     position, last = exercises.state_by_steps(p, velocity, acceleration, h, steps)
     t = h * steps
@@ -230,7 +302,10 @@ def test_many_steps_lag_by_half_a_step_and_change_no_argument(rng: Random) -> No
     expect_close(xyz(position), wanted, then=", the first", tolerance=1e-10)
     wanted = tuple(v[i] + a[i] * t for i in range(3))
     expect_close(xyz(last), wanted, then=", the second", tolerance=1e-11)
-    about.cause = "+= and add_scaled changed the caller's vector. Use a Particle, or copies."
+    about.cause = (
+        "One of the caller's vectors was changed, because += and add_scaled change a vector in "
+        "place. Use a Particle or copies of the vectors."
+    )
     expect_unchanged("p", xyz(p), x)
     expect_unchanged("v", xyz(velocity), v)
     expect_unchanged("a", xyz(acceleration), a)
@@ -250,10 +325,16 @@ def test_steps_need_a_duration_and_a_number(duration: float, steps: int) -> None
 def expect_refusal(name: str, duration: float, steps: int) -> None:
     """Expect an exercise to refuse a bad duration or number of steps."""
     about.call = f"{name}({EXAMPLE}, {duration}, {steps})"
-    about.cause = "A loop over range(0) does nothing and raises no error. Refuse fewer than 1 step."
+    about.cause = (
+        "The number of steps must be at least 1. A loop over range(0) does nothing and raises no "
+        "error, so check the number yourself."
+    )
     if steps > 0:
-        about.cause = "A duration must be positive and finite. Particle.integrate and positive "
-        about.cause += "from arguments.py both check that."
+        about.cause = (
+            "A duration must be positive and finite. Particle.integrate refuses any other "
+            "duration, so call it in each step. If you do not use a Particle, call positive from "
+            "arguments.py."
+        )
     about.read = f"the docstring of {name}"
     data = vectors(START, VELOCITY, ACCELERATION)
     function = getattr(exercises, name)
@@ -268,18 +349,27 @@ def expect_refusal(name: str, duration: float, steps: int) -> None:
 def test_five_steps_are_off_by_half_a_step() -> None:
     about(
         f"stepping_error({EXAMPLE}, 1, 5)",
-        cause="Return the stepped position minus the exact position.",
+        cause="The error of the stepping method is the stepped position minus the exact position. "
+        "Return this difference as a vector.",
     )
     about.read = "book 3, exercise 3.4"
     got = exercises.stepping_error(*vectors(START, VELOCITY, ACCELERATION), 1, 5)
     mistakes = [
         (
             (-5.0, 2.5, 1.25),
-            "The result is the exact position minus the stepped one. Subtract the exact position "
-            "instead.",
+            "The result is the exact position minus the stepped one, which reverses the sign. "
+            "Subtract the exact position from the stepped one.",
         ),
-        ((-15.0, 5.5, 12.75), "Use the exact position after 5 s, which is steps x duration."),
-        (math.hypot(5.0, 2.5, 1.25), "The result is the length of the error. Return the vector."),
+        (
+            (-15.0, 5.5, 12.75),
+            "The exact position was computed for a different time. The steps "
+            "cover a total of steps x duration, which is 5 s here, so use that "
+            "time.",
+        ),
+        (
+            math.hypot(5.0, 2.5, 1.25),
+            "The result is the length of the error. Return the error itself, which is a vector.",
+        ),
     ]
     blame(xyz(got), mistakes)
     expect_close(xyz(got), (5.0, -2.5, -1.25), tolerance=1e-12)
@@ -290,8 +380,10 @@ def test_the_error_is_a_t_h_over_2(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     h, steps = round(rng.uniform(0.1, 0.5), 3), rng.randrange(10, 40)
     about.call = f"stepping_error(Vector3{x}, Vector3{v}, Vector3{a}, {h}, {steps})"
-    about.cause = "The error must be -a t h / 2, with t = steps x h. Half of h gives half the "
-    about.cause += "error."
+    about.cause = (
+        "In theory the error is -a t h / 2, where t = steps x h is the total time. Compare both "
+        "positions at this time t."
+    )
     about.read = "book 3, exercise 3.4"
     got = exercises.stepping_error(*vectors(x, v, a), h, steps)
     wanted = tuple(-0.5 * a[i] * h * steps * h for i in range(3))

@@ -38,26 +38,36 @@ def test_a_drift_moves_the_position_alone(rng: Random) -> None:
     for h in (draw_part(rng), 2, 0.0, -draw_part(rng)):
         words, p = a_particle(x, v, a, damping=damping)
         about.call = f"{words}; p.drift({h})"
-        about.cause = "p' = p + v h. A negative h moves the particle back."
+        about.cause = (
+            "A drift moves the position by p' = p + v h. If h is negative, it moves the particle "
+            "back."
+        )
         p.drift(h)
         got = xyz(p.position)
         mistakes = [
             (
                 tuple(x[i] + (v[i] + a[i] * h) * h for i in range(3)),
-                "The acceleration was used here. drift() uses only the velocity, and kick() uses "
-                "the acceleration.",
+                "The acceleration changed the position. drift must use only the velocity, because "
+                "the acceleration belongs to kick.",
             ),
             (
                 tuple(x[i] + v[i] * damping**h * h for i in range(3)),
-                "The velocity was damped here. drift() only reads the velocity, and kick() damps "
-                "it.",
+                "The velocity was damped in drift. This method must only read the velocity, "
+                "because kick does the damping.",
             ),
-            (x, "The position did not change. Add v h to the position."),
+            (
+                x,
+                "The position did not change. Multiply the velocity by h and add the product to "
+                "the position.",
+            ),
         ]
         blame(got, mistakes if h else [])
         wanted = tuple(x[i] + v[i] * h for i in range(3))
         expect_close(got, wanted, then="; p.position", tolerance=ROUNDED)
-        about.cause = "A drift must change only the position."
+        about.cause = (
+            "A drift must change only the position, so leave the velocity and the acceleration "
+            "unchanged."
+        )
         expect_unchanged("p.velocity", xyz(p.velocity), v)
         expect_unchanged("p.acceleration", xyz(p.acceleration), a)
 
@@ -79,42 +89,50 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
         words, p = a_particle(x, v, a, mass, damping)
         about.call = f"{words}; p.kick({h})"
         about.cause = (
-            "v' = (v + a h) d^h: add the acceleration first, and then damp the result. h may be "
+            "A kick changes the velocity by v' = (v + a h) d^h. Add the acceleration first, and "
+            "then damp the result. The duration h may be negative."
         )
-        about.cause += "negative."
         p.kick(h)
         got = xyz(p.velocity)
         keep = damping**h
         mistakes = [
             (
                 tuple(v[i] * keep + a[i] * h for i in range(3)),
-                "The result follows Eq. 3.6, v d^h + a h. The engine follows the book's listing, "
-                "which damps after the acceleration is added (E-16).",
+                "The result is v d^h + a h, as in Eq. 3.6. The engine follows the book's listing "
+                "instead, which adds the acceleration first and then damps the sum (E-16).",
             ),
             (
                 tuple(v[i] * keep + a[i] * keep for i in range(3)),
-                "The acceleration is per second, but it was added as if the step lasted a whole "
-                "second. Add a h.",
+                "The acceleration is given per second, but it was added as if the step lasted a "
+                "whole second. Multiply it by h first.",
             ),
             (
                 tuple((v[i] + a[i] * h) * damping for i in range(3)),
-                "The velocity was multiplied by d in every kick, but d is the damping per second. "
-                "Use d^h.",
+                "The velocity was multiplied by d in every kick. The damping d is given per "
+                "second, so multiply by d^h.",
             ),
             (
                 tuple(v[i] + a[i] * h for i in range(3)),
-                "The velocity was not damped. Multiply by d^h.",
+                "The velocity was not damped. Multiply it by d^h after you add the acceleration.",
             ),
             (
                 tuple((v[i] + a[i] * h / mass) * keep for i in range(3)),
-                "The acceleration was divided by the mass, but it is not a force. Add a h.",
+                "The acceleration was divided by the mass, but only a force has to be divided by "
+                "it. Multiply the acceleration only by h.",
             ),
-            (v, "The velocity did not change. Add a h to the velocity."),
+            (
+                v,
+                "The velocity did not change. Multiply the acceleration by h and add the product "
+                "to the velocity.",
+            ),
         ]
         blame(got, mistakes if h and damping != 1.0 else [])
         wanted = tuple((v[i] + a[i] * h) * keep for i in range(3))
         expect_close(got, wanted, then="; p.velocity", tolerance=ROUNDED)
-        about.cause = "A kick must change only the velocity."
+        about.cause = (
+            "A kick must change only the velocity, so leave the position and the acceleration "
+            "unchanged."
+        )
         expect_unchanged("p.position", xyz(p.position), x)
         expect_unchanged("p.acceleration", xyz(p.acceleration), a)
 
@@ -124,8 +142,11 @@ def test_half_a_drift_a_kick_and_half_a_drift_fall_exactly(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_part(rng)
     words, p = a_particle(x, v, a)
     about.call = f"{words}; p.drift({h} / 2); p.kick({h}); p.drift({h} / 2)"
-    about.cause = "Under a constant acceleration these moves are exact: x + v h + a h^2 / 2. Each "
-    about.cause += "call must start from the state in which the last one ended."
+    about.cause = (
+        "Under a constant acceleration, half a drift, a kick and another half drift give the exact "
+        "position x + v h + a h^2 / 2. Check that each call starts from the state that the last "
+        "one left."
+    )
     about.read = "book 2.4, Eq. 2.9, and the docstrings of drift and kick"
     p.drift(h / 2.0)
     p.kick(h)
@@ -141,7 +162,10 @@ def test_half_a_drift_a_kick_and_half_a_drift_fall_exactly(rng: Random) -> None:
 @pytest.mark.exercise("B3.4")
 def test_no_move_changes_an_immovable_particle(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_part(rng)
-    about.cause = "A particle with infinite mass cannot move. Return at once if inverse_mass is 0."
+    about.cause = (
+        "A particle with infinite mass cannot move. Return from the method at once if inverse_mass "
+        "is 0."
+    )
     for move in ("drift", "kick"):
         words, p = a_particle(x, v, a, math.inf, 0.5)
         about(f"{words}; p.{move}({h})", read=f"the docstring of {move}")
@@ -151,7 +175,10 @@ def test_no_move_changes_an_immovable_particle(rng: Random) -> None:
     words, p = a_particle(x, v, a, math.inf)
     about.call = f"{words}; p.mass = 2.0; p.drift({h}); p.kick({h})"
     about.read = "the docstrings of drift and kick"
-    about.cause = "The particle now has a finite mass, so both moves must change it."
+    about.cause = (
+        "The particle now has a finite mass, so both drift and kick must change it. Check "
+        "inverse_mass in every call."
+    )
     p.mass = 2.0
     p.drift(h)
     p.kick(h)

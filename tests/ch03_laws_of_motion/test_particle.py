@@ -37,15 +37,24 @@ def draw_mass(rng: Random) -> float:
 @pytest.mark.exercise("B3.1")
 def test_a_new_particle_has_the_mass_1_and_keeps_its_velocity() -> None:
     about.call = "Particle()"
-    about.cause = "In __init__, self.mass = mass and self.damping = damping call your setters."
+    about.cause = (
+        "__init__ must store the mass and the damping through your setters. The assignments "
+        "self.mass = mass and self.damping = damping call them."
+    )
     about.read = "the docstring of Particle"
     p = Particle()
     expect_close(p.mass, 1.0, then=".mass")
     expect_close(p.inverse_mass, 1.0, then=".inverse_mass")
-    lost = "The result is the fraction that is lost. damping is the fraction that is kept."
+    lost = (
+        "The result is the fraction of the velocity that is lost in a second. The damping is the "
+        "fraction that is kept."
+    )
     blame(p.damping, [(0.0, lost)])
     expect_close(p.damping, 1.0, then=".damping")
-    about.cause = "This mass is finite, so return True. A comparison already returns True or False."
+    about.cause = (
+        "This mass is finite, so return True. A comparison already gives True or False, so you can "
+        "return its result directly."
+    )
     for mass in (1.0, 1e9, 0.001):
         about.call = f"p.has_finite_mass, for a mass of {mass} kg"
         got = Particle(mass=mass).has_finite_mass
@@ -56,13 +65,22 @@ def test_a_new_particle_has_the_mass_1_and_keeps_its_velocity() -> None:
 def test_a_mass_is_kept_as_its_inverse(rng: Random) -> None:
     first, second = draw_mass(rng), draw_mass(rng)
     about.read = "book 3.2"
-    itself = "The result is the mass itself. The setter of mass must store 1 / mass."
-    about(f"p = Particle(mass={first}); p.inverse_mass", cause="The inverse mass is 1 / mass.")
+    itself = (
+        "The result is the mass itself, but the particle stores the inverse mass. Store 1 / mass "
+        "in the setter of mass."
+    )
+    about(
+        f"p = Particle(mass={first}); p.inverse_mass",
+        cause="The particle stores the inverse mass, which is 1 / mass.",
+    )
     p = Particle(mass=first)
     blame(p.inverse_mass, [(first, itself)])
     expect_close(p.inverse_mass, 1.0 / first)
     for mass in (second, 4):  # an int is a number too
-        about.cause = "The inverse mass is 1 / mass."
+        about.cause = (
+            "The particle stores the inverse mass, which is 1 / mass. Store it whenever a mass is "
+            "assigned."
+        )
         about.call = f"p = Particle(); p.mass = {mass}; p.inverse_mass"
         p = Particle()
         p.mass = mass
@@ -73,7 +91,11 @@ def test_a_mass_is_kept_as_its_inverse(rng: Random) -> None:
 @pytest.mark.exercise("B3.1")
 def test_the_mass_comes_back(rng: Random) -> None:
     mass = draw_mass(rng)
-    about(cause="The particle stores the inverse mass. Return 1 / inverse mass.", read="book 3.2")
+    about(
+        cause="The particle stores only the inverse mass. The getter of mass must therefore "
+        "return 1 / inverse mass.",
+        read="book 3.2",
+    )
     for value in (mass, 1e9):
         about.call = f"p = Particle(mass={value!r}); p.mass"
         expect_close(Particle(mass=value).mass, value)
@@ -84,7 +106,8 @@ def test_an_inverse_mass_can_be_assigned(rng: Random) -> None:
     inverse = 1.0 / draw_mass(rng)
     about.call = f"p = Particle(mass=8.0); p.inverse_mass = {inverse}"
     about.cause = (
-        "Store the inverse mass exactly as it was assigned. The mass is then 1 / inverse mass."
+        "The assigned number is already an inverse mass, so store it unchanged. The mass is then 1 "
+        "/ inverse mass."
     )
     about.read = "book 3.2"
     p = Particle(mass=8.0)
@@ -97,37 +120,47 @@ def test_an_inverse_mass_can_be_assigned(rng: Random) -> None:
     expect_close(p.inverse_mass, inverse, then="; p.inverse_mass")
     expect_close(p.mass, 1.0 / inverse, then="; p.mass")
     about.call = f"{about.call}; p.has_finite_mass"
-    about.cause = "Every mass except math.inf is finite."
+    about.cause = "Only math.inf is an infinite mass, so has_finite_mass must be True here."
     expect_exactly(p.has_finite_mass, True)
 
 
 @pytest.mark.exercise("B3.1")
 def test_an_infinite_mass_has_the_inverse_0() -> None:
     about.call = "p = Particle(mass=math.inf)"
-    about.cause = "An infinite mass is valid, and its inverse is 0. Pass the mass to "
-    about.cause += "positive_or_infinite from arguments.py."
+    about.cause = (
+        "An infinite mass is valid, and its inverse is 0. Pass the mass to positive_or_infinite "
+        "from arguments.py, which accepts math.inf."
+    )
     about.read = "book 3.2"
     p = Particle(mass=math.inf)
     expect_close(p.inverse_mass, 0.0, then="; p.inverse_mass")
     about.call += "; p.mass"
-    about.cause = "If the inverse mass is 0, the mass is math.inf. Do not divide by 0."
+    about.cause = (
+        "An inverse mass of 0 belongs to an infinite mass, so return math.inf instead of dividing "
+        "by 0."
+    )
     expect_exactly(p.mass, math.inf)
     about.call = "p = Particle(mass=math.inf); p.has_finite_mass"
-    about.cause = "The mass is infinite, so return False."
+    about.cause = "The mass of this particle is infinite, so has_finite_mass must be False."
     expect_exactly(p.has_finite_mass, False)
 
 
 @pytest.mark.exercise("B3.1")
 def test_an_inverse_mass_of_0_is_an_infinite_mass() -> None:
     about.call = "p = Particle(); p.inverse_mass = 0"
-    about.cause = "An inverse mass of 0 is valid, and it means that the particle is immovable. "
-    about.cause += "Check it with not_negative from arguments.py."
+    about.cause = (
+        "An inverse mass of 0 is valid, because it belongs to a particle that cannot be moved. "
+        "Check it with not_negative from arguments.py, which accepts 0."
+    )
     about.read = "book 3.2"
     p = Particle()
     p.inverse_mass = 0
-    about.cause = "If the inverse mass is 0, the mass is math.inf. Do not divide by 0."
+    about.cause = (
+        "An inverse mass of 0 belongs to an infinite mass, so return math.inf instead of dividing "
+        "by 0."
+    )
     expect_exactly(p.mass, math.inf, then="; p.mass")
-    about.cause = "The mass is infinite, so return False."
+    about.cause = "The mass of this particle is infinite, so has_finite_mass must be False."
     got = p.has_finite_mass
     expect_exactly(got, False, then="; p.has_finite_mass")
 
@@ -135,9 +168,9 @@ def test_an_inverse_mass_of_0_is_an_infinite_mass() -> None:
 @pytest.mark.exercise("B3.1")
 def test_a_damping_is_kept(rng: Random) -> None:
     about.cause = (
-        "Store the damping unchanged. 0 and numbers above 1 are valid, too. Check it with "
+        "Store the damping unchanged, because 0 and numbers above 1 are valid as well. Check it "
+        "with not_negative from arguments.py."
     )
-    about.cause += "not_negative from arguments.py."
     about.read = "the docstring of Particle"
     for damping in (0.0, round(rng.uniform(0.1, 0.9), 3), 1.5):
         about.call = f"p = Particle({damping=!r}); p.damping"
@@ -162,7 +195,10 @@ def expect_refusal(name: str, bad: Any, error: type[Exception], *, good: float, 
         setattr(p, name, good)
 
     expect_error(attempt, error, allowed=allowed)
-    about.cause = "Check the value before you store it, so that a refused value changes nothing."
+    about.cause = (
+        "The setter refused this value, but it had already stored it. Check the value before you "
+        "store it, so that a refused value changes nothing."
+    )
     expect_close(getattr(p, name), good, then=f"; p.{name}")
 
 
@@ -171,9 +207,9 @@ def expect_refusal(name: str, bad: Any, error: type[Exception], *, good: float, 
 @pytest.mark.parametrize("bad", [0.0, -2.0, -math.inf, math.nan])
 def test_a_mass_must_be_positive(bad: float) -> None:
     about.cause = (
-        "A mass must be positive and may be infinite. Pass the mass to positive_or_infinite "
+        "A mass must be positive, and it may be infinite. Pass it to positive_or_infinite from "
+        "arguments.py, which raises the ValueError."
     )
-    about.cause += "from arguments.py."
     expect_refusal("mass", bad, ValueError, good=4.0, read="the docstring of mass")
 
 
@@ -181,8 +217,10 @@ def test_a_mass_must_be_positive(bad: float) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_an_inverse_mass_must_be_finite_and_not_negative(bad: float) -> None:
-    about.cause = "An inverse mass must be finite and not negative. Pass it to not_negative from "
-    about.cause += "arguments.py."
+    about.cause = (
+        "An inverse mass must be finite and must not be negative. Pass it to not_negative from "
+        "arguments.py, which raises the ValueError."
+    )
     about.read = "the docstring of inverse_mass"
     expect_refusal("inverse_mass", bad, ValueError, good=0.25, read=about.read)
 
@@ -191,8 +229,10 @@ def test_an_inverse_mass_must_be_finite_and_not_negative(bad: float) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [-0.1, math.inf, math.nan])
 def test_a_damping_must_be_finite_and_not_negative(bad: float) -> None:
-    about.cause = "A damping must be finite and not negative. Pass it to not_negative from "
-    about.cause += "arguments.py."
+    about.cause = (
+        "A damping must be finite and must not be negative. Pass it to not_negative from "
+        "arguments.py, which raises the ValueError."
+    )
     about.read = "the docstring of damping"
     expect_refusal("damping", bad, ValueError, good=0.5, read=about.read)
 
@@ -203,7 +243,10 @@ def test_a_damping_must_be_finite_and_not_negative(bad: float) -> None:
     ("name", "good"), [("mass", 4.0), ("inverse_mass", 0.25), ("damping", 0.5)]
 )
 def test_text_is_no_number(name: str, good: float) -> None:
-    about.cause = "The functions in arguments.py raise the TypeError for you."
+    about.cause = (
+        "The functions in arguments.py raise this TypeError for you, so pass the value to one of "
+        "them in the setter."
+    )
     about.read = f"the docstring of {name}"
     expect_refusal(name, "2", TypeError, good=good, read=about.read)
 
@@ -215,7 +258,10 @@ def test_text_is_no_number(name: str, good: float) -> None:
 def test_momentum_is_mass_times_velocity(rng: Random) -> None:
     mass, v = draw_mass(rng), components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}, damping=0.5); p.momentum()"
-    about.cause = "Momentum is the vector m v. The damping does not matter here."
+    about.cause = (
+        "The momentum is the vector m v, so multiply the velocity by the mass. The damping has no "
+        "effect on it."
+    )
     about.read = "book 3.2"
     p = Particle(velocity=Vector3(*v), mass=mass, damping=0.5)
     wanted = (mass * v[0], mass * v[1], mass * v[2])
@@ -223,10 +269,13 @@ def test_momentum_is_mass_times_velocity(rng: Random) -> None:
     mistakes = [
         (
             tuple(n / mass for n in v),
-            "The velocity was divided by the mass. Multiply by self.mass.",
+            "The velocity was divided by the mass. Multiply it by self.mass instead.",
         ),
-        (mass * math.sqrt(dot(v, v)), "The result is the length of m v. Return the vector."),
-        (v, "The result is the velocity. Multiply it by the mass."),
+        (
+            mass * math.sqrt(dot(v, v)),
+            "The result is the length of m v, but the momentum is a vector. Return m v itself.",
+        ),
+        (v, "The result is the velocity alone. Multiply it by the mass to get the momentum."),
     ]
     blame(got, mistakes)
     expect_close(got, wanted)
@@ -237,9 +286,9 @@ def test_momentum_is_a_vector_of_its_own(rng: Random) -> None:
     v = components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.momentum()"
     about.cause = (
-        "momentum must return a new vector and leave the velocity unchanged. velocity * mass "
+        "momentum must return a new vector and leave the velocity unchanged. The expression "
+        "velocity * mass creates a new vector."
     )
-    about.cause += "makes a new one."
     about.read = "the docstring of momentum"
     p = Particle(velocity=Vector3(*v))
     momentum = p.momentum()
@@ -253,8 +302,10 @@ def test_momentum_is_a_vector_of_its_own(rng: Random) -> None:
 @pytest.mark.exercise("B3.2")
 def test_an_immovable_particle_has_no_momentum(rng: Random) -> None:
     v = components(rng)
-    about.cause = "An immovable particle has no momentum. Test has_finite_mass first, because "
-    about.cause += "infinity times 0 is NaN."
+    about.cause = (
+        "An immovable particle has no momentum. Check has_finite_mass first, because infinity "
+        "times 0 is NaN."
+    )
     about.read = "the docstring of momentum"
     for velocity in (ZERO, v):
         about.call = f"p = Particle(velocity=Vector3{velocity}, mass=math.inf); p.momentum()"
@@ -270,14 +321,24 @@ def test_an_immovable_particle_has_no_momentum(rng: Random) -> None:
 def test_kinetic_energy_is_half_of_m_v_squared(rng: Random) -> None:
     mass, v = draw_mass(rng), components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}, damping=0.5); p.kinetic_energy()"
-    about.cause = "Kinetic energy is m |v|^2 / 2."
+    about.cause = "The kinetic energy is m |v|^2 / 2, where |v| is the speed."
     about.read = "book 3, exercise 3.3"
     p = Particle(velocity=Vector3(*v), mass=mass, damping=0.5)
     got, squared = p.kinetic_energy(), dot(v, v)
     mistakes = [
-        (mass * squared, "The result is m |v|^2. The kinetic energy is half of that."),
-        (0.5 * mass * math.sqrt(squared), "The result is m |v| / 2. Square the speed."),
-        (0.5 / mass * squared, "The result uses the inverse mass. Multiply by self.mass."),
+        (
+            mass * squared,
+            "The result is m |v|^2, so the factor 1/2 is missing. The kinetic energy "
+            "is half of this.",
+        ),
+        (
+            0.5 * mass * math.sqrt(squared),
+            "The result is m |v| / 2. Square the speed, because the kinetic energy is m |v|^2 / 2.",
+        ),
+        (
+            0.5 / mass * squared,
+            "The result was computed with the inverse mass. Multiply by self.mass instead.",
+        ),
     ]
     blame(got, mistakes)
     expect_close(got, 0.5 * mass * squared)
@@ -287,7 +348,10 @@ def test_kinetic_energy_is_half_of_m_v_squared(rng: Random) -> None:
 @pytest.mark.exercise("3.3")
 def test_a_kilogram_at_2_meters_a_second_has_2_joules() -> None:
     about.call = "p = Particle(velocity=Vector3(0, 0, -2)); p.kinetic_energy()"
-    about.cause = "1 kg * (2 m/s)^2 / 2 is 2 J. The direction of the velocity does not matter."
+    about.cause = (
+        "The kinetic energy is 1 kg * (2 m/s)^2 / 2 = 2 J. The direction of the velocity does not "
+        "matter, so the result is never negative."
+    )
     about.read = "book 3, exercise 3.3"
     p = Particle(velocity=Vector3(0, 0, -2))
     expect_close(p.kinetic_energy(), 2.0)
@@ -296,8 +360,10 @@ def test_a_kilogram_at_2_meters_a_second_has_2_joules() -> None:
 @pytest.mark.exercise("3.3")
 def test_an_immovable_particle_has_no_kinetic_energy(rng: Random) -> None:
     v = components(rng)
-    about.cause = "An immovable particle has no kinetic energy. Test has_finite_mass first, "
-    about.cause += "because infinity times 0 is NaN."
+    about.cause = (
+        "An immovable particle has no kinetic energy. Check has_finite_mass first, because "
+        "infinity times 0 is NaN."
+    )
     about.read = "the docstring of kinetic_energy"
     for velocity in (ZERO, v):
         about.call = f"p = Particle(velocity=Vector3{velocity}, mass=math.inf); p.kinetic_energy()"

@@ -16,7 +16,10 @@ from expect import about, expect_between, expect_close, expect_error, expect_exa
 def frames_of(mean: float, jitter: float, total: float, seed: int) -> list[float]:
     """Return the frames as plain floats."""
     about.call = f"random_frames({mean}, {jitter}, {total}, {seed})"
-    about(cause="Return a list of floats.", read="the docstring of random_frames")
+    about(
+        cause="The function must return a list of floats, with one duration for each frame.",
+        read="the docstring of random_frames",
+    )
     frames: Any = exercises.random_frames(mean, jitter, total, seed)
     plain = isinstance(frames, (list, tuple)) and all(type(frame) is float for frame in frames)
     expect_exactly(plain, True, call=f"are all of {about.call} floats?")
@@ -25,7 +28,10 @@ def frames_of(mean: float, jitter: float, total: float, seed: int) -> list[float
 
 @pytest.mark.exercise("3.5a")
 def test_the_frames_fill_the_total_time(rng: Random) -> None:
-    about.cause = "Shorten the last frame, so that the sum is exactly the total."
+    about.cause = (
+        "The sum of all durations must be exactly the total. Shorten the last frame so that it "
+        "ends there."
+    )
     about.read = "the docstring of random_frames"
     for mean, total in ((round(rng.uniform(0.01, 0.03), 4), 2.0), (0.1, 1.0), (0.3, 0.2)):
         seed = rng.randrange(1000)
@@ -44,15 +50,18 @@ def test_every_frame_but_the_last_is_within_the_jitter(rng: Random) -> None:
         *frames, last = frames_of(mean, jitter, 8.0, seed)
         about.call = f"random_frames({mean}, {jitter}, 8.0, {seed})"
         about.cause = (
-            "The duration of each frame must be from mean * (1 - jitter) to mean * (1 + jitter)."
+            "Every frame except the last must last from mean * (1 - jitter) to mean * (1 + "
+            "jitter). Check the limits of your random numbers."
         )
         farthest = max(frames, key=lambda frame: abs(frame - mean))
         least, most = mean * (1.0 - jitter), mean * (1.0 + jitter)
-        name = ": of all frames but the last, the one that is farthest from the mean"
+        name = ": the frame that is farthest from the mean, leaving out the last frame"
         expect_between(farthest, least, most, then=name, tolerance=1e-9 * mean)
-        about.cause = "The last frame is the rest of the total. So it is longer than 0 and no "
-        about.cause += "longer than the other frames may be."
-        expect_exactly(last > 0.0, True, then=": is the last frame longer than 0")
+        about.cause = (
+            "The last frame is what remains of the total, so it must be longer than 0 and no "
+            "longer than the longest frame that the jitter allows."
+        )
+        expect_exactly(last > 0.0, True, then=": is the last frame longer than 0?")
         expect_between(last, 0.0, most, then=": the last frame", tolerance=1e-9)
 
 
@@ -62,47 +71,54 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
     about.read = "the docstring of random_frames"
     frames = frames_of(mean, jitter, 20.0, seed)[:-1]
     about.call = f"random_frames({mean}, {jitter}, 20.0, {seed})"
-    about.cause = "Draw each frame uniformly from the whole range, which lies on both sides of the "
-    about.cause += "mean."
+    about.cause = (
+        "Each duration must be drawn uniformly from the whole range, which extends to both sides "
+        "of the mean."
+    )
     # The mean of about 1000 even draws is within 6 of its standard deviations. The chance that a
     # tenth of the range stays empty is 0.9^1000.
     average = math.fsum(frames) / len(frames)
     six_sigma = 6.0 * mean * jitter / math.sqrt(3.0 * 900.0)
-    name = f"the mean of {about.call}"
+    name = f"the mean of all frames of {about.call}"
     expect_close(average, mean, call=name, tolerance=six_sigma)
     reach = (min(frames), max(frames))
     wanted = (mean * (1.0 - jitter), mean * (1.0 + jitter))
-    name = f"the shortest and longest of {about.call}"
+    name = f"the shortest and the longest frame of {about.call}"
     expect_close(reach, wanted, call=name, tolerance=0.2 * mean * jitter)
     # Half of the draws lie in the middle half of the range, within 6 deviations.
     inner = sum(abs(frame - mean) < 0.5 * mean * jitter for frame in frames) / len(frames)
     six_sigma = 6.0 * math.sqrt(0.25 / 900.0)
-    name = f"the fraction of {about.call} within half the jitter of the mean"
+    name = f"the fraction of the frames of {about.call} that are within half the jitter of the mean"
     if inner > 0.5:
         about.cause = (
-            "Too many frames are near the mean. Draw each frame with a single call of uniform() "
-            "instead of averaging several draws."
+            "Too many frames are close to the mean. Draw each duration with a single call of "
+            "uniform() instead of averaging several numbers."
         )
     expect_close(inner, 0.5, call=name, tolerance=six_sigma)
 
 
 @pytest.mark.exercise("3.5a")
 def test_without_jitter_all_frames_are_equal() -> None:
-    about.cause = "Without jitter, every frame has the mean duration. A rest of about 1e-16 s is a "
-    about.cause += "rounding error, not a frame."
+    about.cause = (
+        "Without jitter, every frame has the mean duration. Rounding can leave about 1e-16 s of "
+        "the total, which must not become another frame."
+    )
     about.read = "the docstring of random_frames"
     for mean, count in ((0.125, 8), (0.1, 10)):
         about.call = f"random_frames({mean}, 0.0, 1.0, 3)"
         got = frames_of(mean, 0.0, 1.0, 3)
         expect_close(got, [mean] * count, tolerance=1e-11)
     about.cause = (
-        "The remaining 1e-7 s are far more than a rounding error, so they need another frame."
+        "About 1e-7 s of the total remain after two frames. This is far more than a rounding "
+        "error, so add another frame for it."
     )
     about.call = "random_frames(0.25, 0.0, 0.5000001, 3)"
     got = frames_of(0.25, 0.0, 0.5000001, 3)
     expect_close(got, [0.25, 0.25, 1e-7], tolerance=1e-12)
-    about.cause = "Rounding errors are relative to the total. This rest is 0.6 % of the total, so "
-    about.cause += "it is a frame."
+    about.cause = (
+        "A rounding error is always small compared with the total. What remains here is 0.6 % of "
+        "the total, so add another frame for it."
+    )
     about.call = "random_frames(4e-06, 0.0, 8.05e-06, 3)"
     got = frames_of(4e-6, 0.0, 8.05e-6, 3)
     expect_close(got, [4e-6, 4e-6, 5e-8], tolerance=1e-17)
@@ -113,19 +129,25 @@ def test_a_seed_repeats_its_frames_and_another_gives_others(rng: Random) -> None
     seed = rng.randrange(1000)
     about.call = f"random_frames(0.02, 0.5, 1.0, {seed})"
     about.cause = (
-        "Create a random.Random(seed) in the function. The frames must depend only on the seed."
+        "The frames must depend only on the seed. Create a new random.Random(seed) in the "
+        "function, and draw all numbers from it."
     )
     about.read = "the docstring of random_frames"
     first = frames_of(0.02, 0.5, 1.0, seed)
     others = [frames_of(0.02, 0.5, 1.0, seed + i) for i in (1, 2)]
     again = frames_of(0.02, 0.5, 1.0, seed)
-    expect_exactly(again == first, True, then=", twice: the same?")
+    expect_exactly(again == first, True, then=", called twice: are the results the same?")
     for i, other in enumerate(others, 1):
         expect_exactly(
-            other[0] == first[0], False, then=f", and with seed {seed + i}: the same first frame?"
+            other[0] == first[0],
+            False,
+            then=f", and again with seed {seed + i}: is the first frame the same?",
         )
-    name = f"does {about.call} go up or down all the time?"
-    about.cause = "Return the frames in the order in which they were drawn. Do not sort them."
+    name = f"{about.call}: are the frames sorted?"
+    about.cause = (
+        "The durations only go up or only go down, so they seem to be sorted. Return them in the "
+        "order in which they were drawn."
+    )
     in_order = first[:-1] in (sorted(first[:-1]), sorted(first[:-1], reverse=True))
     expect_exactly(in_order, False, call=name)
 
@@ -150,8 +172,10 @@ def test_a_seed_repeats_its_frames_and_another_gives_others(rng: Random) -> None
 )
 def test_frames_of_no_length_are_refused(name: str, bad: float) -> None:
     arguments: dict[str, Any] = {"mean": 0.1, "jitter": 0.5, "total": 1.0, "seed": 3}
-    about.cause = "mean and total must be positive and finite, and jitter from 0 to below 1. Check "
-    about.cause += "them before the first draw, because the loop may otherwise never end."
+    about.cause = (
+        "The mean and the total must be positive and finite, and the jitter must be at least 0 and "
+        "below 1. Check all three before you draw, because the loop may otherwise never end."
+    )
     about.read = "the docstring of random_frames"
     for value in (bad, 1.5) if bad == 1.0 else (bad,):  # at a limit, and beyond it
         bad_ones = arguments | {name: value}

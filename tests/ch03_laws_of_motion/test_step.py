@@ -36,25 +36,30 @@ def test_the_position_moves_with_the_velocity_from_before_the_step(rng: Random) 
     for h in (draw_frame(rng), 3, 0.001):  # a long step lasts a whole number of seconds, an int
         words, p = a_particle(x, v, a)
         about.call = f"{words}; p.integrate({h}); p.position"
-        about.cause = "p' = p + v h, with the velocity from before the step."
+        about.cause = (
+            "A step moves the position by p' = p + v h. Use the velocity that the particle has "
+            "before the step."
+        )
         p.integrate(h)
         wanted = tuple(x[i] + v[i] * h for i in range(3))
         mistakes = [
             (
                 tuple(x[i] + (v[i] + a[i] * h) * h for i in range(3)),
-                "The velocity was changed first. That is semi-implicit Euler, a better method. "
-                "The book's step moves the position first, with the old velocity (E-17).",
+                "The velocity was changed before the position. That is semi-implicit Euler, which "
+                "is a better method, but the book's step moves the position first, with the old "
+                "velocity (E-17).",
             ),
             (
                 tuple(x[i] + v[i] * h + a[i] * h * h / 2.0 for i in range(3)),
-                "The step added a h^2 / 2. The book's step leaves this term out on purpose.",
+                "The step added a h^2 / 2 to the position. The book leaves this term out on "
+                "purpose, so add only the velocity times h.",
             ),
             (
                 tuple(x[i] + v[i] for i in range(3)),
-                "The velocity is per second, but it was added as if the step lasted a whole "
-                "second. Add v h.",
+                "The velocity is given per second, but it was added as if the step lasted a whole "
+                "second. Multiply it by h first.",
             ),
-            (x, "The position did not change. Call self.drift(duration)."),
+            (x, "The position did not change. Call self.drift(duration) in integrate."),
         ]
         blame(xyz(p.position), mistakes)
         # The rounding errors of numbers up to 40.
@@ -66,26 +71,33 @@ def test_the_velocity_gains_what_the_acceleration_gives(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_frame(rng)
     words, p = a_particle(x, v, a)
     about.call = f"{words}; p.integrate({h}); p.velocity"
-    about.cause = "Each step must change the velocity once: v' = v + a h."
+    about.cause = "Each step must change the velocity exactly once, by v' = v + a h."
     about.read = "book 3.3.2, Eq. 2.8"
     p.integrate(h)
     wanted = tuple(v[i] + a[i] * h for i in range(3))
     mistakes = [
         (
             tuple(v[i] + a[i] for i in range(3)),
-            "The acceleration is per second, but it was added as if the step lasted a whole "
-            "second. Add a h.",
+            "The acceleration is given per second, but it was added as if the step lasted a whole "
+            "second. Multiply it by h first.",
         ),
-        (v, "The velocity did not change. Call self.kick(duration)."),
+        (v, "The velocity did not change. Call self.kick(duration) in integrate."),
     ]
     blame(xyz(p.velocity), mistakes)
     expect_close(xyz(p.velocity), wanted, tolerance=1e-13)
-    about.cause = "The acceleration must not change, because the next step needs it again."
+    about.cause = (
+        "The step changed the acceleration of the particle. Leave it unchanged, because the next "
+        "step needs it again."
+    )
     expect_unchanged("p.acceleration", xyz(p.acceleration), a)
     p.acceleration = Vector3(*x)
-    about.call = f"{words}; p.integrate({h}); p.acceleration = Vector3{x}; p.integrate({h}); "
-    about.call += "p.velocity"
-    about.cause = "The second step must use the new acceleration."
+    about.call = (
+        f"{words}; p.integrate({h}); p.acceleration = Vector3{x}; p.integrate({h}); p.velocity"
+    )
+    about.cause = (
+        "The acceleration was changed between the two steps, and the second step must use the new "
+        "one. Read self.acceleration in every step."
+    )
     p.integrate(h)
     wanted = tuple(v[i] + a[i] * h + x[i] * h for i in range(3))
     expect_close(xyz(p.velocity), wanted, tolerance=1e-13)
@@ -94,8 +106,10 @@ def test_the_velocity_gains_what_the_acceleration_gives(rng: Random) -> None:
 @pytest.mark.exercise("B3.4")
 def test_a_slow_and_a_fast_particle_keep_their_velocities(rng: Random) -> None:
     h = draw_frame(rng)
-    about.cause = "Without damping and acceleration, no velocity changes, however small or large "
-    about.cause += "it is."
+    about.cause = (
+        "Without damping and acceleration the velocity stays the same, however small or large it "
+        "is. This is Newton's first law."
+    )
     about.read = "book 3.2: the first law"
     for v in ((1e-9, -2e-5, 3e-3), (1e3, -2e5, 3e8)):
         about.call = f"p = Particle(velocity=Vector3{v}); p.integrate({h})"
@@ -122,20 +136,25 @@ def test_damping_is_the_share_that_is_kept_in_a_second(rng: Random) -> None:
         (2.0, [0.5]),
     ):
         about.call = f"p = Particle(velocity=Vector3{v}, {damping=}); p.integrate(h) for each h in "
-        about.cause = "A step of h seconds keeps d^h of the velocity: damping ** duration."
+        about.cause = (
+            "The damping d is the fraction of the velocity that remains after one second. A step "
+            "of h seconds therefore keeps d^h, which is damping ** duration."
+        )
         kept = damping ** sum(frames)
         got = probes.velocity_after(v, damping, frames)
         each, first = damping ** len(frames), damping ** (len(frames) * frames[0])
         mistakes = [
             (
                 tuple(n * each for n in v),
-                "The velocity was multiplied by d in every step, as in Eq. 3.5. Use d^h.",
+                "The velocity was multiplied by d in every step, as in Eq. 3.5. The damping d is "
+                "given per second, so multiply by d^h.",
             ),
             (
                 tuple(n * first for n in v),
-                "The d^h of the first step was used in all steps. Compute d^h for each duration.",
+                "The factor d^h of the first step was used in all steps. Compute it again in each "
+                "step, because the durations differ.",
             ),
-            (v, "The velocity was not damped. Multiply it by d^h."),
+            (v, "The velocity was not damped. Multiply it by d^h in every step."),
         ]
         blame(got, mistakes)
         wanted = (v[0] * kept, v[1] * kept, v[2] * kept)
@@ -150,31 +169,34 @@ def test_damping_comes_after_the_acceleration(rng: Random) -> None:
     words, p = a_particle(x, v, a, damping)
     about.call = f"{words}; p.integrate({h}); p.velocity"
     about.cause = (
-        "v' = (v + a h) d^h, as in the book's listing: add the acceleration, then damp the result."
+        "A step changes the velocity by v' = (v + a h) d^h, as in the book's listing. Add the "
+        "acceleration first, and then damp the result."
     )
     about.read = "the docstring of integrate, errata.md"
     p.integrate(h)
     wanted = tuple((v[i] + a[i] * h) * damping**h for i in range(3))
     equation = (
-        "The result follows Eq. 3.6, v d^h + a h, which the book's listing contradicts (E-16). "
-        "The engine follows the listing, (v + a h) d^h."
+        "The result is v d^h + a h, as in Eq. 3.6, which the book's listing contradicts (E-16). "
+        "The engine follows the listing, so compute (v + a h) d^h."
     )
     mistakes = [(tuple(v[i] * damping**h + a[i] * h for i in range(3)), equation)]
     blame(xyz(p.velocity), mistakes)
     expect_close(xyz(p.velocity), wanted, tolerance=1e-13)
-    about.cause = "Damp the velocity, not the acceleration."
+    about.cause = "The acceleration was damped. Damp only the velocity."
     expect_unchanged("p.acceleration", xyz(p.acceleration), a)
 
 
 @pytest.mark.exercise("B3.4")
 def test_a_new_damping_counts_from_the_next_step_on(rng: Random) -> None:
     v, damping = components(rng), round(rng.uniform(0.2, 0.8), 3)
-    about.call = f"p = Particle(velocity=Vector3{v}); p.integrate(0.5); p.damping = {damping}; "
-    about.call += "p.integrate(0.5); p.velocity"
-    about.cause = (
-        "Compute d^h from the damping that the particle has now. A stored value is out of "
+    about.call = (
+        f"p = Particle(velocity=Vector3{v}); p.integrate(0.5); p.damping = {damping}; "
+        "p.integrate(0.5); p.velocity"
     )
-    about.cause += "date."
+    about.cause = (
+        "The damping was changed between the two steps. Compute d^h in every step from the damping "
+        "that the particle has now, because a stored value can be out of date."
+    )
     about.read = "the docstring of integrate"
     p = Particle(velocity=Vector3(*v))
     p.integrate(0.5)
@@ -191,24 +213,32 @@ def test_a_damping_of_0_stops_the_particle(rng: Random) -> None:
     words, p = a_particle(x, v, (0.0, 0.0, 0.0), 0.0)
     about.call = f"{words}; p.integrate({h})"
     about.cause = (
-        "0^h is 0, so a damping of 0 stops the particle. Python treats 0 as false in an if."
+        "Since 0^h is 0, a damping of 0 stops the particle. Python treats 0 as false in an if "
+        "statement, so do not use the damping itself as the condition."
     )
     about.read = "the docstring of integrate"
     p.integrate(h)
     expect_close(xyz(p.velocity), (0.0, 0.0, 0.0), then="; p.velocity")
     wanted = tuple(x[i] + v[i] * h for i in range(3))
-    about.cause = "Move the position first, with the velocity from before the damping."
+    about.cause = (
+        "Move the position first, with the velocity that the particle has before it is damped."
+    )
     expect_close(xyz(p.position), wanted, then="; p.position", tolerance=1e-13)
 
 
 @pytest.mark.exercise("B3.4")
 def test_the_mass_does_not_matter_to_a_given_acceleration(rng: Random) -> None:
     v, a, mass = components(rng), components(rng), round(rng.uniform(2.0, 90.0), 3)
-    about.cause = "An acceleration is not a force, so the mass does not matter in this step."
+    about.cause = (
+        "An acceleration already takes the mass into account, because it is not a force. Do not "
+        "use the mass in this step."
+    )
     about.read = "book 3.2"
     for acceleration, damping in ((a, 1.0), ((0.0, 0.0, 0.0), 0.25)):
-        about.call = f"p = Particle(velocity=Vector3{v}, acceleration=Vector3{acceleration}, "
-        about.call += f"mass={mass}, {damping=}); p.integrate(0.5); p.velocity"
+        about.call = (
+            f"p = Particle(velocity=Vector3{v}, acceleration=Vector3{acceleration}, mass={mass}, "
+            f"damping={damping!r}); p.integrate(0.5); p.velocity"
+        )
         vectors = {"velocity": Vector3(*v), "acceleration": Vector3(*acceleration)}
         p = Particle(**vectors, mass=mass, damping=damping)
         p.integrate(0.5)
@@ -219,9 +249,13 @@ def test_the_mass_does_not_matter_to_a_given_acceleration(rng: Random) -> None:
 
 @pytest.mark.exercise("B3.4")
 def test_a_fall_of_5_seconds_lags_as_explicit_euler_does() -> None:
-    about.call = "p = Particle(acceleration=Vector3(0, -10, 0)); p.integrate(1/60) 300 times; "
-    about.call += "p.position"
-    about.cause = "Explicit Euler must stay a t h / 2 = 0.41667 m short of the exact 125 m."
+    about.call = (
+        "p = Particle(acceleration=Vector3(0, -10, 0)); p.integrate(1/60) 300 times; p.position"
+    )
+    about.cause = (
+        "The exact position is 125 m below the start. Explicit Euler must end a t h / 2 = 0.41667 "
+        "m short of that, because each step uses the velocity from its start."
+    )
     about.read = "book 3.3.2, Eq. 2.7 and 2.8"
     got = probes.position_after_fall(10.0, 1.0 / 60.0, 300)
     # -a t^2 / 2 + a t h / 2; 300 roundings of numbers up to 125.
@@ -232,9 +266,13 @@ def test_a_fall_of_5_seconds_lags_as_explicit_euler_does() -> None:
 @pytest.mark.exercise("B3.4")
 def test_an_immovable_particle_stays_as_it_is(rng: Random) -> None:
     x, v, a, h = components(rng), components(rng), components(rng), draw_frame(rng)
-    about.call = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass=math.inf); "
-    about.call += f"p.integrate({h})"
-    about.cause = "A particle with infinite mass cannot move. Return at once if inverse_mass is 0."
+    about.call = (
+        f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass=math.inf); p.integrate({h})"
+    )
+    about.cause = (
+        "A particle with infinite mass cannot move. Return from the method at once if inverse_mass "
+        "is 0."
+    )
     about.read = "the docstring of integrate"
     p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=math.inf, damping=0.5)
     p.integrate(h)
@@ -243,7 +281,9 @@ def test_an_immovable_particle_stays_as_it_is(rng: Random) -> None:
     expect_unchanged("p.acceleration", xyz(p.acceleration), a)
     p.mass = 2.0
     about.call = f"{about.call}; p.mass = 2.0; p.integrate({h}); p.position"
-    about.cause = "The particle now has a finite mass, so it must move."
+    about.cause = (
+        "The particle now has a finite mass, so it must move. Check inverse_mass in every step."
+    )
     p.integrate(h)
     wanted = tuple(x[i] + v[i] * h for i in range(3))
     expect_close(xyz(p.position), wanted, tolerance=1e-13)
@@ -252,9 +292,14 @@ def test_an_immovable_particle_stays_as_it_is(rng: Random) -> None:
 @pytest.mark.exercise("B3.4")
 def test_the_last_acceleration_is_the_constant_one_and_a_vector_of_its_own(rng: Random) -> None:
     a = components(rng)
-    about.call = f"p = Particle(acceleration=Vector3{a}, mass=4.0, damping=0.5); p.integrate(0.5); "
-    about.call += "p.last_acceleration"
-    about.cause = "Return the acceleration unchanged. The mass and the damping do not matter."
+    about.call = (
+        f"p = Particle(acceleration=Vector3{a}, mass=4.0, damping=0.5); p.integrate(0.5); "
+        "p.last_acceleration"
+    )
+    about.cause = (
+        "last_acceleration must return the acceleration of the last step unchanged. The mass and "
+        "the damping have no effect on it."
+    )
     about.read = "the docstring of last_acceleration"
     p = Particle(acceleration=Vector3(*a), mass=4.0, damping=0.5)
     p.integrate(0.5)
@@ -262,13 +307,20 @@ def test_the_last_acceleration_is_the_constant_one_and_a_vector_of_its_own(rng: 
     expect_close(xyz(last), a)
     last.x = 99.0
     about.call = f"{about.call}.x = 99.0"
-    about.cause = "last_acceleration returned the particle's own vector. Return a copy."
+    about.cause = (
+        "last_acceleration returned one of the particle's own vectors, so a change to the result "
+        "also changes the particle. Return a copy."
+    )
     expect_unchanged("p.acceleration", xyz(p.acceleration), a)
-    about.cause = "Return the acceleration of the last step, not of an earlier one."
+    about.cause = (
+        "The acceleration was changed before the last step. Return the acceleration that this last "
+        "step used, not the one of an earlier step."
+    )
     p.acceleration = Vector3(a[1], a[2], a[0])
     p.integrate(0.5)
-    about.call = f"p.acceleration = Vector3{(a[1], a[2], a[0])}; p.integrate(0.5); "
-    about.call += "p.last_acceleration"
+    about.call = (
+        f"p.acceleration = Vector3{(a[1], a[2], a[0])}; p.integrate(0.5); p.last_acceleration"
+    )
     got = xyz(p.last_acceleration)
     expect_close(got, (a[1], a[2], a[0]))
 
@@ -279,11 +331,16 @@ def test_the_step_kicks_once_after_the_position_has_moved(rng: Random) -> None:
     about.call = f"p.integrate({h}), where a subclass of Particle overrides kick: "
     about.read = "the docstring of integrate"
     kicks = probes.kicks_of_a_step(x, v, h)
-    about.cause = "integrate must call self.kick(duration) once, because the particle of chapter 5 "
-    about.cause += "adds forces in its own kick."
+    about.cause = (
+        "integrate must call self.kick(duration) exactly once. The particle of chapter 5 adds its "
+        "forces in its own kick, so its steps depend on this call."
+    )
     got = [duration for duration, _ in kicks]
     expect_exactly(got, [h], then="the durations of the kicks")
-    about.cause = "Call drift before kick, so that the position moves with the old velocity."
+    about.cause = (
+        "The position must have moved before the kick. Call drift first, so that the position "
+        "moves with the old velocity."
+    )
     wanted = tuple(x[i] + v[i] * h for i in range(3))
     expect_close(kicks[0][1], wanted, then="p.position when kick is called", tolerance=1e-13)
 
@@ -295,11 +352,19 @@ def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
     about.read = "the docstring of integrate"
     x, v, a = (1.0, 2.0, 3.0), (4.0, 5.0, 6.0), (7.0, 8.0, 9.0)
     for mass in (1.0, math.inf):
-        about.cause = "A duration must be positive and finite: use positive from arguments.py."
+        about.cause = (
+            "A duration must be positive and finite. Pass it to positive from arguments.py, which "
+            "raises the ValueError."
+        )
         if mass == math.inf:
-            about.cause = "Refuse an invalid duration before you test for an immovable particle."
-        about.call = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, {mass=}); "
-        about.call += f"p.integrate({duration})"
+            about.cause = (
+                "An invalid duration must raise an error even for an immovable particle. Check the "
+                "duration before you check the mass."
+            )
+        about.call = (
+            f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass={mass!r}); "
+            f"p.integrate({duration})"
+        )
         p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass)
         for _ in range(2):  # a duration remembered from the first attempt must not pass the second
             expect_error(
@@ -307,7 +372,10 @@ def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
                 ValueError,
                 allowed=lambda: Particle().integrate(0.5),
             )
-        about.cause = "Check the duration before you change anything."
+        about.cause = (
+            "The step was refused, but it had already changed the particle. Check the duration "
+            "before you change anything."
+        )
         expect_unchanged("p.position", xyz(p.position), x)
         expect_unchanged("p.velocity", xyz(p.velocity), v)
 
@@ -316,7 +384,9 @@ def test_a_step_takes_a_positive_and_finite_duration(duration: float) -> None:
 @pytest.mark.robust
 def test_text_is_no_duration() -> None:
     about.call = 'Particle().integrate("0.5")'
-    about.cause = "positive from arguments.py raises the TypeError for you."
+    about.cause = (
+        "positive from arguments.py raises this TypeError for you, so pass the duration to it."
+    )
     about.read = "the docstring of integrate"
     expect_error(
         lambda: Particle().integrate("0.5"), TypeError, allowed=lambda: Particle().integrate(0.5)

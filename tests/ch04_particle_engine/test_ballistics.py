@@ -38,47 +38,64 @@ def test_the_axes_of_aiming(rng: Random) -> None:
     speed = round(rng.uniform(2.0, 90.0), 3)
     about.read = "the docstring of aim"
     for azimuth, elevation, wanted, cause in (
-        (0.0, 0.0, (0.0, 0.0, speed), "If both angles are 0, the velocity points along Z."),
+        (0.0, 0.0, (0.0, 0.0, speed), "If both angles are 0, the velocity must point along Z."),
         (
             QUARTER,
             0.0,
             (speed, 0.0, 0.0),
-            "At an azimuth of a quarter turn, the velocity points along X.",
+            "If the azimuth is a quarter turn, the velocity must point along X.",
         ),
         (
             0.0,
             QUARTER,
             (0.0, speed, 0.0),
-            "At an elevation of a quarter turn, the velocity points straight up.",
+            "If the elevation is a quarter turn, the velocity must point straight up.",
         ),
-        (0.0, -QUARTER, (0.0, -speed, 0.0), "At a negative elevation, the velocity points down."),
+        (
+            0.0,
+            -QUARTER,
+            (0.0, -speed, 0.0),
+            "If the elevation is negative, the velocity must point down.",
+        ),
     ):
         about(f"aim({speed}, {azimuth}, {elevation})", cause=cause)
         got = xyz(ballistics.aim(speed, azimuth, elevation))
         small = math.radians(QUARTER)
-        degrees = "The angles are in radians already. Do not convert them with math.radians."
+        degrees = (
+            "The angles are already given in radians, so do not convert them with math.radians."
+        )
         mistakes = {
             (0.0, 0.0): [
-                ((speed, 0.0, 0.0), "The azimuth was measured from X. Measure it from Z."),
+                (
+                    (speed, 0.0, 0.0),
+                    "The azimuth was measured from X, but 0 must point along Z. "
+                    "Measure it from Z toward X.",
+                ),
                 (
                     (0.0, speed, 0.0),
-                    "The elevation was measured from the vertical. Measure it from the ground, so "
-                    "that an elevation of 0 is level.",
+                    "The elevation was measured from the vertical. Measure it from the ground "
+                    "instead, so that an elevation of 0 is level.",
                 ),
             ],
             (QUARTER, 0.0): [
                 (
                     (-speed, 0.0, 0.0),
-                    "The azimuth has the wrong sign. A positive azimuth points from Z toward X.",
+                    "The azimuth has the wrong sign. A positive azimuth must rotate the velocity "
+                    "from Z toward X.",
                 ),
                 ((speed * math.sin(small), 0.0, speed * math.cos(small)), degrees),
             ],
             (0.0, QUARTER): [
                 (
                     (0.0, speed, speed),
-                    "The speed along the ground must be speed x cos(elevation).",
+                    "The part of the velocity along the ground is too fast. Multiply the speed by "
+                    "cos(elevation) for this part.",
                 ),
-                ((0.0, -speed, 0.0), "The sign is wrong. A positive elevation points up."),
+                (
+                    (0.0, -speed, 0.0),
+                    "The Y component has the wrong sign, because a positive "
+                    "elevation must point up.",
+                ),
                 ((0.0, speed * math.sin(small), speed * math.cos(small)), degrees),
             ],
         }
@@ -92,9 +109,10 @@ def test_azimuth_and_elevation_together(rng: Random) -> None:
     speed = round(rng.uniform(2.0, 90.0), 3)
     azimuth, elevation = round(rng.uniform(0.4, 1.1), 3), round(rng.uniform(0.4, 1.1), 3)
     about.cause = (
-        "The vertical speed is speed x sin(elevation). The speed along the ground is speed "
+        "The vertical part of the velocity is speed x sin(elevation). The part along the ground is "
+        "speed x cos(elevation). Multiply the latter by sin(azimuth) for X and by cos(azimuth) for "
+        "Z."
     )
-    about.cause += "x cos(elevation), of which sin(azimuth) goes to X and cos(azimuth) to Z."
     about.read = "the docstring of aim"
     turned = ((-azimuth, elevation), (azimuth + math.pi, -elevation), (azimuth, elevation + 1.6))
     for a, e in ((azimuth, elevation), *turned):
@@ -109,7 +127,10 @@ def test_azimuth_and_elevation_together(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_speed_and_angles_are_finite(bad: float) -> None:
-    about.cause = "Check the arguments with not_negative and finite from arguments.py."
+    about.cause = (
+        "The speed must be finite and not negative, and both angles must be finite. Check them "
+        "with not_negative and finite from arguments.py."
+    )
     about.read = "the docstring of aim"
     for data in ((bad, 0.0, 0.0), (3.0, bad, 0.0), (3.0, 0.0, bad), (-3.0, 0.0, 0.0)):
         about.call = f"aim{data}"
@@ -128,37 +149,41 @@ def test_speed_and_angles_are_finite(bad: float) -> None:
 def test_a_shot_starts_as_its_type_says(name: str) -> None:
     mass, velocity, acceleration, damping = TABLE[name]
     about.call = f'r = BallisticRange(); r.fire("{name}"); r.shots'
-    about.cause = "Append one Shot of the given type to shots."
+    about.cause = "fire must append exactly one Shot of the given type to shots."
     about.read = "the docstring of fire; book 4.1.2"
     at = BallisticRange()
     at.fire(name)
     expect_exactly(types_of(at), (name,), then=", their types")
     shot = at.shots[0]
-    about.cause = "A shot that was just fired has age 0."
+    about.cause = "A shot that was just fired has not flown yet, so its age must be 0."
     expect_close(shot.age, 0.0, then="[0].age")
     p, own = shot.particle, f"{about.call}[0].particle"
-    about.cause = "Every shot must start at MUZZLE."
+    about.cause = "Every shot starts at MUZZLE, so place the new particle there."
     expect_close(xyz(p.position), (0.0, 1.5, 0.0), call=f"{own}.position")
     _, up, along = velocity
     speed = math.hypot(up, along)
     mistakes = [
         (
             (0.0, 0.0, speed),
-            "Without an elevation, the shot must keep the angle of its type's velocity.",
+            "No elevation was given here, so the shot must keep the angle of its type's velocity.",
         ),
         (
             (0.0, up * along / speed, along * along / speed),
-            "The speed is the length of the type's velocity, not only its Z component.",
+            "The speed of the shot is too low. Use the length of the type's velocity, not only "
+            "its Z component.",
         ),
     ]
-    unaimed = "Without angles, the shot must have the velocity of its type."
+    unaimed = "No angles were given here, so the shot must have the velocity of its type."
     about.cause = cause_of(xyz(p.velocity), mistakes, unaimed)
     expect_close(xyz(p.velocity), velocity, call=f"{own}.velocity")
-    about.cause = "Pass the acceleration of the type to the Particle."
+    about.cause = (
+        "The shot must accelerate as its type does. Pass the acceleration of the type to the "
+        "Particle."
+    )
     expect_close(xyz(p.acceleration), acceleration, call=f"{own}.acceleration")
-    about.cause = "Pass the mass of the type to the Particle."
+    about.cause = "The shot must have the mass of its type. Pass this mass to the Particle."
     expect_close(p.mass, mass, call=f"{own}.mass")
-    about.cause = "Pass the damping of the type to the Particle."
+    about.cause = "The shot must have the damping of its type. Pass this damping to the Particle."
     expect_close(p.damping, damping, call=f"{own}.damping")
 
 
@@ -169,13 +194,20 @@ def test_shots_stand_in_the_order_in_which_they_were_fired_and_have_nothing_in_c
     names = rng.sample(sorted(TABLE), 3)
     names.append(names[0])
     calls = "; ".join(f'r.fire("{name}")' for name in names)
-    about(f"r = BallisticRange(); {calls}; r.shots", cause="Append each new shot at the end.")
+    about(
+        f"r = BallisticRange(); {calls}; r.shots",
+        cause="Append each new shot at the end of the "
+        "list, so that the shots stay in the order in which they were fired.",
+    )
     about.read = "the docstring of BallisticRange"
     at = BallisticRange()
     for name in names:
         at.fire(name)
     expect_exactly(types_of(at), tuple(names), then=", their types")
-    about.cause = "Each shot needs its own particle, and each range needs its own list of shots."
+    about.cause = (
+        "Two shots or two ranges share an object. Create a new particle for each shot and a new "
+        "list of shots for each range."
+    )
     at.shots[0].particle.velocity.x = 99.0
     about.call = f"{about.call}[0].particle.velocity.x = 99.0; r.shots[3].particle.velocity.x"
     got = at.shots[3].particle.velocity.x
@@ -190,13 +222,18 @@ def test_an_azimuth_turns_the_shot_and_keeps_its_own_elevation(rng: Random) -> N
     about.read = "the docstring of fire"
     for name, up, along in (("artillery", 30.0, 40.0), ("pistol", 0.0, 35.0)):
         about.call = f'r.fire("{name}", azimuth={azimuth}); r.shots[-1].particle.velocity'
-        about.cause = "The azimuth rotates the type's velocity about Y. Its Y component does not "
-        about.cause += "change."
+        about.cause = (
+            "The azimuth rotates the type's velocity about the Y axis, so the Y component must not "
+            "change."
+        )
         at = BallisticRange()
         at.fire(name, azimuth=azimuth)
         wanted = (along * math.sin(azimuth), up, along * math.cos(azimuth))
         got = xyz(at.shots[-1].particle.velocity)
-        unaimed = "The result is the type's own velocity. Rotate it by the azimuth."
+        unaimed = (
+            "The result is the type's own velocity, so the azimuth had no effect. Rotate the "
+            "velocity by the azimuth."
+        )
         blame(got, [((0.0, up, along), unaimed)])
         expect_close(got, wanted, tolerance=ROUNDED)
 
@@ -205,21 +242,25 @@ def test_an_azimuth_turns_the_shot_and_keeps_its_own_elevation(rng: Random) -> N
 def test_an_elevation_takes_the_place_of_the_type_s_own(rng: Random) -> None:
     about.read = "the docstring of fire"
     for elevation in (round(rng.uniform(0.3, 1.2), 3), 0.0):
-        about.cause = "Aim the whole speed, 50 m/s, at the elevation instead of the type's own "
-        about.cause += "angle."
+        about.cause = (
+            "The elevation replaces the angle of the type, but the speed stays the same. Aim the "
+            "whole speed of 50 m/s at this elevation."
+        )
         if elevation == 0.0:
             about.cause = (
-                "An elevation of 0 means level. Test for None, because Python treats 0 as false "
-                "in an "
+                "An elevation of 0 is a valid angle and means level. Python treats 0 as false in "
+                "an if statement, so compare with None instead."
             )
-            about.cause += "if."
         about.call = f'r.fire("artillery", elevation={elevation}); r.shots[-1].particle.velocity'
         at = BallisticRange()
         at.fire("artillery", elevation=elevation)
         wanted = (0.0, 50.0 * math.sin(elevation), 50.0 * math.cos(elevation))
         got = xyz(at.shots[-1].particle.velocity)
         expect_close(got, wanted, tolerance=ROUNDED)
-        about.cause = "Aim only the velocity. Gravity always points down."
+        about.cause = (
+            "Only the velocity depends on the angles. Leave the acceleration unchanged, because "
+            "gravity always points down."
+        )
         about.call = (
             f'r.fire("artillery", elevation={elevation}); r.shots[-1].particle.acceleration'
         )
@@ -231,17 +272,22 @@ def test_an_elevation_takes_the_place_of_the_type_s_own(rng: Random) -> None:
 def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
     azimuth, elevation = round(rng.uniform(0.3, 1.2), 3), round(rng.uniform(0.3, 1.2), 3)
     about.call = f'r.fire("artillery", {azimuth}, {elevation}); r.shots[-1].particle.velocity'
-    about(cause="Pass both angles to aim.", read="the docstring of fire")
+    about(
+        cause="Both angles were given, so pass both of them to aim.", read="the docstring of fire"
+    )
     at = BallisticRange()
     at.fire("artillery", azimuth, elevation)
     level = 50.0 * math.cos(elevation)
     wanted = (level * math.sin(azimuth), 50.0 * math.sin(elevation), level * math.cos(azimuth))
     got = xyz(at.shots[-1].particle.velocity)
     mistakes = [
-        ((0.0, 50.0 * math.sin(elevation), level), "The azimuth was ignored. Pass it to aim."),
+        (
+            (0.0, 50.0 * math.sin(elevation), level),
+            "The azimuth was ignored. Pass it to aim together with the elevation.",
+        ),
         (
             (40.0 * math.sin(azimuth), 30.0, 40.0 * math.cos(azimuth)),
-            "The elevation was ignored. Pass it to aim.",
+            "The elevation was ignored. Pass it to aim together with the azimuth.",
         ),
     ]
     blame(got, mistakes)
@@ -251,7 +297,10 @@ def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
 @pytest.mark.exercise("B4.2")
 @pytest.mark.robust
 def test_what_cannot_be_fired_is_refused_and_nothing_flies() -> None:
-    about.cause = "Look up the type and check the angles before you add the shot."
+    about.cause = (
+        "A call that is refused must not add a shot. Look up the type and check the angles before "
+        "you change the list."
+    )
     about.read = "the docstring of fire"
     at = BallisticRange()
     for call, attempt in (

@@ -1,4 +1,4 @@
-"""States without steps: B4.8 for one particle, B4.9 for all sparks of a burst."""
+"""The state of a particle without steps, build task B4.8."""
 
 from __future__ import annotations
 
@@ -50,25 +50,35 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
         k = -math.log(damping)
         gone = -math.expm1(-k * time) / k
         wanted = (math.exp(-k * time), gone, (time - gone) / k)
-        about.cause = "kept = d^t, gone = (1 - d^t) / k and fallen = (t - gone) / k with k = -ln d."
+        about.cause = (
+            "Compute k = -ln d first. The factors are kept = d^t, gone = (1 - d^t) / k and fallen "
+            "= (t - gone) / k."
+        )
         got = closed_form.drag_factors(damping, time)
         size = max(1.0, *wanted)
-        undamped = "The damping was ignored. Compute k from it."
+        undamped = (
+            "The factors are those without drag, so the damping was ignored. Compute k = -ln d "
+            "from it."
+        )
         if damping == 0.9999:
             undamped = (
-                "A damping near 1 was treated as 1. Whether drag is negligible depends on k t, "
-                "not on the damping alone."
+                "This damping is near 1 and was treated as 1. Whether drag is negligible depends "
+                "on k t, and this product is large here because the time is long."
             )
         drag = 1.0 - damping
         powers = [(kept, (1.0 - kept) / drag) for kept in (damping**time, math.exp(-drag * time))]
         mistakes = [
             *(
-                ((kept, gone, (time - gone) / drag), "The result uses k = 1 - d. k is -ln d.")
+                (
+                    (kept, gone, (time - gone) / drag),
+                    "The result was computed with k = 1 - d, but the equation uses k = -ln d.",
+                )
                 for kept, gone in powers
             ),
             (
                 (wanted[0], wanted[1], time * time / 2.0),
-                "fallen is t^2 / 2 only without drag. With drag it is (t - gone) / k.",
+                "The factor fallen is t^2 / 2 only if there is no drag. With drag, compute it as "
+                "(t - gone) / k.",
             ),
             ((1.0, time, time * time / 2.0), undamped),
         ]
@@ -82,21 +92,33 @@ def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
     time = round(rng.uniform(1.0, 9.0), 3)
     about.read = FACTORS
     for damping, t, wanted, cause in (
-        (1.0, time, (1.0, time, time * time / 2.0), "Damping 1 gives k = 0: return 1, t, t^2 / 2."),
+        (
+            1.0,
+            time,
+            (1.0, time, time * time / 2.0),
+            "A damping of 1 gives k = 0, so you cannot "
+            "divide by k. Return the factors without drag, which are 1, t and t^2 / 2.",
+        ),
         (
             0.0,
             time,
             (0.0, 0.0, 0.0),
-            "A damping of 0 stops everything at once. Handle this case first, because ln 0 does "
-            "not exist.",
+            "A damping of 0 stops the motion at once, so all factors are 0. Handle this case "
+            "before you compute the logarithm, because ln 0 does not exist.",
         ),
         (
             0.5,
             0.0,
             (1.0, 0.0, 0.0),
-            "At time 0 nothing has changed, so the factors are 1, 0 and 0.",
+            "No time has passed yet, so nothing has changed. The factors must be 1, 0 and 0.",
         ),
-        (0.0, 0.0, (1.0, 0.0, 0.0), "At time 0 nothing has changed, whatever the damping is."),
+        (
+            0.0,
+            0.0,
+            (1.0, 0.0, 0.0),
+            "No time has passed yet, so nothing has changed, even with a "
+            "damping of 0. The factors must be 1, 0 and 0.",
+        ),
     ):
         about(f"kept, gone and fallen of drag_factors({damping}, {t})", cause=cause)
         got = closed_form.drag_factors(damping, t)
@@ -106,8 +128,10 @@ def test_the_ends_of_the_scale_of_damping(rng: Random) -> None:
 @pytest.mark.exercise("B4.8")
 @pytest.mark.parametrize("away", [1e-13, 1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2])
 def test_the_factors_hold_for_a_damping_next_to_1(away: float, rng: Random) -> None:
-    about.cause = "For small k t, 1 - d^t and t - gone subtract nearly equal numbers and lose "
-    about.cause += "digits. Use math.expm1 and a few terms of the series."
+    about.cause = (
+        "If k t is small, 1 - d^t and t - gone are differences of nearly equal numbers, so most of "
+        "their digits are lost. Use math.expm1 and the first few terms of the series instead."
+    )
     about.read = FACTORS
     # The formulas usually lose 1e-8 of short times. Long times show whether drag was ignored.
     for damping, most in itertools.product((1.0 - away, 1.0 + away), (2.0, 2.0, 9.0)):
@@ -122,7 +146,11 @@ def test_the_factors_hold_for_a_damping_next_to_1(away: float, rng: Random) -> N
 
 @pytest.mark.exercise("B4.8")
 def test_the_factors_hold_for_short_times(rng: Random) -> None:
-    about(cause="gone and fallen are not zero, even for a very short time.", read=FACTORS)
+    about(
+        cause="Even for a very short time, gone and fallen are not exactly 0. Check whether your "
+        "code rounds a small result or treats it as 0.",
+        read=FACTORS,
+    )
     damping = round(rng.uniform(0.3, 0.9), 3)
     for t in (1.0 / 60.0, 1e-6):
         about.call = f"kept, gone and fallen of drag_factors({damping}, {t})"
@@ -137,9 +165,9 @@ def test_the_factors_hold_for_short_times(rng: Random) -> None:
 @pytest.mark.exercise("B4.8")
 def test_the_flight_of_an_artillery_shell_ends_where_it_is_known_to() -> None:
     about.cause = (
-        "On each axis, v(t) = v kept + a gone and p(t) = p + v gone + a fallen. No time steps "
+        "On each axis, the velocity is v kept + a gone and the position is p + v gone + a fallen. "
+        "You do not need any time steps."
     )
-    about.cause += "are needed."
     about.read = STATE
     x, v, a = (0.0, 1.5, 0.0), (0.0, 30.0, 40.0), (0.0, -20.0, 0.0)
     for damping, time, reach in ((1.0, 3.0491933, 121.96773), (0.99, 3.0347583, 119.557788)):
@@ -155,7 +183,14 @@ def test_the_flight_of_an_artillery_shell_ends_where_it_is_known_to() -> None:
 def test_without_damping_it_is_the_parabola(rng: Random) -> None:
     x, v, a, t = components(rng), components(rng), components(rng), round(rng.uniform(2, 9), 3)
     words, p = particle_of(x, v, a, 1.0)
-    about(f"{words}; state_after(p, {t})", cause="p + v t + a t^2 / 2 and v + a t.", read=STATE)
+    about(
+        f"{words}; state_after(p, {t})",
+        cause="Without damping, the particle follows a "
+        "parabola. The position is p + v t + "
+        "a t^2 / 2, and the velocity is v + "
+        "a t.",
+        read=STATE,
+    )
     position, velocity = closed_form.state_after(p, t)
     wanted = tuple(x[i] + v[i] * t + a[i] * t * t / 2.0 for i in range(3))
     # The rounding errors of numbers up to 500.
@@ -173,14 +208,17 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
     words, p = particle_of(x, v, a, damping)
     about.call = f"{words}; state_after(p, {first}), and from there {second} s more"
     about.cause = (
-        "If you continue from the state at time a for b more seconds, you must reach the state at "
-        "time a + b."
+        "If you continue from the state at time a for another b seconds, you must reach the state "
+        "at time a + b."
     )
     about.read = STATE
     middle = closed_form.state_after(p, first)
     if xyz(p.position) != x or xyz(p.velocity) != v:
-        about.cause = "state_after moved the particle itself. Return new vectors."
-    undamped = "The velocity was not damped. Multiply v by kept."
+        about.cause = (
+            "state_after changed the particle itself. Compute the state in new vectors and return "
+            "them."
+        )
+    undamped = "The start velocity was not damped. Multiply v by kept."
     gone = (1.0 - damping**first) / -math.log(damping)
     gain = tuple(v[i] + a[i] * gone for i in range(3))
     blame(xyz(middle[1]), [(gain, undamped)])
@@ -190,7 +228,10 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
         got, wanted = xyz(later[i]), xyz(at_once[i])
         expect_close(got, wanted, then=f", [{i}]", tolerance=1e-11)
     about.call = f"{words}; state_after(p, {first})[1]"
-    about.cause = "The velocity must be the rate of change of the position, dp/dt."
+    about.cause = (
+        "The velocity must be the rate at which the position changes, dp/dt. Check that both use "
+        "the same three factors."
+    )
     step = 1e-4
     around = [closed_form.state_after(p, first + s)[0] for s in (-step, step)]
     low, high = (xyz(position) for position in around)
@@ -205,10 +246,9 @@ def test_the_step_comes_near_it_as_frames_get_short(rng: Random) -> None:
     damping, t = round(rng.uniform(0.3, 0.8), 3), 2.0
     words, p = particle_of(x, v, a, damping)
     about.cause = (
-        "The results of integrate must approach this state as the steps get shorter. Half the "
-        "step must "
+        "The steps of integrate must approach this state as they get shorter. With half the "
+        "duration of a step, the error must be half as large."
     )
-    about.cause += "give half the error."
     about(f"{words}; state_after(p, {t})", read=f"{STATE}; chapter 3's integrate")
     exact = [xyz(vector) for vector in closed_form.state_after(p, t)]
     for i, name in enumerate(("position", "velocity")):
@@ -216,7 +256,10 @@ def test_the_step_comes_near_it_as_frames_get_short(rng: Random) -> None:
         for frames in (2000, 4000):
             stepped = probes.stepped(x, v, a, damping, t / frames, frames)
             errors.append(math.dist(stepped[i], exact[i]))
-        about.call = f"{words}; error of the {name} after {t} s in 2000 frames over that in 4000"
+        about.call = (
+            f"{words}; the error of the {name} after {t} s with 2000 steps, divided by the error "
+            "with 4000 steps"
+        )
         # Each error is of the order of 10 / 2000, and the next order changes the ratio as little.
         ratio = errors[0] / max(errors[1], 1e-300)
         expect_close(ratio, 2.0, tolerance=0.02)
@@ -227,7 +270,7 @@ def test_the_particle_stays_as_it_is(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     words, p = particle_of(x, v, a, 0.5)
     about.call = f"{words}; position, velocity = state_after(p, t); position.x = velocity.x = 99"
-    about(cause="Return new vectors, and do not change the particle.", read=STATE)
+    about(cause="state_after must return new vectors and leave the particle unchanged.", read=STATE)
     for t in (2.0, 0.0):
         state = closed_form.state_after(p, t)
         state[0].x = state[1].x = 99.0
@@ -241,13 +284,20 @@ def test_an_immovable_particle_is_found_where_it_is(rng: Random) -> None:
     x, v, a = components(rng), components(rng), components(rng)
     words, p = particle_of(x, v, a, 0.5, mass=math.inf)
     about.call = f"{words}; p.mass = math.inf; position, velocity = state_after(p, 3)"
-    about(cause="An immovable particle has the same state at any time.", read=STATE)
+    about(
+        cause="An immovable particle does not move, so its position and velocity are the same at "
+        "any time.",
+        read=STATE,
+    )
     position, velocity = closed_form.state_after(p, 3.0)
     expect_close(xyz(position), x, then="; position")
     expect_close(xyz(velocity), v, then="; velocity")
     position.x = velocity.x = 99.0
     about.call += "; position.x = velocity.x = 99"
-    about.cause = "Return new vectors instead of the particle's own."
+    about.cause = (
+        "The result contains one of the particle's own vectors. Return copies, so that a change to "
+        "the result does not change the particle."
+    )
     expect_unchanged("p.position", xyz(p.position), x)
     expect_unchanged("p.velocity", xyz(p.velocity), v)
 
@@ -256,7 +306,10 @@ def test_an_immovable_particle_is_found_where_it_is(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [-0.5, math.inf, math.nan])
 def test_times_and_dampings_are_finite_and_not_negative(bad: float) -> None:
-    about.cause = "Check time and damping with not_negative from arguments.py."
+    about.cause = (
+        "The time and the damping must be finite and not negative. Check both with not_negative "
+        "from arguments.py."
+    )
     about.read = f"{FACTORS}, and of state_after"
     for call, attempt in (
         (f"drag_factors({bad}, 1)", lambda: closed_form.drag_factors(bad, 1.0)),
@@ -276,91 +329,4 @@ def test_times_and_dampings_are_finite_and_not_negative(bad: float) -> None:
                 closed_form.drag_factors(0.5, 0.0),
                 closed_form.state_after(Particle(), 0.0),
             ),
-        )
-
-
-# B4.9 All sparks of a burst at once
-
-BURST = "the docstring of burst_positions"
-
-
-@pytest.mark.exercise("B4.9")
-def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
-    start, a = number(rng), number(rng)
-    speeds = [number(rng) for _ in range(5)]
-    about.cause = "Return start + speed x gone + acceleration x fallen for each speed, in order."
-    about.read = BURST
-    t = round(rng.uniform(1.0, 3.0), 3)
-    about.call = f"burst_positions({start}, {speeds}, {a}, 1.0, {t})"
-    got = closed_form.burst_positions(start, speeds, a, 1.0, t)
-    wanted = [start + speed * t + a * t * t / 2.0 for speed in speeds]
-    mistakes = [
-        (
-            [number - start for number in wanted],
-            "The start position is missing. Add it to each result.",
-        ),
-        (
-            [start + speed * t for speed in speeds],
-            "The term acceleration x fallen is missing. Add it to each result.",
-        ),
-        (sorted(wanted), "The positions were sorted. Return them in the order of the speeds."),
-    ]
-    blame(got, mistakes)
-    expect_close(got, wanted, tolerance=1e-12)
-    given = probes.speeds_after(start, list(speeds), a, 0.5, t)
-    about.cause = "The list of speeds belongs to the caller. Do not change it."
-    expect_unchanged("the list of speeds", given, speeds)
-    about.cause = "Return start + speed x gone + acceleration x fallen for each speed, in order."
-    damping = round(rng.uniform(0.2, 0.8), 3)
-    k = -math.log(damping)
-    gone = -math.expm1(-k * t) / k
-    about.call = f"burst_positions({start}, {speeds}, {a}, {damping}, {t})"
-    got = closed_form.burst_positions(start, speeds, a, damping, t)
-    without = [start + speed * t + a * t * t / 2.0 for speed in speeds]
-    blame(got, [(without, "The damping was ignored. Use gone and fallen of drag_factors.")])
-    wanted = [start + speed * gone + a * (t - gone) / k for speed in speeds]
-    expect_close(got, wanted, tolerance=1e-11)
-
-
-@pytest.mark.exercise("B4.9")
-def test_the_factors_are_worked_out_once_for_all_sparks() -> None:
-    about.call = "burst_positions(1, [2.0] * 50, -10, 0.5, 1); calls of drag_factors"
-    about.cause = "The factors do not depend on the speed. Call drag_factors once, before the loop."
-    about.read = BURST
-    positions, calls = probes.calls_of_drag_factors(1.0, [2.0] * 50, -10.0, 0.5, 1.0)
-    expect_close(max(0, calls - 1), 0, then=" beyond one")
-    about.cause = "Return one position for each of the 50 speeds."
-    name = "len(burst_positions(1, [2.0] * 50, -10, 0.5, 1))"
-    expect_close(len(positions), 50, call=name)
-
-
-@pytest.mark.exercise("B4.9")
-def test_a_burst_begins_at_its_start_and_may_be_empty(rng: Random) -> None:
-    start = number(rng)
-    about(f"burst_positions({start}, [3.0, -4.0], -10.0, 0.5, 0.0)", read=BURST)
-    about.cause = "At time 0, every spark is at its start position."
-    got = closed_form.burst_positions(start, [3.0, -4.0], -10.0, 0.5, 0.0)
-    expect_close(got, [start, start])
-    about.call = f"len(burst_positions({start}, [], -10.0, 0.5, 1.0))"
-    about.cause = "If there are no speeds, return an empty list."
-    got = len(closed_form.burst_positions(start, [], -10.0, 0.5, 1.0))
-    expect_close(got, 0)
-
-
-@pytest.mark.exercise("B4.9")
-@pytest.mark.robust
-@pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
-def test_a_burst_starts_somewhere(bad: float) -> None:
-    about.cause = "Check start and acceleration with finite from arguments.py. drag_factors checks "
-    about.cause += "the rest."
-    about.read = BURST
-    good = (1.0, [2.0], -10.0, 0.5, 1.0)
-    empty = (1.0, [], -10.0, 0.5, 1.0)
-    for i, of in ((0, good), (2, good), (3, good), (4, good), (0, empty)):
-        data = (*of[:i], bad, *of[i + 1 :])
-        about.call = f"burst_positions{data}"
-        expect_error(
-            lambda data=data: closed_form.burst_positions(*data),
-            ValueError,
-            allowed=lambda: closed_form.burst_positions(*good),
         )

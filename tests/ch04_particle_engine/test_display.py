@@ -39,17 +39,22 @@ def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
     x, y = number(rng), round(rng.uniform(20.0, 30.0), 3)
     about.read = "the docstring of find_rocket"
     about.cause = (
-        "Return the rocket nearest to the click, which is not always the first one in the list."
+        "Several rockets are within reach here. Return the one nearest to the click, which is not "
+        "always the first one in the list."
     )
-    about.call = f"rockets at ({x} - 2, {y}), ({x} + 1, {y}) and ({x}, {y} + 1.5); "
-    about.call += f"find_rocket(display, {x}, {y})"
+    about.call = (
+        f"rockets at ({x} - 2, {y}), ({x} + 1, {y}) and ({x}, {y} + 1.5); find_rocket(display, "
+        f"{x}, {y})"
+    )
     found = display.find_rocket(game((1, x - 2, y), (3, x + 1, y), (1, x, y + 1.5)), x, y)
     expect_exactly(found is None, False, then=" is None")
     what = None if found is None else found.type
     expect_exactly(what, 3, then=", its type")
     for away, reached in ((2.4, True), (2.6, False)):
-        about.cause = "The distance in the X-Y plane, sqrt(dx^2 + dy^2), must be at most REACH = "
-        about.cause += "2.5 m."
+        about.cause = (
+            "A rocket is found if its distance in the X-Y plane, sqrt(dx^2 + dy^2), is at most "
+            "REACH, which is 2.5 m."
+        )
         place = (x + away * 0.6, y - away * 0.8)
         about.call = f"one rocket, {away} m from the click; find_rocket(display, {x}, {y}) is None"
         found = display.find_rocket(game((1, *place)), x, y)
@@ -58,7 +63,9 @@ def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
 
 @pytest.mark.exercise("P4.1")
 def test_a_rocket_at_exactly_the_reach_is_found() -> None:
-    about(cause="A rocket at a distance of exactly REACH is within reach.")
+    about(
+        cause="A rocket at a distance of exactly REACH is still within reach, so find it as well."
+    )
     about.read = "the docstring of find_rocket"
     for place in ((2.5, 20.0), (-1.5, 22.0)):
         about.call = f"one rocket at {place}; find_rocket(display, 0, 20) is None"
@@ -70,7 +77,10 @@ def test_a_rocket_at_exactly_the_reach_is_found() -> None:
 def test_what_lies_behind_on_the_screen_is_found_too(rng: Random) -> None:
     x, y = number(rng), round(rng.uniform(20.0, 30.0), 3)
     about.call = f"one rocket at ({x}, {y}, 40); find_rocket(display, {x}, {y}) is None"
-    about(cause="The screen shows only X and Y. Ignore z.", read="the docstring of find_rocket")
+    about(
+        cause="The screen shows only X and Y, so z must not affect the distance. Leave it out.",
+        read="the docstring of find_rocket",
+    )
     found = display.find_rocket(game((1, x, y), z=40.0), x, y)
     expect_exactly(found is None, False)
 
@@ -78,7 +88,10 @@ def test_what_lies_behind_on_the_screen_is_found_too(rng: Random) -> None:
 @pytest.mark.exercise("P4.1")
 def test_sparks_are_no_rockets() -> None:
     about.call = "a spark at (0, 20), a rocket at (2, 20); find_rocket(display, 0, 20), its type"
-    about.cause = "Sparks do not count. A rocket is a firework whose rule has payloads."
+    about.cause = (
+        "A spark must not be found, because it is not a rocket. A rocket is a firework whose rule "
+        "has payloads."
+    )
     about.read = "the docstring of find_rocket"
     found = display.find_rocket(game((2, 0.0, 20.0), (1, 2.0, 20.0)), 0.0, 20.0)
     what = found is not None and found.type
@@ -94,14 +107,15 @@ def test_a_rocket_without_a_fuse_is_past_saving() -> None:
     for age, cause in (
         (
             0.0,
-            "A rocket of age 0 bursts in the next update. Ignore it, because it could otherwise "
-            "be hit twice.",
+            "A rocket of age 0 bursts in the next update. Do not find it again, because otherwise "
+            "it could be hit twice.",
         ),
-        (-0.5, "A rocket whose age is 0 or less has no fuse left. Ignore it."),
+        (-0.5, "A rocket whose age is 0 or less has no fuse left, so it must not be found."),
     ):
         about.cause = cause
-        about.call = f"rockets at (0, 20) with the age {age} and at (2, 20); find_rocket(display, "
-        about.call += "0, 20)"
+        about.call = (
+            f"rockets at (0, 20) with the age {age} and at (2, 20); find_rocket(display, 0, 20)"
+        )
         a_game = game((1, 0.0, 20.0), (3, 2.0, 20.0))
         a_game.show.fireworks[0].age = age
         found = display.find_rocket(a_game, 0.0, 20.0)
@@ -114,21 +128,31 @@ def test_a_click_bursts_the_rocket_and_launches_another() -> None:
     about.call = "rockets of types 1 and 3 at (0, 20) and (9, 20); click(display, 9, 20)"
     about.read = "the docstring of click"
     a_game = game((1, 0.0, 20.0), (3, 9.0, 20.0))
-    about.cause = "A rocket was hit, so return True."
+    about.cause = "This click hit a rocket, so return True."
     hit = display.click(a_game, 9.0, 20.0)
     expect_exactly(hit, True)
-    about.cause = "Launch another rocket of the same type. The hit rocket still burns until the "
-    about.cause += "next update."
+    about.cause = (
+        "After a hit, launch another rocket of the same type. Do not remove the rocket that was "
+        "hit, because it burns until the next update."
+    )
     expect_exactly(types(a_game), [1, 3, 3], then="; types in the show")
-    about.cause = "Set the age of the hit rocket to 0, so that the show bursts it in its next "
-    about.cause += "update."
+    about.cause = (
+        "Set the age of the rocket that was hit to 0, so that the show bursts it in its next "
+        "update."
+    )
     ages = tuple(firework.age for firework in a_game.show.fireworks)
     expect_close(ages, (2.0, 0.0, 1.0), then="; ages")
     height = a_game.show.fireworks[2].particle.position.y
-    about.cause = "The new rocket must start on the ground. Use show.launch."
+    about.cause = (
+        "The new rocket must start on the ground. Launch it with show.launch, which places it "
+        "there."
+    )
     expect_close(height, 0.0, then="; height of the new one")
     a_game.show.update(0.001)
-    about.cause = "The hit rocket must burst in the next update and leave its payload of type 2."
+    about.cause = (
+        "The rocket that was hit must burst in the next update and leave its payload, which is one "
+        "firework of type 2."
+    )
     expect_exactly(types(a_game).count(2), 1, then="; show.update(0.001); how many of type 2")
 
 
@@ -136,9 +160,24 @@ def test_a_click_bursts_the_rocket_and_launches_another() -> None:
 def test_a_late_click_scores_more() -> None:
     about.read = "the docstring of click"
     for fuse, score, cause in (
-        (1.5, 1, "A hit with 1.5 s of fuse left scores 1. Read the fuse before you set it to 0."),
-        (0.4, 1, "A hit scores 3 only below LATE = 0.4 s of fuse. At exactly 0.4 s it scores 1."),
-        (0.39, 3, "A hit with less fuse than LATE scores 3. Read the fuse before you set it to 0."),
+        (
+            1.5,
+            1,
+            "A hit with 1.5 s of fuse left scores 1. Read the remaining fuse before you set "
+            "it to 0, because the score depends on it.",
+        ),
+        (
+            0.4,
+            1,
+            "A hit scores 3 only if less than LATE, which is 0.4 s, is left. At exactly 0.4 s "
+            "it scores 1.",
+        ),
+        (
+            0.39,
+            3,
+            "A hit with less fuse than LATE scores 3. Read the remaining fuse before you set "
+            "it to 0, because the score depends on it.",
+        ),
     ):
         about(f"a rocket at (0, 20) with {fuse} s of fuse; click(display, 0, 20); ", cause=cause)
         about.call += "display.score"
@@ -146,11 +185,13 @@ def test_a_late_click_scores_more() -> None:
         a_game.show.fireworks[0].age = fuse
         display.click(a_game, 0.0, 20.0)
         expect_exactly(a_game.score, score)
-        about.cause = "A hit does not count as a miss."
+        about.cause = "A click that hits a rocket is not a miss, so do not change misses."
         name = about.call.replace("display.score", "display.misses")
         expect_exactly(a_game.misses, 0, call=name)
     about.call = "two rockets; click(display, 0, 20); click(display, 9, 20); display.score"
-    about.cause = "Each hit must add to the score."
+    about.cause = (
+        "Each hit must add its points to the score, so do not replace the score of earlier hits."
+    )
     a_game = game((1, 0.0, 20.0), (3, 9.0, 20.0))
     display.click(a_game, 0.0, 20.0)
     display.click(a_game, 9.0, 20.0)
@@ -160,8 +201,10 @@ def test_a_late_click_scores_more() -> None:
 @pytest.mark.exercise("P4.1")
 def test_a_click_into_the_dark_is_a_miss() -> None:
     about.call = "a rocket at (0, 20); click(display, 30, 20)"
-    about.cause = "No rocket is within reach. Add 1 to misses, change nothing else and return "
-    about.cause += "False."
+    about.cause = (
+        "No rocket is within reach, so this click is a miss. Add 1 to misses, change nothing else "
+        "and return False."
+    )
     about.read = "the docstring of click"
     a_game = game((1, 0.0, 20.0))
     hit = display.click(a_game, 30.0, 20.0)
@@ -169,8 +212,11 @@ def test_a_click_into_the_dark_is_a_miss() -> None:
     counted = (a_game.misses, a_game.score)
     expect_exactly(counted, (1, 0), then="; misses and score")
     expect_exactly(types(a_game), [1], then="; types in the show")
-    about.call = "two rockets; click on one, beside, on the other, beside: misses and score"
-    about.cause = "Add each hit to score and each miss to misses."
+    about.call = "two rockets; four clicks, which hit, miss, hit and miss: misses and score"
+    about.cause = (
+        "Two of these clicks hit a rocket and two missed. Add the points of each hit to score, and "
+        "add 1 to misses for each miss."
+    )
     a_game = game((1, 0.0, 20.0), (3, 9.0, 20.0))
     for x in (0.0, 30.0, 9.0, 30.0):
         display.click(a_game, x, 20.0)
@@ -181,7 +227,10 @@ def test_a_click_into_the_dark_is_a_miss() -> None:
 @pytest.mark.exercise("P4.1")
 def test_a_click_in_a_full_show_counts_too() -> None:
     about.call = "a show of one slot, a rocket at (0, 20); click(display, 0, 20)"
-    about.cause = "A hit scores and bursts the rocket even if the show has no room for a new one."
+    about.cause = (
+        "A hit scores and bursts the rocket even if the show has no room for a new one. Do not "
+        "make the hit depend on whether a rocket could be launched."
+    )
     about.read = "the docstring of click"
     show = probes.show_of(RULES, 1, "keep_old", 1)
     show.light([(1, 1, Particle(Vector3(0.0, 20.0, 0.0)))])
@@ -199,25 +248,41 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
     about.read = "the docstring of is_over"
     rocket, spark = (1, 0.0, 20.0), (2, 0.0, 20.0)
     for lit, misses, over, cause in (
-        ((rocket,), 0, False, "A rocket still burns, so the game goes on."),
+        ((rocket,), 0, False, "One rocket still burns, so the game is not over."),
         (
             (rocket, spark),
             5,
             False,
-            "MISSES_ALLOWED is 5, so the fifth miss does not end the game.",
+            "MISSES_ALLOWED is 5, so the game continues after the fifth miss.",
         ),
-        ((rocket, spark), 6, True, "The sixth miss ends the game, even if a rocket still burns."),
-        ((spark, spark), 0, True, "Only sparks still burn. Without rockets, the game is over."),
-        ((), 0, True, "Nothing burns any more, so the game is over."),
+        (
+            (rocket, spark),
+            6,
+            True,
+            "The sixth miss ends the game, even if a rocket still burns, "
+            "because MISSES_ALLOWED is 5.",
+        ),
+        (
+            (spark, spark),
+            0,
+            True,
+            "Only sparks still burn, and they are not rockets. Without rockets, the game is over.",
+        ),
+        ((), 0, True, "There are no fireworks left, so the game is over."),
     ):
         about.cause = cause
-        about.call = f"fireworks of types {[type for type, *_ in lit]}, of which only 1 has a "
-        about.call += f"payload; {misses} misses; is_over(display)"
+        about.call = (
+            f"fireworks of types {[type for type, *_ in lit]}, of which only 1 has a payload; "
+            f"{misses} misses; is_over(display)"
+        )
         a_game = game(*lit)
         a_game.misses = misses
         expect_exactly(display.is_over(a_game), over)
     about.call = "one rocket, whose age is 0; is_over(display)"
-    about.cause = "A rocket counts until it has burst, even if its age is 0."
+    about.cause = (
+        "A rocket counts until it has burst, even if its age is already 0. Therefore the game is "
+        "not over yet."
+    )
     a_game = game(rocket)
     a_game.show.fireworks[0].age = 0.0
     expect_exactly(display.is_over(a_game), False)
@@ -226,7 +291,10 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
 @pytest.mark.exercise("P4.1")
 def test_a_click_after_the_end_does_nothing() -> None:
     about("a rocket at (0, 20), 6 misses; click(display, 0, 20)")
-    about.cause = "The game is over. Call is_over first, and do nothing if it returns True."
+    about.cause = (
+        "The game is over, so a click must not change anything. Call is_over first, and return "
+        "False at once if it is true."
+    )
     about.read = "the docstring of click"
     a_game = game((1, 0.0, 20.0))
     a_game.misses = 6
@@ -237,7 +305,10 @@ def test_a_click_after_the_end_does_nothing() -> None:
     expect_exactly(counted, (6, 0), then="; click(display, 30, 20); misses and score")
     expect_exactly(types(a_game), [1], then="; types in the show")
     about.call = "only a spark burns; click(display, 0, 20)"
-    about.cause = "The game is over without rockets, too. Call is_over instead of counting misses."
+    about.cause = (
+        "The game is also over when no rocket is left. Call is_over at the start of click instead "
+        "of only counting the misses."
+    )
     a_game = game((2, 0.0, 20.0))
     hit = display.click(a_game, 0.0, 20.0)
     expect_exactly(hit, False)

@@ -48,13 +48,29 @@ def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> No
             (0.0, 0.0, 100.0),
             4.0,
             False,
-            "At y = 0 the shot is on the ground. Only y < 0 is below it.",
+            "At y = 0 the shot is on the ground and not spent. Only y < 0 is below the ground.",
         ),
         ((0.0, -0.001, 100.0), 4.0, True, "This shot is below the ground, so it is spent."),
-        ((0.0, 1.5, 100.0), 5.0, False, "An age of 5 s is allowed. Only an older shot is spent."),
+        (
+            (0.0, 1.5, 100.0),
+            5.0,
+            False,
+            "A shot of exactly 5 s is not spent, because only a shot older than 5 s is.",
+        ),
         ((0.0, 1.5, 100.0), 5.001, True, "This shot is older than 5 s, so it is spent."),
-        ((0.0, 1.5, 150.0), 4.0, False, "The range ends at 200 m, not at 100 m (E-34)."),
-        ((0.0, 1.5, 200.0), 4.0, False, "z = 200 m is allowed. Only z > 200 m is beyond the end."),
+        (
+            (0.0, 1.5, 150.0),
+            4.0,
+            False,
+            "This shot is still on the range, which ends at 200 m and "
+            "not at 100 m (E-34), so it is not spent.",
+        ),
+        (
+            (0.0, 1.5, 200.0),
+            4.0,
+            False,
+            "At z = 200 m the shot is still on the range. Only z > 200 m is beyond its end.",
+        ),
         (
             (0.0, 1.5, 200.001),
             4.0,
@@ -65,12 +81,14 @@ def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> No
             (300.0, 300.0, -300.0),
             0.0,
             False,
-            "The range has no limit in x, no upper limit in y and no lower limit in z.",
+            "The range has no limit in x, no upper limit in y and no lower limit in z, so this "
+            "shot is not spent.",
         ),
     ):
         about.cause = cause
-        about.call = f'shot = Shot("pistol", Particle(Vector3{position})); shot.age = {age}; '
-        about.call += "is_spent(shot)"
+        about.call = (
+            f'shot = Shot("pistol", Particle(Vector3{position})); shot.age = {age}; is_spent(shot)'
+        )
         shot = ballistics.Shot("pistol", Particle(Vector3(*position)))
         shot.age = age
         got = ballistics.is_spent(shot)
@@ -81,7 +99,10 @@ def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> No
 def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
     h = round(rng.uniform(0.05, 0.2), 3)
     about.call = f'r.fire("pistol"); r.fire("artillery"); r.fire("pistol"); r.update({h}); r.shots'
-    about.cause = "Integrate the particle of each shot once, with the duration of the step."
+    about.cause = (
+        "An update is one step for every shot. Integrate each particle exactly once, with the "
+        "duration of the step."
+    )
     about.read = "the docstring of update"
     at = BallisticRange()
     at.fire("pistol")
@@ -94,10 +115,18 @@ def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
         wanted = (0.0, 1.5 + vy * h, vz * h)
         expect_close(got, wanted, then=f"[{i}].particle.position")
     mistakes = [
-        (1.0, "The age counts frames. Add the duration in seconds to the age."),
-        (0.0, "The age did not change. Add the duration to it."),
+        (
+            1.0,
+            "The age is the number of updates, but it should be a time in seconds. Add the "
+            "duration to the age.",
+        ),
+        (0.0, "The age did not change. Add the duration to it in every update."),
     ]
-    about.cause = cause_of(at.shots[1].age, mistakes, "Add the duration to the age in every frame.")
+    about.cause = cause_of(
+        at.shots[1].age,
+        mistakes,
+        "The age is the time since the shot was fired. Add the duration to it in every update.",
+    )
     expect_close(at.shots[1].age, h, then="[1].age")
 
 
@@ -112,7 +141,10 @@ def test_many_updates_follow_the_law_of_the_step(rng: Random) -> None:
         ("fireball", (0.0, 0.0, 10.0), 0.6, 0.9),
     ):
         about.call = f'r.fire("{name}"); r.update(1/60) {frames} times; r.shots[0].particle'
-        about.cause = "Make each step with a single call of integrate."
+        about.cause = (
+            "Make each step with a single call of integrate, so that the shot follows the step of "
+            "chapter 3."
+        )
         position, velocity = probes.shot_after(name, h, frames)
         axes = zip((0.0, 1.5, 0.0), speeds, (0.0, a, 0.0), strict=True)
         law = [by_the_law(p, v, a, damping, h, frames) for p, v, a in axes]
@@ -136,12 +168,24 @@ def test_shots_are_dropped_in_the_frame_that_ends_their_lifetime() -> None:
             "artillery",
             h,
             landed,
-            "Remove a shot in the frame in which it falls below y = 0: call is_spent after the "
-            "step.",
+            "Remove a shot in the same update in which it falls below y = 0. Call is_spent after "
+            "the step, not before it.",
         ),
-        ("laser", h, past, "Remove a shot in the frame in which it passes z = 200."),
+        (
+            "laser",
+            h,
+            past,
+            "Remove a shot in the same update in which it passes z = 200 m. Call "
+            "is_spent after the step, not before it.",
+        ),
         # 40 frames are exactly 5 s, and a shot of 5 s is not too old.
-        ("fireball", 1.0 / 8.0, 41, "Remove a shot in the frame in which its age exceeds 5 s."),
+        (
+            "fireball",
+            1.0 / 8.0,
+            41,
+            "Remove a shot in the same update in which its age exceeds 5 "
+            "s. Add the duration to the age before you call is_spent.",
+        ),
     ):
         about.cause = cause
         about.call = f'r.fire("{name}"); r.update({frame}) until r.shots is empty: how many updates'
@@ -153,8 +197,10 @@ def test_shots_are_dropped_in_the_frame_that_ends_their_lifetime() -> None:
 def test_neighbors_that_are_spent_together_are_dropped_together() -> None:
     names = ["laser", "laser", "fireball", "laser", "laser", "fireball"]
     about.call = f"fire {', '.join(names)}; r.update(0.5) 5 times; the types of r.shots after each"
-    about.cause = "If a loop removes an item from its own list, it skips the next item. "
-    about.cause += "Build a new list of the shots that stay."
+    about.cause = (
+        "Spent shots are still in the list. A loop that removes an item from its own list skips "
+        "the next item, so build a new list of the shots that stay."
+    )
     about.read = "the docstring of update"
     seen = probes.shots_over(names, 0.5, 5)
     flying = [", ".join(types) for types in seen]
@@ -171,15 +217,21 @@ def test_flight_time_and_range_come_close_to_the_closed_form_as_frames_get_short
     for h in (1.0 / 500.0, 1.0 / 1000.0):
         about.call = f'r.fire("artillery"); r.update({h}) until it lands: time in s and z in m'
         about.cause = (
-            "With 1000 steps per second, the error is only 0.001 s and 0.04 m. Does update make "
+            "With 1000 steps per second, the error should be only 0.001 s in the time and 0.04 m "
+            "in z. Check whether update calls integrate more than once for each shot."
         )
-        about.cause += "more than one call of integrate?"
         got = probes.landing("artillery", h)
         # The step ends a t h / 2 too high, 0.06 m for 1/500 s, which it falls in 0.002 s.
         expect_close(got, wanted, tolerance=2.0 * 50.0 * h)
         errors.append(got[0] - wanted[0])
-    about.call = "the same: error of the time with steps of 1/500 s divided by that with 1/1000 s"
-    about.cause = "The step is of first order, so half the duration gives half the error."
+    about.call = (
+        "the same call: the error of the time with steps of 1/500 s, divided by the error with "
+        "steps of 1/1000 s"
+    )
+    about.cause = (
+        "The method has first order, so half the duration of a step should give half the error. "
+        "Check that each update makes exactly one step."
+    )
     # The next order changes the ratio by h / t. The time is known to 5e-8 s of 1e-3 s.
     expect_close(errors[0] / errors[1], 2.0, tolerance=0.01)
 
@@ -188,7 +240,10 @@ def test_flight_time_and_range_come_close_to_the_closed_form_as_frames_get_short
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_frame_is_positive_and_finite_and_a_refused_one_moves_nothing(bad: float) -> None:
-    about.cause = "Check the duration first, even if there are no shots."
+    about.cause = (
+        "The duration must be positive and finite even if there are no shots. Check it before the "
+        "loop."
+    )
     about.read = "the docstring of update"
     empty, at = BallisticRange(), BallisticRange()
     at.fire("pistol")

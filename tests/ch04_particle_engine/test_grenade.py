@@ -43,25 +43,41 @@ def test_a_bounce_turns_half_of_the_fall_upwards(rng: Random) -> None:
         about.call = f"p = Particle(Vector3({x}, {y}, 3), Vector3({vx}, {vy}, {vz})); bounce(p)"
         p = Particle(Vector3(x, y, 3.0), Vector3(vx, vy, vz))
         grenade.bounce(p)
-        mirrored = "The grenade was placed as high above the ground as it was below. Set y to 0."
-        about.cause = "Below the ground, set y to 0 and leave x and z unchanged."
+        mirrored = (
+            "The grenade was placed as high above the ground as it had been below. Set y to 0 "
+            "instead."
+        )
+        about.cause = (
+            "A grenade below the ground must be moved back to its surface. Set y to 0 and leave x "
+            "and z unchanged."
+        )
         blame(xyz(p.position), [((x, -y, 3.0), mirrored)])
         expect_close(xyz(p.position), (x, 0.0, 3.0), then="; p.position")
-        about.cause = "Reverse the velocity along Y and keep BOUNCE = 0.5 of it. Along X and Z "
-        about.cause += "keep SLIDE = 0.8."
+        about.cause = (
+            "Reverse the velocity along Y and multiply it by BOUNCE, which is 0.5. Multiply the "
+            "velocity along X and Z by SLIDE, which is 0.8."
+        )
         wanted = (0.8 * vx, -0.5 * vy, 0.8 * vz)
-        all_of_it = "The vertical velocity was reversed without a loss. Multiply it by BOUNCE, 0.5."
+        all_of_it = (
+            "The vertical velocity was reversed, but the grenade did not slow down. Multiply it by "
+            "BOUNCE, which is 0.5."
+        )
         mistakes = [
             ((0.8 * vx, -vy, 0.8 * vz), all_of_it),
             (
                 (vx, -0.5 * vy, vz),
-                "The velocity along the ground did not change. Multiply it by SLIDE, 0.8.",
+                "The velocity along the ground did not change. Multiply it by SLIDE, which is 0.8.",
             ),
             (
                 (0.8 * vx, 0.5 * vy, 0.8 * vz),
-                "The grenade still falls. Reverse the sign of the velocity along Y.",
+                "The grenade still moves down after the bounce. Reverse the sign of its velocity "
+                "along Y.",
             ),
-            ((vx, vy, vz), "The velocity did not change, but a falling grenade must bounce."),
+            (
+                (vx, vy, vz),
+                "The velocity did not change, but a grenade that falls below the ground "
+                "must bounce.",
+            ),
         ]
         blame(xyz(p.velocity), mistakes)
         expect_close(xyz(p.velocity), wanted, then="; p.velocity")
@@ -70,7 +86,11 @@ def test_a_bounce_turns_half_of_the_fall_upwards(rng: Random) -> None:
 @pytest.mark.exercise("4.1")
 def test_what_is_not_below_the_ground_does_not_bounce(rng: Random) -> None:
     v = (number(rng), -round(rng.uniform(2.0, 9.0), 3), number(rng))
-    about(cause="Only a grenade with y < 0 is below the ground.", read="the docstring of bounce")
+    about(
+        cause="This grenade is not below the ground, so it must not bounce. Only a grenade with "
+        "y < 0 is below the ground.",
+        read="the docstring of bounce",
+    )
     for y in (0.0, round(rng.uniform(0.5, 9.0), 3)):
         about.call = f"p = Particle(Vector3(1, {y}, 3), Vector3{v}); bounce(p)"
         p = Particle(Vector3(1.0, y, 3.0), Vector3(*v))
@@ -79,7 +99,7 @@ def test_what_is_not_below_the_ground_does_not_bounce(rng: Random) -> None:
         expect_unchanged("p.position", now, (1.0, y, 3.0))
         expect_unchanged("p.velocity", xyz(p.velocity), v)
     about.call = f"p = Particle(Vector3(1, -1e-9, 3), Vector3{v}); bounce(p); p.position.y"
-    about.cause = "Even a grenade 1e-9 m below the ground must be moved back to y = 0."
+    about.cause = "Even a grenade that is only 1e-9 m below the ground must be moved back to y = 0."
     p = Particle(Vector3(1.0, -1e-9, 3.0), Vector3(*v))
     grenade.bounce(p)
     expect_close(p.position.y, 0.0, tolerance=0.0)
@@ -87,8 +107,10 @@ def test_what_is_not_below_the_ground_does_not_bounce(rng: Random) -> None:
 
 @pytest.mark.exercise("4.1")
 def test_what_rises_already_is_not_turned_round_again(rng: Random) -> None:
-    about.cause = "This grenade is already rising. Reverse only a velocity that points down, or "
-    about.cause += "you send the grenade back into the ground."
+    about.cause = (
+        "This grenade is not falling any more. Reverse the velocity only if it points down, "
+        "because otherwise you send the grenade back into the ground."
+    )
     about.read = "the docstring of bounce"
     for vy in (round(rng.uniform(2.0, 9.0), 3), 0.0):
         v = (number(rng), vy, number(rng))
@@ -104,24 +126,39 @@ def test_what_rises_already_is_not_turned_round_again(rng: Random) -> None:
 def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
     x, v, mass = components(rng), components(rng), round(rng.uniform(2.0, 9.0), 3)
     a, damping = components(rng), round(rng.uniform(0.1, 0.8), 3)
-    about.call = f"fragments(p), p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, {mass=}, "
-    about.call += f"{damping=})"
+    about.call = (
+        f"fragments(p), p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass={mass!r}, "
+        f"damping={damping!r})"
+    )
     about.read = "the docstring of fragments"
     pieces = probes.burst(x, v, mass, a, damping)
-    about.cause = "Return FRAGMENTS = 12 fragments."
+    about.cause = (
+        "A grenade bursts into FRAGMENTS pieces, which is 12. Return a list of this length."
+    )
     expect_exactly(len(pieces), 12, then=", how many")
     for piece in pieces:
-        about.cause = "Each fragment has a twelfth of the grenade's mass."
+        about.cause = (
+            "The fragments share the mass of the grenade equally, so each of them has a twelfth of "
+            "it."
+        )
         expect_close(piece[0], mass / 12.0, then=", a mass")
-        about.cause = "Each fragment has the grenade's position, acceleration and damping."
+        about.cause = (
+            "Each fragment must have the same position, acceleration and damping as the grenade."
+        )
         expect_close(piece[1], damping, then=", a damping")
         expect_close(piece[2:5], x, then=", a position")
         expect_close(piece[8:], a, then=", an acceleration")
-    about.cause = "The momenta must add up to m v, so the relative velocities must add up to 0."
+    about.cause = (
+        "The burst must not change the total momentum, which is m v. Therefore the velocities of "
+        "the fragments relative to the grenade must add up to 0."
+    )
     total = tuple(math.fsum(piece[0] * piece[axis] for piece in pieces) for axis in (5, 6, 7))
     wanted = tuple(mass * component for component in v)
     if max(abs(component) for component in total) < 1e-9:
-        about.cause = "Add the velocity of the grenade to that of each fragment."
+        about.cause = (
+            "The total momentum of the fragments is 0, so the motion of the grenade was lost. Add "
+            "its velocity to the velocity of each fragment."
+        )
     # The rounding errors of 12 numbers up to 25 x 9 / 12.
     expect_close(total, wanted, then=", momentum", tolerance=1e-11)
 
@@ -131,14 +168,24 @@ def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> No
     x, v = components(rng), components(rng)
     about(f"fragments(p), p = Particle(Vector3{x}, Vector3{v})", read="the docstring of fragments")
     relative = [tuple(piece[5 + i] - v[i] for i in range(3)) for piece in probes.burst(x, v, 1.0)]
-    about.cause = "FRAGMENT_SPEED is the length of the velocity relative to the grenade."
+    about.cause = (
+        "The speed of each fragment relative to the grenade must be FRAGMENT_SPEED. Check the "
+        "length of the velocity that you add to the velocity of the grenade."
+    )
     for velocity in relative:
         expect_close(
             math.hypot(*velocity), 15.0, then=", speed of a fragment relative to p", tolerance=1e-11
         )
-    expect_exactly(len(relative), 12, then=", how many", cause="Return 12 fragments.")
+    expect_exactly(
+        len(relative),
+        12,
+        then=", how many",
+        cause="A grenade bursts into 12 fragments, so return a list of this length.",
+    )
     pairs = [math.dist(a, b) for a, b in itertools.combinations(relative, 2)]
-    about.cause = "Two fragments fly in the same direction. Each fragment needs its own direction."
+    about.cause = (
+        "At least two fragments fly in the same direction. Give each fragment its own direction."
+    )
     near = sum(pair < 0.1 for pair in pairs)
     expect_exactly(near, 0, then=", how many pairs of velocities differ by less than 0.1 m/s")
 
@@ -147,7 +194,10 @@ def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> No
 def test_a_burst_leaves_the_grenade_as_it_was(rng: Random) -> None:
     x, v = components(rng), components(rng)
     about.call = f"p = Particle(Vector3{x}, Vector3{v}, mass=6); pieces = fragments(p)"
-    about.cause = "Each fragment must be a new particle with its own vectors."
+    about.cause = (
+        "Each fragment must be a new particle with its own vectors, so that a change to one "
+        "fragment does not affect the grenade or the others."
+    )
     about.read = "the docstring of fragments"
     p = Particle(Vector3(*x), Vector3(*v), mass=6.0)
     pieces = grenade.fragments(p)
@@ -164,29 +214,43 @@ def test_a_burst_leaves_the_grenade_as_it_was(rng: Random) -> None:
 def test_a_grenade_bounces_until_its_fuse_has_burnt() -> None:
     frames = BURST_FRAME - 1
     about.call = f'r.fire("grenade"); r.update(0.25) {frames} times; its height after each'
-    about.cause = "A grenade below the ground is not spent. Call bounce before is_spent."
+    about.cause = (
+        "A grenade that hits the ground must bounce, so it is not spent there. Call bounce before "
+        "is_spent."
+    )
     about.read = "the docstrings of update and grenade_after"
     heights = probes.heights_of("grenade", 0.25, frames)
     expect_exactly(len(heights), frames, then=", how many heights")
-    about.cause = "The grenade lands in frame 12, and bounce must put it back to y = 0. It must "
-    about.cause += "not burst before 4 s."
+    about.cause = (
+        "The grenade lands in step 12, and bounce must move it back to y = 0. It must not burst "
+        "before its fuse of 4 s has burnt."
+    )
     lowest = min(heights)
     # It lands in frame 12 and is put back to exactly 0.
     expect_close(lowest, 0.0, then=", the lowest", tolerance=ROUNDED)
     landed = heights.index(lowest)
-    about.cause = "After the bounce the grenade must rise again, with half of its speed."
+    about.cause = (
+        "The grenade must rise again after the bounce, at half of the speed with which it hit the "
+        "ground."
+    )
     risen = max(heights[landed:]) > 0.5
     expect_exactly(risen, True, then=", over 0.5 m after that")
 
 
 @pytest.mark.exercise("4.1")
 def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
-    about(cause="FUSE is 4 s. Before that time, there is one grenade.")
+    about(
+        cause="The fuse burns for 4 s, which is the value of FUSE. Before that time the grenade "
+        "must not burst."
+    )
     about.read = "the docstring of grenade_after"
     about.call, at = thrown(frames=BURST_FRAME - 1)
     types = tuple(shot.type for shot in at.shots)
     expect_exactly(types, ("grenade",), then=", their types")
-    about.cause = "At 4 s, replace the grenade by 12 shots of type fragment with age 0."
+    about.cause = (
+        "The age of the grenade has reached 4 s, so it must burst. Replace it by 12 shots of type "
+        "fragment with age 0."
+    )
     about.call, at = thrown(frames=BURST_FRAME)
     types = tuple(shot.type for shot in at.shots)
     expect_exactly(types, ("fragment",) * 12, then=", their types")
@@ -197,14 +261,18 @@ def test_a_grenade_bursts_when_its_age_has_reached_4_seconds() -> None:
 @pytest.mark.exercise("4.1")
 def test_other_shots_go_on_and_fragments_are_spent_like_them() -> None:
     about.read = "the docstrings of update and is_spent"
-    about.cause = "Only the grenade bursts. The fireball has no fuse and flies on."
+    about.cause = (
+        "Only the grenade bursts, because the fireball has no fuse and continues its flight."
+    )
     about.call, at = thrown(frames=BURST_FRAME, others=("fireball",))
     types = [shot.type for shot in at.shots]
-    about.cause += " The fragments take the place of their grenade in the list, before the "
-    about.cause += "fireball."
+    about.cause += (
+        " The fragments take the place of their grenade in the list, before the fireball."
+    )
     expect_exactly(types, ["fragment"] * 12 + ["fireball"], then=", their types in order")
     about.cause = (
-        "Fragments do not bounce. Remove them when they fall below the ground, like other shots."
+        "Fragments do not bounce, because only grenades do. Remove a fragment when it falls below "
+        "the ground, as you do with other shots."
     )
     about.call, at = thrown(frames=BURST_FRAME + 40)
     expect_exactly(len(at.shots), 0, then=", how many")
@@ -213,7 +281,10 @@ def test_other_shots_go_on_and_fragments_are_spent_like_them() -> None:
 @pytest.mark.exercise("4.1")
 def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
     about.call = 'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); grenade_after(shot)'
-    about.cause = "This grenade is beyond the end of the range. Call is_spent for grenades, too."
+    about.cause = (
+        "This grenade is beyond the end of the range, so it is spent. Call is_spent for grenades "
+        "as well."
+    )
     about.read = "the docstring of grenade_after"
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 201.0)))
     left = ballistics.grenade_after(shot)
@@ -221,7 +292,10 @@ def test_a_grenade_past_the_end_of_the_range_is_spent() -> None:
     about.call = (
         'shot = Shot("grenade", Particle(Vector3(0, 1, 9))); shot.age = 2; grenade_after(shot)'
     )
-    about.cause = "This grenade is still in flight. Return a list that contains only the grenade."
+    about.cause = (
+        "This grenade is still in flight and its fuse still burns. Return a list that contains "
+        "only the grenade itself."
+    )
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 9.0)))
     shot.age = 2.0
     left = [(each.type, each.age) for each in ballistics.grenade_after(shot)]
@@ -233,15 +307,21 @@ def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> N
     about.read = "the docstring of grenade_after"
     about.call = (
         'shot = Shot("grenade", Particle(Vector3(0, -0.5, 9), Vector3(0, -8, 5))); shot.age = 4; '
+        "grenade_after(shot)"
     )
-    about.call += "grenade_after(shot)"
     shot = ballistics.Shot("grenade", Particle(Vector3(0, -0.5, 9), Vector3(0.0, -8.0, 5.0)))
     shot.age = 4.0
     left = ballistics.grenade_after(shot)
-    about.cause = "Bounce first, so that the fragments start on the ground instead of below it."
+    about.cause = (
+        "This grenade is below the ground when its fuse runs out. Let it bounce first, so that the "
+        "fragments start on the ground."
+    )
     heights = [each.particle.position.y for each in left]
     expect_close(heights, [0.0] * 12, then=", heights", tolerance=0.0)
-    about.cause = "Bounce first: the grenade then moves at 4 m/s upward and 4 m/s along Z."
+    about.cause = (
+        "The fragments must inherit the velocity after the bounce, which is 4 m/s upward and 4 m/s "
+        "along Z. Call bounce before fragments."
+    )
     mean = [math.fsum(each.particle.velocity.y for each in left) / 12.0]
     mean.append(math.fsum(each.particle.velocity.z for each in left) / 12.0)
     expect_close(
@@ -250,8 +330,10 @@ def test_a_grenade_bounces_before_it_bursts_and_bursts_before_it_is_spent() -> N
     about.call = (
         'shot = Shot("grenade", Particle(Vector3(0, 1, 201))); shot.age = 6; grenade_after(shot)'
     )
-    about.cause = "A grenade whose fuse has run out bursts, wherever it is. Test the fuse before "
-    about.cause += "is_spent."
+    about.cause = (
+        "A grenade whose fuse has run out bursts, even beyond the end of the range. Check the fuse "
+        "before you call is_spent."
+    )
     shot = ballistics.Shot("grenade", Particle(Vector3(0.0, 1.0, 201.0)))
     shot.age = 6.0
     left = ballistics.grenade_after(shot)

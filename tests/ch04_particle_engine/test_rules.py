@@ -28,16 +28,22 @@ def test_rules_that_end_have_no_endless_types() -> None:
         {4: [], 3: [4], 2: [4], 1: [3, 2]},
     ):
         about.call = words(leaves)
-        about.cause = "Every chain of payloads here ends, so no type is endless. A type is endless "
-        about.cause += "only if the payloads that it leaves lead back to the type itself."
+        about.cause = (
+            "Every chain of payloads ends here, so no type is endless. A type is endless only if "
+            "the payloads that it leaves lead back to the type itself."
+        )
         got = probes.endless(leaves)
         if got == [*leaves]:
-            about.cause = "Your function returns every type. A type counts as reached only if a "
-            about.cause += "payload leads to it, so do not mark the type from which you start."
+            about.cause = (
+                "Your function returns every type. A type counts as reached only if a payload "
+                "leads to it, so do not mark the type from which you start."
+            )
         elif got == [1]:
-            about.cause = "Type 1 leads to type 4 in two ways, by 2 and by 3, but nothing leads "
-            about.cause += "back to 1. Reaching a type twice is not a ring. Compare each "
-            about.cause += "type with the one from which you started."
+            about.cause = (
+                "Type 1 leads to type 4 in two ways, through 2 and through 3, but nothing leads "
+                "back to 1. Reaching a type twice does not make a ring, so compare each type with "
+                "the one from which you started."
+            )
         expect_exactly(got, [])
 
 
@@ -45,7 +51,10 @@ def test_rules_that_end_have_no_endless_types() -> None:
 def test_a_type_that_leaves_its_own_is_endless(rng: Random) -> None:
     type = rng.randrange(2, 9)
     leaves = {1: [], type: [1, type]}
-    about(words(leaves), cause="The payload of this type contains the type itself.")
+    about(
+        words(leaves),
+        cause="One type has itself as its payload, so it leads back to itself and is endless.",
+    )
     about.read = "the docstring of endless_types"
     expect_exactly(probes.endless(leaves), [type])
 
@@ -55,21 +64,29 @@ def test_types_that_lead_round_in_a_ring_are_all_endless(rng: Random) -> None:
     about.read = "the docstring of endless_types"
     ring = rng.sample(range(1, 90), 40)
     for leaves, wanted, cause in (
-        ({2: [1], 1: [2]}, [1, 2], "1 leads to 2 and 2 to 1. Return both in ascending order."),
+        (
+            {2: [1], 1: [2]},
+            [1, 2],
+            "Type 1 leads to type 2, and type 2 leads back to type 1, so "
+            "both are endless. Return them in ascending order.",
+        ),
         (
             {9: [1], 1: [2, 3], 2: [3], 3: [1], 4: [9], 5: []},
             [1, 2, 3],
-            "9 and 4 lead into the ring, but nothing leads back to them. They are not endless.",
+            "Types 9 and 4 lead into the ring, but nothing leads from the ring back to them. "
+            "Therefore they are not endless.",
         ),
         (
             {1: [2], 2: [1], 3: [4], 4: [3], 5: [1, 3]},
             [1, 2, 3, 4],
-            "There are two rings here, and every type in them is endless.",
+            "There are two separate rings here. Every type in either of them leads back to "
+            "itself, so all four are endless.",
         ),
         (
             {type: [ring[(i + 1) % 40]] for i, type in enumerate(ring)},
             sorted(ring),
-            "Each of the 40 types leads back to itself through the others. Return them sorted.",
+            "Each of the 40 types leads back to itself through all the others, so all of them are "
+            "endless. Return them sorted.",
         ),
     ):
         about(words(leaves), cause=cause)
@@ -79,8 +96,10 @@ def test_types_that_lead_round_in_a_ring_are_all_endless(rng: Random) -> None:
 @pytest.mark.exercise("B4.7")
 def test_many_ways_to_the_same_types_are_not_followed_one_by_one() -> None:
     about.call = "endless_types(rules), 62 types, of which each leaves two of the next pair"
-    about.cause = "There are 2^30 paths through these rules. Keep a set of the types that you have "
-    about.cause += "reached, and do not visit a type again."
+    about.cause = (
+        "There are 2^30 paths through these rules, which is too many to follow one by one. Keep a "
+        "set of the types that you have already reached, and do not visit a type again."
+    )
     about.read = "the docstring of endless_types"
     leaves = {i: [i + 2 - i % 2, i + 3 - i % 2] for i in range(60)}
     leaves |= {60: [], 61: []}
@@ -94,14 +113,21 @@ READ = "the docstring of own_types; book 4.2.1"
 
 @pytest.mark.exercise("4.2")
 def test_your_types_are_10_and_11_and_one_leaves_something_behind() -> None:
-    about("own_types(), their types", cause="Return two rules, with types 10 and 11.", read=READ)
+    about(
+        "own_types(), their types",
+        cause="Return two rules, one for type 10 and one for type 11.",
+        read=READ,
+    )
     rules = probes.own_rules()
     numbers = sorted(rule[0] for rule in rules)
     expect_exactly(numbers, [10, 11])
-    about("own_types(), types of their payloads", cause="Give one of your types a payload.")
+    about(
+        "own_types(), types of their payloads",
+        cause="At least one of your two types must leave something behind. Give it a payload.",
+    )
     left = [type for rule in rules for type, _ in rule[-1]]
     expect_exactly(len(left) > 0, True, then=", any at all")
-    about.cause = "A payload needs a type that has a rule, which is a type from 1 to 11."
+    about.cause = "The type of each payload needs a rule. Use only types from 1 to 11."
     unknown = [type for type in left if not 1 <= type <= 11]
     expect_exactly(unknown, [], then=", others than 1 to 11")
 
@@ -110,8 +136,8 @@ def test_your_types_are_10_and_11_and_one_leaves_something_behind() -> None:
 def test_your_types_are_like_no_other() -> None:
     about.call = "own_types() and FIREWORK_TYPES: pairs of rules that differ only in their type"
     about.cause = (
-        "This rule is a copy of another one with a new type. Change its ages, velocities or "
-        "payloads."
+        "A rule is a copy of another one with a new type. Change its ages, velocities or payloads, "
+        "so that it behaves differently."
     )
     about.read = READ
     own, nine = probes.own_rules(), probes.nine_rules()
@@ -143,18 +169,25 @@ def test_your_types_burn_and_come_to_an_end() -> None:
     seed = 5
     about.read = READ
     about.call = "own_types(): the types that lead back to themselves by their payloads"
-    about.cause = "A type that leads back to itself never ends. Remove the payload that leads back."
+    about.cause = (
+        "A type that leads back to itself would burn forever. Remove the payload that leads back "
+        "to it."
+    )
     expect_exactly(own_endless_types(), [])
     for type in (10, 11):
-        about.call = f"own_types(), a show of all eleven with the seed {seed}; type {type} is lit "
-        about.call += "50 m up; show.update(0.05) 800 times; how many burn"
+        about.call = (
+            f"own_types(), a show of all eleven with the seed {seed}; type {type} is lit 50 m up; "
+            "show.update(0.05) 800 times; how many burn"
+        )
         counts = probes.own_show(type, seed, 0.05, 800)
-        about.cause = "Each of your types must burn for at least 0.1 s. Set min_age to 0.1 or more."
+        about.cause = (
+            "Each of your types must burn for at least 0.1 s. Set its min_age to 0.1 or more."
+        )
         (least,) = (rule[1] for rule in probes.own_rules() if rule[0] == type)
         expect_between(least, 0.1, math.inf, call=f"own_types(): min_age of type {type}")
         expect_between(counts[0], 1, math.inf, then=", after 0.05 s")
         about.cause = (
-            "After 40 s all fireworks must have burnt out, but some still burn. Shorten the fuses "
-            "(max_age)."
+            "All fireworks must have burnt out after 40 s, but some of them still burn. Shorten "
+            "the fuses by lowering max_age."
         )
         expect_exactly(counts[-1], 0, then=", after 40 s")

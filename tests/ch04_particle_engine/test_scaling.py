@@ -14,11 +14,19 @@ from expect import about, blame, cause_of, expect_close, expect_error
 
 @pytest.mark.exercise("B4.1")
 def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
-    about("muzzle_energy(0.005, 500)", cause="m v^2 / 2", read="book 4.1.1; errata.md")
+    about(
+        "muzzle_energy(0.005, 500)",
+        cause="The kinetic energy of the bullet is m v^2 / 2.",
+        read="book 4.1.1; errata.md",
+    )
     got = scaling.muzzle_energy(0.005, 500)
     mistakes = [
-        (1250.0, "The result is m v^2. The kinetic energy is half of that."),
-        (1.25, "The result is m v / 2. Square the speed."),
+        (
+            1250.0,
+            "The result is m v^2, so the factor 1/2 is missing. The kinetic energy is half of "
+            "this.",
+        ),
+        (1.25, "The result is m v / 2. Square the speed, because the kinetic energy is m v^2 / 2."),
     ]
     expect_close(got, 625.0, cause=cause_of(got, mistakes, about.cause))
     mass, speed = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 90.0), 3)
@@ -26,7 +34,8 @@ def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
     got = scaling.muzzle_energy(mass, speed)
     expect_close(got, 0.5 * mass * speed * speed)
     about(
-        f"muzzle_energy({mass}, 0)", cause=("A body at rest has no energy. A speed of 0 is valid.")
+        f"muzzle_energy({mass}, 0)",
+        cause=("A speed of 0 is valid. A body at rest has no kinetic energy, so return 0."),
     )
     expect_close(scaling.muzzle_energy(mass, 0), 0.0)
 
@@ -41,30 +50,31 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
     ):
         about.call = f"slowed_mass({mass}, {factor}); m v^2 / 2 with that and {500.0 / factor} m/s"
         about.cause = (
-            "The energy contains the square of the speed, so multiply the mass by the factor "
-            "squared."
+            "The energy contains the square of the speed. To keep it the same, multiply the mass "
+            "by the factor squared."
         )
         slow = scaling.slowed_mass(mass, factor)
         mistakes = [
             (
                 mass * factor,
                 (
-                    "The mass was multiplied by the factor, which keeps the momentum. To keep the "
-                    "energy, square the factor."
+                    "The mass was multiplied by the factor, which keeps the momentum the same. To "
+                    "keep the energy the same, multiply by the factor squared."
                 ),
             ),
             (
                 mass / factor**2,
                 (
-                    "The mass gets smaller. The factor is the real speed divided by the speed in "
-                    "the game, as in the book's text. Its footnote divides the other way (E-19)."
+                    "The mass gets smaller, but a slower shot needs a larger mass. The factor is "
+                    "the real speed divided by the speed in the game, as in the book's text. The "
+                    "footnote divides the other way (E-19)."
                 ),
             ),
             (
                 mass,
                 (
-                    "The mass stays the same, so the energy gets smaller. Multiply the mass by "
-                    "the factor squared."
+                    "The mass did not change, so the energy of the slower shot is too small. "
+                    "Multiply the mass by the factor squared."
                 ),
             ),
         ]
@@ -82,21 +92,26 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
         (9.81, 0.5),
         (0.0, 4.0),
     ):
-        about.call = f"slowed_gravity({gravity}, {factor}); g t^2 / 2 with that over 100 m at "
-        about.call += f"{500.0 / factor} m/s"
-        about.cause = "Gravity may be negative or 0. Refuse only a number that is not finite."
+        about.call = (
+            f"slowed_gravity({gravity}, {factor}); g t^2 / 2 with that over 100 m at "
+            f"{500.0 / factor} m/s"
+        )
+        about.cause = "Gravity may be negative or 0, so refuse only a number that is not finite."
         weak = scaling.slowed_gravity(gravity, factor)
         longer = (
-            "The same distance takes factor times as long, and the drop grows with the square of "
-            "the time. So divide gravity by factor^2."
+            "The shot takes factor times as long for the same distance, and its drop grows with "
+            "the square of the time. So divide gravity by factor^2."
         )
-        stronger = "Gravity must get weaker. Divide by factor^2."
+        stronger = "Gravity gets stronger, but it must get weaker."
         mistakes = [
-            (gravity / factor, f"The book divides by the factor only once (E-2). {longer}"),
+            (
+                gravity / factor,
+                f"Gravity was divided by the factor only once, as in the book (E-2). {longer}",
+            ),
             (gravity * factor, f"{stronger} {longer}"),
             (
                 gravity * factor**2,
-                f"{stronger} The footnote of the book uses the inverse factor (E-19). {longer}",
+                f"{stronger} The book's footnote uses the inverse of the factor (E-19). {longer}",
             ),
         ]
         about.cause = cause_of(weak, mistakes, longer)
@@ -108,7 +123,10 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -2.0, math.inf, math.nan])
 def test_masses_and_factors_are_positive_and_finite(bad: float) -> None:
-    about.cause = "Refuse it with positive from arguments.py."
+    about.cause = (
+        "The masses and the factors must be positive and finite. Check them with positive from "
+        "arguments.py, which raises the ValueError."
+    )
     about.read = "the docstrings in scaling.py"
     for name, data, good in (
         ("muzzle_energy", (bad, 3.0), (2.0, 3.0)),
@@ -129,7 +147,10 @@ def test_masses_and_factors_are_positive_and_finite(bad: float) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_speed_and_gravity_are_finite(bad: float) -> None:
-    about.cause = "Refuse it with finite and not_negative from arguments.py."
+    about.cause = (
+        "The speed must be finite and not negative, and gravity must be finite. Check them with "
+        "not_negative and finite from arguments.py."
+    )
     about.read = "the docstrings in scaling.py"
     for call, attempt in (
         (f"muzzle_energy(2, {bad})", lambda: scaling.muzzle_energy(2.0, bad)),
@@ -147,8 +168,11 @@ def test_speed_and_gravity_are_finite(bad: float) -> None:
 @pytest.mark.exercise("B4.1")
 @pytest.mark.robust
 def test_text_is_no_number() -> None:
-    about.cause = "positive, not_negative and finite from arguments.py raise the TypeError."
-    about.read = "the first lines of scaling.py"
+    about.cause = (
+        "positive, not_negative and finite from arguments.py raise this TypeError for you, so pass "
+        "the arguments to them."
+    )
+    about.read = "the docstring in scaling.py"
     text: Any = "2"
     for call, attempt in (
         ('muzzle_energy("2", 3)', lambda: scaling.muzzle_energy(text, 3.0)),

@@ -23,20 +23,28 @@ def test_the_angle_grows_by_the_rate(rng: Random) -> None:
     for turning in (rate, -rate):
         about.call = f"screen_angle({start}, {turning}, 2.5)"
         about.cause = (
-            "The result is start + rate x time, reduced to the range from -pi to pi. A backward "
-            "rotation makes it negative."
+            "The angle is start + rate x time, reduced to the range from -pi to pi. A backward "
+            "rotation has a negative rate and can make the angle negative."
         )
         got = screen_rotation.screen_angle(start, turning, 2.5)
         angle = start + 2.5 * turning
         mistakes = [
-            (2.5 * turning, "The start is missing. Add start to rate x time."),
+            (2.5 * turning, "The start angle is missing. Add start to rate x time."),
             (
                 angle + 2.0 * math.pi,
-                "The result is in the range from 0 to 2 pi. It must be in the range from -pi to "
-                "pi.",
+                "The angle was reduced to the range from 0 to 2 pi, but it must be between -pi "
+                "and pi. Subtract 2 pi if it is above pi.",
             ),
-            (angle + math.pi, "Half a turn was added. Remove only whole turns of 2 pi."),
-            (angle - math.pi, "Half a turn was subtracted. Remove only whole turns of 2 pi."),
+            (
+                angle + math.pi,
+                "The angle is half a turn too large. Add or subtract only whole "
+                "turns, which are multiples of 2 pi.",
+            ),
+            (
+                angle - math.pi,
+                "The angle is half a turn too small. Add or subtract only whole "
+                "turns, which are multiples of 2 pi.",
+            ),
         ]
         blame(got, mistakes)
         expect_close(got, start + 2.5 * turning, tolerance=1e-14)
@@ -50,15 +58,22 @@ def test_whole_turns_are_left_out(rng: Random) -> None:
     for angle in (way * (turns * 2.0 * math.pi + part) for way in (1.0, -1.0) for part in beyond):
         rate = round((angle - 0.5) / 20.0, 3)
         about.call = f"screen_angle(0.5, {rate}, 20)"
-        about.cause = "The result is outside the range from -pi to pi. Remove whole turns of 2 pi."
+        about.cause = (
+            "The angle must be between -pi and pi. Remove whole turns of 2 pi until it is in this "
+            "range."
+        )
         got = screen_rotation.screen_angle(0.5, rate, 20.0)
         angle, turn = 0.5 + 20.0 * rate, 2.0 * math.pi
         mistakes = [
-            (angle, "The result is start + rate x time. Remove the whole turns of 2 pi from it."),
+            (
+                angle,
+                "The result is start + rate x time, which is outside the range from -pi to pi. "
+                "Remove the whole turns of 2 pi from it.",
+            ),
             (
                 math.fmod(angle, turn),
-                "The result is more than half a turn. Removing whole turns left a result between "
-                "-2 pi and 2 pi. Remove one more turn to bring it into the range from -pi to pi.",
+                "The result is between -2 pi and 2 pi, but still more than half a turn. Add or "
+                "subtract one more turn to bring it into the range from -pi to pi.",
             ),
             (
                 angle % turn,
@@ -69,7 +84,8 @@ def test_whole_turns_are_left_out(rng: Random) -> None:
         blame(got, mistakes)
         expect_between(got, -math.pi, math.pi, tolerance=1e-9)
         about.cause = (
-            "Remove only whole turns, so that the direction stays that of start + rate x time."
+            "The angle must point in the same direction as start + rate x time. Remove only whole "
+            "turns of 2 pi, because they do not change the direction."
         )
         direction = (math.cos(got), math.sin(got))
         wanted = (math.cos(angle), math.sin(angle))
@@ -79,7 +95,10 @@ def test_whole_turns_are_left_out(rng: Random) -> None:
 @pytest.mark.exercise("G4.1")
 def test_angles_just_beyond_half_a_turn() -> None:
     about(
-        cause=("More than half a turn in one direction is less than half a turn in the other."),
+        cause=(
+            "A rotation by more than half a turn in one direction is the same as one by less "
+            "than half a turn in the other direction. Return the shorter one."
+        ),
         read=ANGLE,
     )
     turn = 2.0 * math.pi
@@ -107,10 +126,14 @@ def test_the_corners_of_a_square(rng: Random) -> None:
         (
             0.0,
             "The first corner is half a side to the right of the center and half a side above it. "
-            "Continue in the direction from X toward Y.",
+            "List the other corners in the direction from X toward Y.",
         ),
-        (math.pi / 2.0, "After a quarter turn, each corner is where the next one was."),
-        (angle, "Rotate each corner about the center: (a cos t - b sin t, a sin t + b cos t)."),
+        (math.pi / 2.0, "After a quarter turn, each corner must be where the next one was before."),
+        (
+            angle,
+            "Rotate each corner about the center by the angle t. A corner at (a, b) relative "
+            "to the center moves to (a cos t - b sin t, a sin t + b cos t).",
+        ),
     ):
         about(f"screen_corners(({x}, {y}), {size}, {turned})", cause=cause)
         corners = screen_rotation.screen_corners((x, y), size, turned)
@@ -125,15 +148,18 @@ def test_the_corners_of_a_square(rng: Random) -> None:
         mistakes = [
             (
                 doubled,
-                "size is the length of a whole side. Use half of it on each side of the center.",
+                "The square is twice as large as it should be, because size is the length of a "
+                "whole side. Each corner is only half of it away from the center in x and in y.",
             ),
             (
                 [n - c for n, c in zip(wanted, center, strict=True)],
-                "The center is missing. Add it to each corner.",
+                "The corners are given relative to the center. Add the coordinates of the center "
+                "to each of them.",
             ),
             (
                 [*wanted[:2], *wanted[6:], *wanted[4:6], *wanted[2:4]],
-                "The corners are in the opposite order. Go from X toward Y.",
+                "The corners are listed in the opposite order. List them in the direction from X "
+                "toward Y.",
             ),
         ]
         blame(got, mistakes)
@@ -144,7 +170,10 @@ def test_the_corners_of_a_square(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_what_is_drawn_is_finite(bad: float) -> None:
-    about.cause = "Refuse it with finite and positive from arguments.py."
+    about.cause = (
+        "The coordinates and angles must be finite, and the size must be positive. Check them with "
+        "finite and positive from arguments.py."
+    )
     about.read = f"{ANGLE}, and of screen_corners"
     for call, attempt in (
         (f"screen_angle({bad}, 1, 1)", lambda: screen_rotation.screen_angle(bad, 1.0, 1.0)),

@@ -48,9 +48,13 @@ def types(a_show: Any) -> list[int]:
 @pytest.mark.exercise("B4.6")
 def test_every_firework_moves_by_a_step_and_its_fuse_gets_shorter(rng: Random) -> None:
     h, v = round(rng.uniform(0.1, 0.4), 3), components(rng)
-    about.call = f"two fireworks at (0, 20, 0) with the velocity {v} and 3 s of fuse; "
-    about.call += f"show.update({h})"
-    about.cause = "Integrate each particle once: p + v h, and then the velocity with gravity."
+    about.call = (
+        f"two fireworks at (0, 20, 0) with the velocity {v} and 3 s of fuse; show.update({h})"
+    )
+    about.cause = (
+        "An update is one step for every firework. Integrate each particle exactly once, which "
+        "moves it by v h and then adds gravity to its velocity."
+    )
     a_show = show_with([fixed(1, 3.0, v)], [(1, 2, at((0.0, 20.0, 0.0)))])
     a_show.update(h)
     expect_exactly(len(a_show.fireworks), 2, then=", how many", read=READ)
@@ -61,15 +65,20 @@ def test_every_firework_moves_by_a_step_and_its_fuse_gets_shorter(rng: Random) -
         got = xyz(firework.particle.velocity)
         wanted = (v[0], v[1] - 9.81 * h, v[2])
         expect_close(got, wanted, then=", a velocity", read=READ, tolerance=1e-13)
-        about.cause = "The age is the fuse that is left. Subtract the duration from it."
+        about.cause = (
+            "The age of a firework is the fuse that is left. Subtract the duration of the step "
+            "from it."
+        )
         age = firework.age
         expect_close(age, 3.0 - h, then=", an age", read=READ, tolerance=1e-13)
 
 
 @pytest.mark.exercise("B4.6")
 def test_a_firework_burns_out_when_its_age_is_below_0() -> None:
-    about.call = "0.5 s of fuse; show.update(0.125) 4 times and once more; how many burn after each"
-    about.cause = "At an age of 0 a firework still burns. Below 0 it has burnt out."
+    about.call = (
+        "a firework with 0.5 s of fuse; show.update(0.125) 5 times; how many burn after each update"
+    )
+    about.cause = "A firework of age 0 still burns. It has burnt out only when its age is below 0."
     seen = probes.sparks([fixed(1, 0.5)], [1], 9, "keep_old", 1, 0.125, 5)
     counts = [len(types) for types in seen]
     expect_exactly(counts, [1, 1, 1, 1, 0], read=READ)
@@ -81,37 +90,42 @@ def why_no_payload() -> str:
     high.update(0.0625)
     if types(high) == []:
         return (
-            "The payload is lost, even that of a firework that burns out high above the ground. "
-            "First collect the fireworks that still burn, and then light the payloads after them."
+            "The payload was lost, even when a firework burnt out high above the ground. First "
+            "collect the fireworks that still burn, and then light the payloads after them."
         )
     fast = fixed(2, 9.0, (0.0, 90.0, 0.0))
     low = show_with([fixed(1, 9.0, STILL, (2, 3)), fast], [(1, 1, at((0.0, -0.001, 0.0)))])
     low.update(0.001)
     if types(low) == [2, 2, 2]:
         return (
-            "The payload was lit, but it moved in the same step and burnt out below the ground. "
-            "Light payloads after all have moved, so that they move from the next step on."
+            "The payload was lit, but it was moved in the same step and burnt out below the "
+            "ground. Light the payloads after all fireworks have moved, so that they start to move "
+            "in the next step."
         )
     return (
-        "The firework below the ground is gone, but its payload was not lit. Light it as if the "
-        "fuse had run out."
+        "The firework below the ground is gone, but its payload was not lit. Light it in the same "
+        "way as when the fuse has run out."
     )
 
 
 @pytest.mark.exercise("B4.6")
 def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() -> None:
-    start = "a firework at (1, 0.5, 2) falling with 8 m/s, 9 s of fuse, payload (2, 3); "
-    start += "show.update(0.0625)"
+    start = (
+        "a firework at (1, 0.5, 2) falling with 8 m/s, 9 s of fuse, payload (2, 3); "
+        "show.update(0.0625)"
+    )
     about.call = f"{start}, to y = 0; show.update(0.001), to y < 0"
     about.cause = (
-        "A firework below the ground (y < 0) has burnt out, however much fuse is left, and its "
-        "payload is lit."
+        "A firework below the ground (y < 0) has burnt out, however much fuse is left. Remove it "
+        "and light its payload."
     )
     rules = [fixed(1, 9.0, (0.0, -8.0, 0.0), (2, 3)), fixed(2, 9.0)]
     a_show = show_with(rules, [(1, 1, at((1.0, 0.5, 2.0)))])
     a_show.update(0.0625)
     name = f"{start}, to y = 0; types"
-    on_ground = "At y = 0 the firework is on the ground. Only y < 0 is below it."
+    on_ground = (
+        "At y = 0 the firework is on the ground and still burns. Only y < 0 is below the ground."
+    )
     expect_exactly(types(a_show), [1], call=name, cause=on_ground, read=READ)
     a_show.update(0.001)
     left = types(a_show)
@@ -119,25 +133,25 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
         about.cause = why_no_payload()
     if left == [1]:
         about.cause = (
-            "The firework still burns, although it is below the ground. y < 0 puts it out, however "
-            "much fuse is left."
+            "The firework still burns, although it is below the ground. A firework with y < 0 has "
+            "burnt out, however much fuse is left."
         )
     if left == [2]:
         about.cause = (
-            "A payload (2, 3) means three fireworks of type 2. Light it as one birth with a count "
-            "of 3."
+            "The payload (2, 3) means three fireworks of type 2. Light it as one birth with a "
+            "count of 3."
         )
     expect_exactly(left, [2, 2, 2], then="; types", read=READ)
     about.cause = (
-        "The payload starts at the position of the burnt-out firework, even if this position is "
-        "below the ground."
+        "The payload must start at the position of the firework that has burnt out, even if this "
+        "position is below the ground."
     )
     height = a_show.fireworks[0].particle.position.y
     wanted = (-8.0 - 9.81 * 0.0625) * 0.001
     if height == 0.0:
         about.cause = (
-            "The payload starts on the ground, as if it had no parent. Pass the burnt-out "
-            "particle as the parent."
+            "The payload starts on the ground, so perhaps it had no parent. Pass the particle of "
+            "the firework that has burnt out as its parent."
         )
     expect_close(height, wanted, then="; the height of the first", read=READ)
 
@@ -145,29 +159,32 @@ def test_a_firework_burns_out_below_the_ground_and_leaves_its_payload_there() ->
 @pytest.mark.exercise("B4.6")
 def test_the_payload_starts_where_the_burnt_out_one_is_with_its_velocity(rng: Random) -> None:
     v, own = components(rng), components(rng)
-    about.call = f"one at (0, 20, 0) with velocity {v} and 0.1 s of fuse, payload (2, 2) with "
-    about.call += f"{own} of its own; show.update(0.25)"
+    about.call = (
+        f"a firework at (0, 20, 0) with velocity {v} and 0.1 s of fuse, whose payload (2, 2) has "
+        f"the velocity {own} of its own; show.update(0.25)"
+    )
     a_show = show_with([fixed(1, 0.1, v, (2, 2)), fixed(2, 1.5, own)], [(1, 1, at((0, 20, 0)))])
     a_show.update(0.25)
-    about.cause = "A payload with a count of two lights two fireworks."
+    about.cause = "The payload has a count of 2, so light two fireworks."
     expect_exactly(types(a_show), [2, 2], then=", types", read=READ)
     for firework in a_show.fireworks:
         about.cause = (
-            "The payload starts at the position after the last step, and moves from the next step "
-            "on."
+            "The payload must start where the firework was after its last step. It begins to move "
+            "in the next step, so light it after all fireworks have moved."
         )
         wanted = (v[0] * 0.25, 20.0 + v[1] * 0.25, v[2] * 0.25)
         got = xyz(firework.particle.position)
         expect_close(got, wanted, then=", a position", read=READ, tolerance=1e-13)
         about.cause = (
-            "The payload's velocity is its own plus that of the burnt-out firework, including "
-            "gravity."
+            "The payload inherits the motion of the firework that has burnt out. Its velocity is "
+            "its own plus that firework's velocity after the step, which includes gravity."
         )
         wanted = (v[0] + own[0], v[1] - 9.81 * 0.25 + own[1], v[2] + own[2])
         got = xyz(firework.particle.velocity)
         expect_close(got, wanted, then=", a velocity", read=READ, tolerance=1e-13)
         about.cause = (
-            "The payload's fuse is still whole, because the fuse burns from the next step on."
+            "The fuse of the payload must still be whole, because it starts to burn in the next "
+            "step. Light payloads after you have shortened all fuses."
         )
         expect_close(firework.age, 1.5, then=", an age", read=READ)
 
@@ -175,10 +192,12 @@ def test_the_payload_starts_where_the_burnt_out_one_is_with_its_velocity(rng: Ra
 @pytest.mark.exercise("B4.6")
 def test_neighbors_that_burn_out_together_are_all_removed() -> None:
     rules = [fixed(1, 0.1), fixed(2, 5.0)]
-    about.call = "types 1 1 2 1 1 2 1, type 1 with 0.1 s of fuse; show.update(0.25)"
+    about.call = (
+        "fireworks of types 1 1 2 1 1 2 1, those of type 1 with 0.1 s of fuse; show.update(0.25)"
+    )
     about.cause = (
-        "If a loop removes an item from its own list, it skips the next item. Build a new list of "
-        "those that still burn."
+        "Fireworks that have burnt out are still in the list. A loop that removes an item from its "
+        "own list skips the next item, so build a new list of the fireworks that still burn."
     )
     a_show = show_with(
         rules, [(1, 2, None), (2, 1, None), (1, 2, None), (2, 1, None), (1, 1, None)]
@@ -186,7 +205,10 @@ def test_neighbors_that_burn_out_together_are_all_removed() -> None:
     a_show.update(0.25)
     expect_exactly(types(a_show), [2, 2], then="; types", read=READ)
     ages = [firework.age for firework in a_show.fireworks]
-    about.cause = "Each firework must move exactly once per step."
+    about.cause = (
+        "The fuse must get shorter by one duration per update. Check that each firework is moved "
+        "exactly once."
+    )
     expect_close(ages, [4.75, 4.75], then="; ages", read=READ)
 
 
@@ -194,16 +216,20 @@ def test_neighbors_that_burn_out_together_are_all_removed() -> None:
 def test_the_burnt_out_make_room_before_any_payload_is_lit() -> None:
     rules = [fixed(1, 0.1, UP, (3, 2)), fixed(2, 0.1, UP, (4, 2)), fixed(3, 5.0), fixed(4, 5.0)]
     about.call = (
-        'capacity 3, "keep_old"; types 1 2 2 burn out together, payloads (3, 2) and (4, 2); types'
+        'capacity 3, "keep_old"; fireworks of types 1 2 2 burn out together and leave (3, 2) and '
+        "twice (4, 2); types"
     )
     about.cause = (
-        "Remove all fireworks that have burnt out before you light new ones. Then three slots are "
-        "free."
+        "First remove all fireworks that have burnt out, and only then light the payloads. In this "
+        "order, three slots are free."
     )
     a_show = show_with(rules, [(1, 1, at((0, 20, 0))), (2, 2, at((0, 20, 0)))], 3)
     a_show.update(0.25)
     expect_exactly(types(a_show), [3, 3, 4], read=READ)
-    about.cause = "Six fireworks were requested, and three of them had no room."
+    about.cause = (
+        "The payloads ask for six new fireworks, but only three of them have room. The other three "
+        "must be added to dropped."
+    )
     expect_exactly(a_show.dropped, 3, then="; show.dropped", read=READ)
 
 
@@ -212,8 +238,14 @@ def test_payloads_follow_the_policy_too() -> None:
     rules = [fixed(1, 0.1, UP, (3, 3)), fixed(2, 5.0), fixed(3, 5.0)]
     about.read = "the docstrings of FireworksShow and update"
     for when_full, wanted in (("keep_old", [2, 2, 3, 3]), ("drop_oldest", [2, 3, 3, 3])):
-        about.call = f'capacity 4, "{when_full}"; types 1 2 2; 1 burns out, payload (3, 3); types'
-        about.cause = "Light payloads by calling light, which applies the policy."
+        about.call = (
+            f'capacity 4, "{when_full}"; fireworks of types 1 2 2; type 1 burns out and leaves the '
+            "payload (3, 3); types"
+        )
+        about.cause = (
+            "The policy for a full show applies to payloads as well. Light them by calling light, "
+            "which follows it."
+        )
         births = [(1, 1, at((0.0, 20.0, 0.0))), (2, 2, None)]
         a_show = show_with(rules, births, 4, when_full)
         a_show.update(0.25)
@@ -230,10 +262,10 @@ def test_the_oldest_comes_first_from_generation_to_generation() -> None:
         fixed(5, 9.0),
         fixed(6, 9.0),
     ]
-    about.call = "launch 1, 2, 1; show.update(0.25) 4 times; the types after each"
+    about.call = "launch 1, 2, 1; show.update(0.25) 4 times; the types after each update"
     about.cause = (
-        "Light the payloads of the oldest firework first, each in the order of its rule, and "
-        "place all of them behind those that burn already."
+        "The payloads must be lit in order. Start with those of the oldest firework, follow the "
+        "order of its rule, and place the new fireworks after those that already burn."
     )
     seen = probes.sparks(rules, [1, 2, 1], 50, "keep_old", 1, 0.25, 4)
     wanted = ["1 1 5", "5 3 3 4 3 3 4", "5 3 3 4 3 3 4", "5 3 3 3 3 6 6"]
@@ -249,9 +281,14 @@ def test_the_count_of_sparks_is_that_of_the_rules(rng: Random) -> None:
         (3, 0.5, 1.5, (-1.0, 5.0, -1.0), (1.0, 9.0, 1.0), 0.1, ((5, 3),)),
         (5, 4.5, 4.5, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.001, ()),
     ]
-    about.call = f"type 1 leaves {many} of 3 and 2 of 5, type 3 leaves 3 of 5; launch 1 twice; "
-    about.call += "show.update(0.05) 80 times; how many of each type burn"
-    about.cause = "Light every payload of every firework that burns out exactly once."
+    about.call = (
+        f"type 1 leaves {many} of type 3 and 2 of type 5, type 3 leaves 3 of type 5; launch 1 "
+        "twice; show.update(0.05) 80 times; how many of each type burn"
+    )
+    about.cause = (
+        "Every firework that burns out must leave each of its payloads exactly once. Check that no "
+        "payload is skipped or lit twice."
+    )
     seen = probes.sparks(rules, [1, 1], 500, "keep_old", rng.randrange(10**6), 0.05, 80)
     last = seen[-1]
     got = {type: last.count(type) for type in (1, 3, 5)}
@@ -263,15 +300,15 @@ def test_the_count_of_sparks_is_that_of_the_rules(rng: Random) -> None:
 def test_rules_without_an_end_stay_within_the_capacity() -> None:
     rules = [fixed(1, 0.1, UP, (1, 10))]
     about.cause = (
-        "Each firework leaves ten of its own type. Call light(), which keeps their number within "
-        "the capacity."
+        "Each firework leaves ten of its own type, so the number would grow without limit. Call "
+        "light, which keeps it within the capacity."
     )
     about.read = "the docstring of FireworksShow"
     for when_full in ("keep_old", "drop_oldest"):
         about.call = (
-            f'capacity 50, "{when_full}", type 1 leaves 10 of type 1; launch 1; show.update(0.2)'
+            f'capacity 50, "{when_full}", type 1 leaves 10 of type 1; launch 1; show.update(0.2) '
+            "30 times; how many burn"
         )
-        about.call += " 30 times; the number that burns"
         seen = probes.sparks(rules, [1], 50, when_full, 1, 0.2, 30)
         counts = [len(types) for types in seen]
         most = max(counts)
@@ -287,7 +324,10 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
         (3, 0.7, 2.5, (-5.0, 5.0, -5.0), (5.0, 9.0, 5.0), 0.1, ()),
     ]
     about.call = f"two shows with the seed {seed}: launch 1, 1, 3; show.update(0.05) 12 times"
-    about.cause = "Draw only from self.random, and always in the same order."
+    about.cause = (
+        "Two shows with the same seed must be the same. Draw all random numbers from self.random, "
+        "and always in the same order."
+    )
     about.read = "the docstring of FireworksShow"
     once, again, other = (
         probes.show_after(rules, [1, 1, 3], s, 0.05, 12) for s in (seed, seed, seed + 1)
@@ -296,9 +336,12 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
     expect_exactly(many, True, then="; something burns")
     differ = abs(len(once) - len(again)) + sum(a != b for a, b in zip(once, again, strict=False))
     expect_exactly(differ, 0, then=": how many fireworks differ")
-    about.cause = "A different seed must give a different show."
+    about.cause = (
+        "Shows with different seeds must be different. Create self.random from the seed of the "
+        "show."
+    )
     same = sum(firework in once for firework in other)
-    about.call = f"shows with the seeds {seed} and {seed + 1}: fireworks that agree"
+    about.call = f"shows with the seeds {seed} and {seed + 1}: how many fireworks are equal"
     expect_exactly(same, 0)
 
 
@@ -306,7 +349,11 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_frame_of_a_show_is_positive_and_finite(bad: float) -> None:
-    about(f"show.update({bad})", cause="Check the duration first, even if nothing burns.")
+    about(
+        f"show.update({bad})",
+        cause="The duration must be positive and finite even if nothing "
+        "burns. Check it before you change anything.",
+    )
     about.read = "the docstring of update"
     rules = [fixed(1, 2.0)]
     for births in ([], [(1, 1, None)]):

@@ -39,21 +39,23 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
     radius, rate = round(rng.uniform(0.5, 3.0), 3), round(rng.uniform(1.0, 9.0), 3)
     _, wheel = wheel_of(center, radius, rate)
     for angle in (0.0, round(rng.uniform(0.3, 1.2), 3), round(rng.uniform(2.0, 6.0), 3)):
-        about.call = f"wheel about {center}, radius {radius}, rate {rate}; wheel.angle = {angle}; "
-        about.call += "wheel.nozzle()"
+        about.call = (
+            f"wheel about {center}, radius {radius}, rate {rate}; wheel.angle = {angle}; "
+            "wheel.nozzle()"
+        )
         wheel.angle = angle
         nozzle = wheel.nozzle()
         x, y = math.cos(angle), math.sin(angle)
         about.cause = (
-            "The nozzle is at center + radius (cos, sin, 0), where the angle is measured from the "
-            "X axis."
+            "The nozzle is on the rim, at center + radius (cos, sin, 0). The angle is measured "
+            "from the X axis."
         )
         wanted = (center[0] + radius * x, center[1] + radius * y, center[2])
         got = xyz(nozzle.position)
         expect_close(got, wanted, then=".position", tolerance=1e-13)
         about.cause = (
-            "The velocity is perpendicular to the spoke, with the speed rate x radius, from X "
-            "toward Y."
+            "The velocity of the nozzle is perpendicular to the spoke and points from X toward Y. "
+            "Its length is rate x radius."
         )
         speed = rate * radius
         wanted = (0.0 - speed * y, speed * x, 0.0)
@@ -61,21 +63,26 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
         mistakes = [
             (
                 (speed * x, speed * y, 0.0),
-                "The velocity points along the spoke. Rotate it by a right angle.",
+                "The velocity points along the spoke. Rotate it by a right angle, because the rim "
+                "moves perpendicular to the spoke.",
             ),
             (
                 (speed * y, 0.0 - speed * x, 0.0),
-                "The rim rotates in the opposite direction. It moves from X toward Y.",
+                "The rim rotates in the wrong direction. It must move from X toward Y.",
             ),
             (
                 (0.0 - rate * y, rate * x, 0.0),
-                "The result is the rate, in rad/s. The speed of the rim is rate x radius.",
+                "The speed equals the rate, which is an angle per second. Multiply the rate by "
+                "the radius to get the speed of the rim.",
             ),
         ]
         blame(got, mistakes)
         expect_close(got, wanted, then=".velocity", tolerance=ROUNDED)
     about.call = "one = wheel.nozzle(); other = wheel.nozzle(); one.position.x = 99; other.position"
-    about.cause = "Return a new particle in every call."
+    about.cause = (
+        "Both calls returned the same particle or share a vector. Create a new particle in every "
+        "call."
+    )
     one, other = wheel.nozzle(), wheel.nozzle()
     before = xyz(other.position)
     one.position.x = 99.0
@@ -88,17 +95,21 @@ def test_the_jet_goes_against_the_rim(rng: Random) -> None:
     rate, jet = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(7.0, 9.0), 3)
     about.call = f"wheel about (0, 5, 0), radius 2, rate {rate}, jet {jet}; wheel.nozzle().velocity"
     about.cause = (
-        "The speed along the circle is rate x radius minus the jet. A fast jet makes it negative."
+        "The speed along the circle is rate x radius minus the jet. It is negative if the jet is "
+        "faster than the rim."
     )
     _, wheel = wheel_of((0.0, 5.0, 0.0), 2.0, rate, jet=jet)
     got = xyz(wheel.nozzle().velocity)
     mistakes = [
         (
             (0.0, 2.0 * rate + jet, 0.0),
-            "The speed of the jet was added. Subtract it, because the jet blows against the "
-            "motion of the rim.",
+            "The speed of the jet was added to the speed of the rim. Subtract it, because the jet "
+            "blows against the motion of the rim.",
         ),
-        ((0.0, 2.0 * rate, 0.0), "The jet is missing. Subtract it from the speed of the rim."),
+        (
+            (0.0, 2.0 * rate, 0.0),
+            "The jet has no effect on the velocity. Subtract its speed from the speed of the rim.",
+        ),
     ]
     blame(got, mistakes)
     expect_close(got, (0.0, 2.0 * rate - jet, 0.0), tolerance=ROUNDED)
@@ -109,7 +120,7 @@ def test_the_wheel_turns_by_its_rate(rng: Random) -> None:
     about.read = "the docstring of update"
     rate, h = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(0.1, 0.4), 3)
     about.call = f"wheel with rate {rate}; wheel.update({h}) twice; wheel.nozzle().position"
-    about.cause = "The angle grows by rate x duration in each update."
+    about.cause = "Each update must rotate the wheel. Add rate x duration to its angle."
     _, wheel = wheel_of((0.0, 5.0, 0.0), 1.0, rate)
     wheel.update(h)
     wheel.update(h)
@@ -125,23 +136,29 @@ def test_sparks_are_due_by_the_time_and_not_by_the_frame(rng: Random) -> None:
     per_second = rng.randrange(20, 60) + 0.37
     # Sums of frames that are exact in binary, so that no whole spark lies on a rounding.
     for h, frames in ((1.0 / 64.0, 128), (1.0 / 4.0, 8), (2.0, 1)):
-        about.call = f"wheel with {per_second} sparks a second; wheel.update({h}) {frames} times; "
-        about.call += "sparks"
+        about.call = (
+            f"wheel with {per_second} sparks a second; wheel.update({h}) {frames} times; sparks"
+        )
         counts = probes.sparks_of_a_wheel(per_second, h, frames)
         about.cause = (
-            "The whole part of sparks_per_second x time must have left, however long the steps are."
+            "After a time t, the whole part of sparks_per_second x t must have left the wheel, "
+            "however long the steps are."
         )
         if counts[-1] == frames:
             about.cause = (
-                "One spark left per step. The number must depend on the time: sparks_per_second x "
-                "time."
+                "One spark left in every step. The number must depend on the time that has passed, "
+                "not on the number of steps."
             )
         if counts[-1] == 0:
             about.cause = (
-                "No sparks left the wheel. Add up the fractions of a spark from step to step."
+                "No sparks left the wheel, because each step is too short for a whole spark. Add "
+                "up the fractions of a spark from step to step."
             )
         expect_exactly(counts[-1], math.floor(per_second * 2.0))
-        about.cause = "Fractions of a spark must not be lost from one step to the next."
+        about.cause = (
+            "A step can end with a fraction of a spark. Keep this fraction for the next step, so "
+            "that no sparks are lost."
+        )
         wanted = [math.floor(per_second * h * (i + 1)) for i in range(frames)]
         expect_exactly(counts, wanted, then=" after each")
 
@@ -150,9 +167,14 @@ def test_sparks_are_due_by_the_time_and_not_by_the_frame(rng: Random) -> None:
 def test_sparks_leave_from_the_nozzle_with_its_velocity(rng: Random) -> None:
     about.read = "the docstring of update"
     rate, jet = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(7.0, 9.0), 3)
-    about.call = f"wheel about (0, 5, 0), radius 2, rate {rate}, jet {jet}, 10.5 sparks a second; "
-    about.call += "wheel.update(0.25)"
-    about.cause = "The nozzle at the end of the step is the parent of the sparks."
+    about.call = (
+        f"wheel about (0, 5, 0), radius 2, rate {rate}, jet {jet}, 10.5 sparks a second; "
+        "wheel.update(0.25)"
+    )
+    about.cause = (
+        "The sparks leave from the nozzle, so pass its particle at the end of the step as their "
+        "parent."
+    )
     show, wheel = wheel_of((0.0, 5.0, 0.0), 2.0, rate, 10.5, jet)
     wheel.update(0.25)
     expect_exactly(len(show.fireworks), 2, then=", how many")
@@ -161,7 +183,10 @@ def test_sparks_leave_from_the_nozzle_with_its_velocity(rng: Random) -> None:
     for spark in show.fireworks:
         expect_exactly(spark.type, 7, then=", a type")
         got, wanted = xyz(spark.particle.position), (2.0 * x, 5.0 + 2.0 * y, 0.0)
-        before = "The sparks left before the wheel rotated. Rotate the wheel first."
+        before = (
+            "The sparks left before the wheel had rotated. Rotate the wheel first, and then light "
+            "the sparks."
+        )
         blame(got, [((2.0, 5.0, 0.0), before)])
         expect_close(got, wanted, then=", a position", tolerance=ROUNDED)
         got, wanted = xyz(spark.particle.velocity), (-speed * y, speed * x, 0.0)
@@ -171,13 +196,14 @@ def test_sparks_leave_from_the_nozzle_with_its_velocity(rng: Random) -> None:
 @pytest.mark.exercise("4.4")
 def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
     about.call = "a show of 3 slots, wheel with 10.5 sparks a second; wheel.update(1)"
-    about.cause = "The show has room for 3 of the 10 sparks that are due."
+    about.cause = "After 1 s, 10 sparks are due, but the show has room for only 3 of them."
     about.read = "the docstring of update"
     show, wheel = wheel_of((0.0, 5.0, 0.0), capacity=3, sparks_per_second=10.5)
     wheel.update(1.0)
     expect_exactly(len(show.fireworks), 3, then="; len(show.fireworks)")
     about.cause = (
-        "All 10 sparks that were due after 1 s count as thrown, even those that found no slot."
+        "After 1 s, 10 sparks are due. Count all of them in wheel.thrown, even those for which "
+        "there was no slot."
     )
     if wheel.thrown == 3:
         about.cause = (
@@ -188,9 +214,15 @@ def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
     show.update(10.0)
     wheel.update(0.5)
     about.call += "; show.update(10), so that all go out; wheel.update(0.5)"
-    about.cause = "15 sparks are due after 1.5 s, and 10 of them count as thrown already."
+    about.cause = (
+        "After 1.5 s, 15 sparks are due in total. Since 10 of them have already been counted, "
+        "throw 5 more."
+    )
     expect_exactly(wheel.thrown, 15, then="; wheel.thrown")
-    about.cause = "7 of the first 10 sparks and 2 of the last 5 have no slot. Light 5 at the end."
+    about.cause = (
+        "The show drops 7 of the first 10 sparks and 2 of the last 5. Check that the second update "
+        "lights exactly 5 sparks."
+    )
     expect_exactly(show.dropped, 7 + 2, then="; show.dropped")
 
 
@@ -198,7 +230,10 @@ def test_sparks_that_found_no_room_are_not_thrown_later() -> None:
 @pytest.mark.robust
 @pytest.mark.parametrize("bad", [0.0, -0.5, math.inf, math.nan])
 def test_a_wheel_turns_for_a_positive_and_finite_time(bad: float) -> None:
-    about(f"wheel.update({bad})", cause="Check the duration before you change anything.")
+    about(
+        f"wheel.update({bad})",
+        cause="The duration must be positive and finite. Check it before you change anything.",
+    )
     about.read = "the docstring of update"
     _, wheel = wheel_of((0.0, 5.0, 0.0))
     expect_error(

@@ -43,16 +43,28 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
     about.call, switched = f"brake = Airbrake({k})", ""
     p, brake = Particle(velocity=Vector3(*v), mass=2.0), Airbrake(k)
     for on, wanted, cause in (
-        (None, ZERO, "A new brake is off and adds no force."),
+        (
+            None,
+            ZERO,
+            "A new brake is off, so it must add no force. Set self.on to False at the start.",
+        ),
         (
             True,
             pulled,
-            "A brake that is on adds -k v. Here a full stop would take a larger force, because m "
-            "/ h is 4.",
+            "The brake is on, so it must add -k v. This force is below the limit, because a full "
+            "stop would take m / h = 4 times the velocity.",
         ),
-        (None, pulled, "The brake stays on until it is switched off."),
-        (False, ZERO, "A brake that is off adds no force. Check self.on in every call."),
-        (True, pulled, "A brake that is on adds -k v."),
+        (
+            None,
+            pulled,
+            "The brake was switched on before, and it must stay on until it is switched off.",
+        ),
+        (
+            False,
+            ZERO,
+            "The brake was switched off, so it must add no force. Check self.on in every call.",
+        ),
+        (True, pulled, "The brake is on again, so it must add -k v."),
     ):
         about.cause = cause
         if on is not None:
@@ -64,15 +76,12 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         if wanted is pulled:
             slips = {
-                "The force points in the direction of the motion. The minus sign is missing.": [
-                    -part for part in pulled
-                ],
-                "The force is -v m / h, a full stop. Use the smaller of the two forces.": [
-                    -4.0 * part for part in v
-                ],
-                "The force is -k |v| v, which is quadratic drag.": [
-                    part * math.hypot(*v) for part in pulled
-                ],
+                "The force points in the direction of the motion, but it must point against it. "
+                "Add the missing minus sign.": [-part for part in pulled],
+                "This force is -v m / h, which would stop the particle completely. The force -k v "
+                "is smaller here, so use the smaller one of the two.": [-4.0 * part for part in v],
+                "This force is -k |v| v, which is quadratic drag. The brake is linear, so use -k "
+                "v.": [part * math.hypot(*v) for part in pulled],
             }
             blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator")
@@ -85,7 +94,8 @@ def test_a_gentle_brake_is_linear_drag(rng: Random) -> None:
     about.read = READ
     v, f = components(rng), components(rng)
     mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.1, 0.5), 3)
-    about.cause = "While k h / m is below 1, the force is -k v without a limit."
+    about.cause = "The brake is too weak to stop the particle in one step, because k h / m is "
+    about.cause += "below 1. The force must be -k v here, without a limit."
     for share in (0.01, 0.5, 0.98):
         k = share * mass / h
         about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); p.add_force(Vector3{f}); "
@@ -97,18 +107,14 @@ def test_a_gentle_brake_is_linear_drag(rng: Random) -> None:
         wanted = tuple(f[i] - k * v[i] for i in range(3))
         got = xyz(p.force_accumulator)
         slips = {
-            "The limit used here is -v / h. The mass is missing.": [
-                f[i] - v[i] / h for i in range(3)
-            ],
-            "The limit used here is -v m. Divide it by the duration.": [
-                f[i] - v[i] * mass for i in range(3)
-            ],
-            "The limit used here is -v m h. Divide by the duration instead of multiplying.": [
-                f[i] - v[i] * mass * h for i in range(3)
-            ],
-            "The limit used here is half of a full stop.": [
-                f[i] - 0.5 * v[i] * mass / h for i in range(3)
-            ],
+            "The force was limited to -v / h, but the mass is missing in this limit. It must be "
+            "-v m / h.": [f[i] - v[i] / h for i in range(3)],
+            "The force was limited to -v m, but the duration is missing in this limit. It must be "
+            "-v m / h.": [f[i] - v[i] * mass for i in range(3)],
+            "The force was limited to -v m h. Divide by the duration instead of multiplying, "
+            "because the limit must be -v m / h.": [f[i] - v[i] * mass * h for i in range(3)],
+            "The force was limited to half of a full stop. The limit must be the force that stops "
+            "the particle completely, -v m / h.": [f[i] - 0.5 * v[i] * mass / h for i in range(3)],
         }
         why = named(got, about.cause, slips)
         # A few roundings of numbers up to 900.
@@ -120,7 +126,8 @@ def test_a_hard_brake_stops_the_motion_and_does_not_turn_it_round(rng: Random) -
     about.read = READ
     v = components(rng)
     mass, h = round(rng.uniform(2.0, 9.0), 3), round(rng.uniform(0.1, 0.5), 3)
-    about.cause = "A step changes the velocity by f h / m, so never add more than -v m / h."
+    about.cause = "A step changes the velocity by f h / m, so a force of -v m / h stops the "
+    about.cause += "particle completely. Never add a larger force."
     for share in (1.02, 2.02, 1e3, 1e12):
         k = share * mass / h
         about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); brake = Airbrake({k!r}), "
@@ -128,15 +135,16 @@ def test_a_hard_brake_stops_the_motion_and_does_not_turn_it_round(rng: Random) -
         p = Particle(velocity=Vector3(*v), mass=mass)
         brake_of(k, on=True).update_force(p, h)
         got = xyz(p.velocity)
-        adds = "A generator only adds a force. The step changes the velocity."
+        adds = "The generator has changed the velocity itself. It must only add a force, because "
+        adds += "the step changes the velocity."
         expect_unchanged("p.velocity before the step", got, v, cause=adds)
         p.integrate(h)
         got = xyz(p.velocity)
         slips = {
-            "The brake has reversed the motion. Limit the force to a full stop, -v m / h.": [
-                part * (1.0 - share) for part in v
-            ],
-            "The velocity has not changed. A brake that is too strong must stop the motion.": v,
+            "The brake has reversed the motion, because its force is larger than a full stop "
+            "needs. Limit the force to -v m / h.": [part * (1.0 - share) for part in v],
+            "The velocity has not changed. When -k v is more than a full stop needs, the brake "
+            "must still stop the particle, with -v m / h.": v,
         }
         why = named(got, about.cause, slips)
         # What FULL, or rounding, leaves of 10 m/s.
@@ -152,7 +160,8 @@ def test_a_hard_brake_leaves_other_forces_and_itself_alone(rng: Random) -> None:
     vectors = {"velocity": Vector3(*v), "acceleration": Vector3(1, 2, 3)}
     p, brake = Particle(**vectors, mass=mass), brake_of(1e6, on=True)
     for h in (0.5, 0.25):
-        about.cause = "At its limit the brake adds -v m / h to the other forces."
+        about.cause = "The brake is strong enough to stop the particle in one step. It must add -v "
+        about.cause += "m / h to the other forces and keep them."
         p.clear_forces()
         p.add_force(Vector3(*f))
         brake.update_force(p, h)
@@ -160,12 +169,14 @@ def test_a_hard_brake_leaves_other_forces_and_itself_alone(rng: Random) -> None:
         wanted = tuple(f[i] - v[i] * mass / h for i in range(3))
         # Up to a part in 1e12 of 400 N, as FULL says.
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-9)
-        about.cause = "Do not change brake.on or brake.k, because only the player sets them."
+        about.cause = "update_force has changed brake.on or brake.k. Do not change them, because "
+        about.cause += "only the player sets them."
         expect_exactly((brake.on, brake.k), (True, 1e6), then="; (brake.on, brake.k)")
         about.call += "; in another frame, brake.update_force(p, 0.25)"
     about.call = f"p = Particle(velocity=Vector3{v}, mass=math.inf); brake.update_force(p, 0.5); "
     about.call += "p.integrate(0.5)"
-    about.cause = "No force stops an immovable particle, and this is not an error."
+    about.cause = "An immovable particle cannot be stopped by a force, so its velocity must stay "
+    about.cause += "the same. Add no force and raise no error."
     p = Particle(velocity=Vector3(*v), mass=math.inf)
     brake.update_force(p, 0.5)
     p.integrate(0.5)
@@ -175,7 +186,8 @@ def test_a_hard_brake_leaves_other_forces_and_itself_alone(rng: Random) -> None:
 @pytest.mark.exercise("5.2")
 def test_no_brake_turns_any_motion_round(rng: Random) -> None:
     about.read = READ
-    about.cause = "Rounding can make -v m / h slightly too large. Multiply the limit by FULL."
+    about.cause = "Because of rounding, a force of -v m / h can be slightly too large and reverse "
+    about.cause += "the motion. Multiply this limit by FULL."
     tries = 400
     about.call = f"brake.update_force(p, h) in {tries} steps with k above m / h, each with "
     about.call += "another k, mass, h and speed: the smallest fraction of the velocity that is "
@@ -184,14 +196,15 @@ def test_no_brake_turns_any_motion_round(rng: Random) -> None:
     least = min(shares, default=math.nan)
     most = max(shares, default=math.nan)
     expect_between(least, 0.0, 1e-9)
-    about.cause = "A brake of this strength leaves only a rounding error."
+    about.cause = "The brake is strong enough to stop the particle in one step, so only a rounding "
+    about.cause += "error of the velocity may be left."
     name = about.call.replace("smallest", "largest")
     expect_between(most, 0.0, 1e-9, call=name)
     expect_close(
         len(shares),
         tries,
         call="how many steps",
-        cause="The result must have one number for each try.",
+        cause="The number of results is wrong. Each of the steps must give exactly one number.",
     )
 
 
@@ -202,7 +215,8 @@ def test_a_brake_needs_a_positive_and_finite_duration(duration: float) -> None:
     about.read = READ
     for on in (True, False):
         about.call = f"brake = Airbrake(2.0); brake.on = {on}; brake.update_force(p, {duration!r})"
-        about.cause = "Check the duration with positive() of arguments.py, even with the brake off."
+        about.cause = "The duration must be positive and finite, even if the brake is off. Check "
+        about.cause += "it with positive from arguments.py first."
         p, brake = Particle(velocity=Vector3(1, 2, 3)), brake_of(2.0, on=on)
         expect_error(
             lambda brake=brake, p=p: brake.update_force(p, duration),
@@ -210,5 +224,6 @@ def test_a_brake_needs_a_positive_and_finite_duration(duration: float) -> None:
             allowed=lambda brake=brake: brake.update_force(Particle(), 0.5),
         )
         got = xyz(p.force_accumulator)
-        about.cause = "Check the duration before you add a force."
+        about.cause = "The duration was rejected, but a force was added. Check the duration before "
+        about.cause += "you add a force."
         expect_close(got, ZERO, then="; p.force_accumulator")

@@ -30,7 +30,8 @@ def test_a_terminal_speed_needs_weight_and_drag() -> None:
         (9.81, 0.0, 0.0),
         *bad_numbers((9.81, 0.3, 0.05)),
     ):
-        about.cause = "Raise ValueError. Without drag there is no terminal speed."
+        about.cause = "Both coefficients are 0. Without drag there is no terminal speed, so raise "
+        about.cause += "ValueError."
         expect_error(
             lambda bad=bad: terminal_speed(*bad),
             ValueError,
@@ -42,7 +43,8 @@ def test_a_terminal_speed_needs_weight_and_drag() -> None:
 @pytest.mark.exercise("B5.7")
 def test_a_fall_needs_numbers_that_mean_something() -> None:
     about.read = "the docstring of quadratic_fall"
-    about.cause = "Raise ValueError. The functions of arguments.py do this, one for each argument."
+    about.cause = "One of these arguments is out of range, so raise ValueError. The functions of "
+    about.cause += "arguments.py do this, so call one of them for each argument."
     for bad in (
         (0.0, 9.81, 0.05, 3.0),
         (2.0, 0.0, 0.05, 3.0),
@@ -63,7 +65,8 @@ def test_a_fall_needs_numbers_that_mean_something() -> None:
 @pytest.mark.exercise("B5.7")
 def test_coasting_needs_numbers_that_mean_something() -> None:
     about.read = "the docstring of coasting_speed"
-    about.cause = "Raise ValueError. The functions of arguments.py do this, one for each argument."
+    about.cause = "One of these arguments is out of range, so raise ValueError. The functions of "
+    about.cause += "arguments.py do this, so call one of them for each argument."
     for bad in (
         (-20.0, 0.3, 0.05, 2.0, 1.5),
         (20.0, -0.3, 0.05, 2.0, 1.5),

@@ -31,18 +31,22 @@ def drag_slips(v: Components, k1: float, k2: float) -> dict[str, Components]:
 
     x, y, z = (-part * (k1 + k2 * abs(part)) for part in v)
     return {
-        "The force points in the direction of the motion. The minus sign is missing.": along(
-            k1 + k2 * speed
+        "The force points in the direction of the motion, but it must point against it. Add the "
+        "missing minus sign.": along(k1 + k2 * speed),
+        "k1 and k2 are swapped. k1 belongs to the speed, and k2 belongs to its square.": along(
+            -(k2 + k1 * speed)
         ),
-        "k1 and k2 are swapped.": along(-(k2 + k1 * speed)),
-        "The force uses v in place of the unit vector v^, so it is |v| times too large.": along(
-            -speed * (k1 + k2 * speed)
+        "The force was computed with v instead of the unit vector v^, so it is |v| times too "
+        "large.": along(-speed * (k1 + k2 * speed)),
+        "The quadratic part of the drag is missing. Add k2 |v| to k1.": along(-k1),
+        "The linear part of the drag is missing. Add k1 to k2 |v|.": along(-k2 * speed),
+        "This force is -v (k1 + k2), so a factor |v| is missing. Multiply k2 by the speed.": along(
+            -(k1 + k2)
         ),
-        "The part with k2 is missing. Add k2 |v| to k1.": along(-k1),
-        "The part with k1 is missing. Add k1 to k2 |v|.": along(-k2 * speed),
-        "The force is -v (k1 + k2). Multiply k2 by the speed.": along(-(k1 + k2)),
-        "The force is -v^ (k1 + k2). The speed is missing.": along(-(k1 + k2) / speed),
-        "Each axis has a separate drag here. Use the speed |v| for all three.": (x, y, z),
+        "This force is -v^ (k1 + k2), which does not depend on the speed. Multiply k1 by |v| and "
+        "k2 by |v|^2.": along(-(k1 + k2) / speed),
+        "The drag was computed for each axis separately. It depends on the whole speed, so use "
+        "|v| for all three components.": (x, y, z),
     }
 
 
@@ -51,14 +55,20 @@ def test_the_velocity_is_only_read(rng: Random) -> None:
     about.read = READ
     v = components(rng)
     about.call = f"v = Vector3{v}; drag_force(v, 0.5, 0.25)"
-    about.cause = "normalize, invert and *= change v. Use normalized, - and * instead."
+    about.cause = "drag_force must not change v. normalize, invert and *= work in place, so use "
+    about.cause += "normalized, - and * instead, because they create new vectors."
     velocity = Vector3(*v)
     got = xyz(drag_force(velocity, 0.5, 0.25))
     expect_unchanged("v", xyz(velocity), v)
     wanted = tuple(-v[i] * (0.5 + 0.25 * math.hypot(*v)) for i in range(3))
-    about.cause = named(got, "The drag is -v (k1 + k2 |v|).", drag_slips(v, 0.5, 0.25))
+    about.cause = named(
+        got,
+        "The drag must point against the velocity. It is -v (k1 + k2 |v|).",
+        drag_slips(v, 0.5, 0.25),
+    )
     expect_close(got, wanted)
-    about.cause = "A generator only adds a force. The step changes the velocity."
+    about.cause = "The generator has changed the velocity itself. It must only add a force, "
+    about.cause += "because the step changes the velocity."
     about.call = f"p = Particle(velocity=Vector3{v}); Drag(0.5, 0.25).update_force(p, 0.5)"
     p = Particle(velocity=Vector3(*v))
     Drag(0.5, 0.25).update_force(p, 0.5)
@@ -72,9 +82,18 @@ def test_drag_points_against_the_motion(rng: Random) -> None:
     k1, k2 = draw_coefficient(rng), draw_coefficient(rng)
     speed = math.hypot(*v)
     for one, two, cause in (
-        (k1, 0.0, "The part with k1 is -k1 v, because v^ |v| is v."),
-        (0.0, k2, "The part with k2 is -k2 |v| v, because v^ |v|^2 is v |v|."),
-        (k1, k2, "Add both parts: -v (k1 + k2 |v|)."),
+        (
+            k1,
+            0.0,
+            "Here only k1 has an effect. This part of the drag is -k1 v, because v^ |v| is v.",
+        ),
+        (
+            0.0,
+            k2,
+            "Here only k2 has an effect. This part of the drag is -k2 |v| v, because v^ "
+            "|v|^2 is v |v|.",
+        ),
+        (k1, k2, "Both parts of the drag act here. Their sum is -v (k1 + k2 |v|)."),
     ):
         about(f"drag_force(Vector3{v}, {one}, {two})", cause=cause)
         wanted = tuple(-v[i] * (one + two * speed) for i in range(3))
@@ -86,7 +105,8 @@ def test_drag_points_against_the_motion(rng: Random) -> None:
 @pytest.mark.exercise("B5.5")
 def test_drag_grows_with_the_speed_and_with_its_square() -> None:
     about.read = READ
-    about.cause = "k1 belongs to the speed and k2 to its square. Do not swap them."
+    about.cause = "The two coefficients may be swapped. k1 belongs to the speed, and k2 belongs to "
+    about.cause += "the square of the speed."
     for v, k1, k2, force in (
         ((0.0, 0.0, 2.0), 3.0, 0.0, -6.0),
         ((0.0, 0.0, -2.0), 3.0, 0.0, 6.0),
@@ -103,16 +123,19 @@ def test_drag_grows_with_the_speed_and_with_its_square() -> None:
 def test_at_rest_there_is_no_drag(rng: Random) -> None:
     about.read = READ
     k1, k2 = draw_coefficient(rng), draw_coefficient(rng)
-    about.cause = "The zero vector has no direction. Do not divide by its length."
+    about.cause = "The particle is at rest, so there is no drag. The zero vector has no direction, "
+    about.cause += "so do not divide by its length."
     about.call = f"v = Vector3(); f = drag_force(v, {k1}, {k2})"
     v = Vector3()
     force = drag_force(v, k1, k2)
     expect_close(xyz(force), ZERO)
     force.x = 99.0
-    about.cause = "Return a new vector, even for a particle at rest."
+    about.cause = "For a particle at rest the vector itself was returned. Return a new vector in "
+    about.cause += "every case."
     expect_unchanged("v", xyz(v), ZERO, then="; f.x = 99.0")
     about.call = f"drag_force(Vector3(0, 1e-9, 0), {k1}, {k2})"
-    about.cause = "At a low speed the drag is small, but not zero."
+    about.cause = "The speed is low here, so the drag is small, but it is not zero. Do not treat "
+    about.cause += "low speeds as rest."
     got = xyz(drag_force(Vector3(0, 1e-9, 0), k1, k2))
     wanted = (0.0, -k1 * 1e-9 - k2 * 1e-18, 0.0)
     expect_close(got, wanted)
@@ -127,7 +150,8 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     about.read = "the docstring of Drag"
     about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); p.add_force(Vector3{f}); drag = "
     about.call += f"Drag({k1}, {k2}); drag.update_force(p, {h}); p.force_accumulator"
-    about.cause = "Add the drag with add_force. Drag is a force and does not depend on the mass."
+    about.cause = "Compute the drag from the velocity of the particle, and add it with add_force. "
+    about.cause += "Drag is a force and does not depend on the mass."
     p, drag = Particle(velocity=Vector3(*v), mass=mass), Drag(k1, k2)
     p.add_force(Vector3(*f))
     drag.update_force(p, h)
@@ -135,18 +159,24 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     wanted = tuple(f[i] + force[i] for i in range(3))
     got = xyz(p.force_accumulator)
     slips = {
-        "The drag is divided by the mass. Add a force.": [f[i] + force[i] / mass for i in range(3)],
-        "The drag is multiplied by the duration. Add the force alone, because the step multiplies "
-        "it.": [f[i] + force[i] * h for i in range(3)],
-        "k1 and k2 are swapped.": [f[i] - v[i] * (k2 + k1 * speed) for i in range(3)],
-        "The other force is gone. Use add_force, which keeps it.": force,
-        "The drag is missing. Compute it from p.velocity.": f,
+        "The drag was divided by the mass, which makes it an acceleration. Add the force itself, "
+        "because the step divides by the mass.": [f[i] + force[i] / mass for i in range(3)],
+        "The drag was multiplied by the duration. Add the force itself, because the step "
+        "multiplies it by the duration.": [f[i] + force[i] * h for i in range(3)],
+        "k1 and k2 are swapped. k1 belongs to the speed, and k2 belongs to its square.": [
+            f[i] - v[i] * (k2 + k1 * speed) for i in range(3)
+        ],
+        "The force that was already there is lost. Use add_force, which adds the drag and keeps "
+        "other forces.": force,
+        "The drag is missing, and only the other force is there. Compute the drag from the "
+        "velocity of the particle and add it.": f,
     }
     blame(got, slips)
     # A few roundings of numbers up to 150.
     expect_close(got, wanted, tolerance=1e-12)
     about.call += f"; p.clear_forces(); drag.k1 = {k2}; drag.k2 = {k1}; drag.update_force(p, {h})"
-    about.cause = "Read self.k1 and self.k2 in every call, because they may change."
+    about.cause = "k1 and k2 have changed since the last call. Read self.k1 and self.k2 in every "
+    about.cause += "call."
     p.clear_forces()
     drag.k1, drag.k2 = k2, k1
     drag.update_force(p, h)
@@ -159,7 +189,8 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
 def test_a_fall_comes_to_its_terminal_speed() -> None:
     about("drag = Drag(0.3, 0.05), 2 kg, g = 9.81; a minute of drag.update_force(), ", read=READ)
     about.call += "p.integrate()"
-    about.cause = "The speed grows until the drag equals the weight: k1 v + k2 v^2 = m g."
+    about.cause = "The body must reach its terminal speed. There the drag is equal to the weight, "
+    about.cause += "so k1 v + k2 v^2 = m g."
     _, velocity = with_drag(ZERO, 0.3, 0.05, 2.0, 1.0 / 60.0, 3600, gravity=9.81)
     wanted = (0.0, -17.034969428476803, 0.0)
     # What is left after a minute, e^-60, is far below rounding.
@@ -182,9 +213,8 @@ def expect_first_order(errors: tuple[float, float], scale: float, *, what: str) 
 def test_a_fall_with_quadratic_drag_comes_nearer_to_the_exact_one_with_shorter_frames() -> None:
     about("Drag(0, 0.05), 2 kg, g = 9.81, a fall of 3 s by drag.update_force(), ", read=READ)
     about.call += "p.integrate()"
-    about.cause = (
-        "The exact speed is v_t tanh(g t / v_t), the distance v_t^2 / g ln cosh(g t / v_t)."
-    )
+    about.cause = "The motion is too far from the exact solution. The exact speed is v_t tanh(g t "
+    about.cause += "/ v_t), and the distance is v_t^2 / g ln cosh(g t / v_t)."
     states = [with_drag(ZERO, 0.0, 0.05, 2.0, h, round(3.0 / h), 9.81) for h in (0.01, 0.005)]
     speed, distance = 17.878238350449884, 33.699945475035044  # worked out with 40 digits
     speeds = [-velocity[1] - speed for _, velocity in states]
@@ -196,7 +226,8 @@ def test_a_fall_with_quadratic_drag_comes_nearer_to_the_exact_one_with_shorter_f
 @pytest.mark.exercise("B5.5")
 def test_coasting_with_both_kinds_of_drag_comes_nearer_with_shorter_frames() -> None:
     about("Drag(0.3, 0.05), 2 kg, 20 m/s, 2 s of drag.update_force(), p.integrate()", read=READ)
-    about.cause = "The exact solution is 1 / v + k2 / k1 = (1 / v0 + k2 / k1) e^(k1 t / m)."
+    about.cause = "The motion is too far from the exact solution, which is 1 / v + k2 / k1 = (1 / "
+    about.cause += "v0 + k2 / k1) e^(k1 t / m). Check the drag force."
     ends = [
         with_drag((20.0, 0.0, 0.0), 0.3, 0.05, 2.0, h, round(2.0 / h))[1][0] for h in (0.01, 0.005)
     ]
@@ -210,8 +241,8 @@ def test_coasting_with_both_kinds_of_drag_comes_nearer_with_shorter_frames() -> 
 def test_linear_drag_in_frames_just_inside_and_just_outside_its_limits() -> None:
     about.read = READ
     k1, mass, frames = 8.0, 2.0, 40
-    about.cause = "Each step multiplies v by 1 - k1 h / m, even if that is negative. Drag does not "
-    about.cause += "limit its force, unlike the Airbrake."
+    about.cause = "With linear drag, each step multiplies v by 1 - k1 h / m, even if this factor "
+    about.cause += "is negative. Unlike the Airbrake, Drag must not limit its force."
     # The rounding of each step, which the factor below enlarges at most 1.02^40 = 2.2 times.
     for share in (0.98, 1.02, 1.98, 2.02):
         h = share * mass / k1

@@ -24,8 +24,8 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         positive_number(rng),
         positive_number(rng, 1.0, 90.0),
     )
-    about.cause = "v' = v (1 - (k1 + k2 |v|) h / m). The bracket is 0 at the first limit and -1 at "
-    about.cause += "the second."
+    about.cause = "A step multiplies the velocity by 1 - (k1 + k2 |v|) h / m. This factor is 0 at "
+    about.cause += "the first limit and -1 at the second, so solve for h."
     for one, two, rate in (
         (k1, 0.0, k1 / mass),
         (0.0, k2, k2 * speed / mass),
@@ -34,25 +34,40 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         about.call = f"drag_limits({one}, {two}, {mass}, {speed})"
         got = drag_limits(one, two, mass, speed)
         wrong = {  # other ways to (k1 + k2 |v|) / m
-            "The mass is missing. Multiply by it.": rate * mass,
-            "The mass is on the wrong side of the fraction. Multiply by it.": rate * mass**2,
-            "The result uses k1 + k2. Multiply k2 by the speed.": (one + two) / mass,
-            "Multiply only k2 by the speed, and not k1.": (one + two) * speed / mass,
-            "The result uses k1 + 2 k2 |v|, which is the slope of the drag.": (
-                one + 2.0 * two * speed
-            )
+            "The mass is missing. A heavier particle tolerates a longer step, so multiply by the "
+            "mass.": rate * mass,
+            "The result was divided by the mass. A heavier particle tolerates a longer step, so "
+            "multiply by the mass instead.": rate * mass**2,
+            "The result was computed with k1 + k2. The quadratic drag depends on the speed, so "
+            "multiply k2 by the speed.": (one + two) / mass,
+            "Both coefficients were multiplied by the speed. Multiply only k2 by it.": (one + two)
+            * speed
             / mass,
+            "The result was computed with k1 + 2 k2 |v|, which is the derivative of the drag. Use "
+            "the drag divided by the speed, k1 + k2 |v|.": (one + 2.0 * two * speed) / mass,
         }
         slips = {name: (1.0 / a, 2.0 / a) for name, a in wrong.items()}
-        slips["The two limits are in the wrong order."] = (2.0 / rate, 1.0 / rate)
-        slips["Both results are the first limit."] = (1.0 / rate, 1.0 / rate)
-        slips["The second limit is twice the first, not its square."] = (1.0 / rate, rate**-2)
+        slips["The two limits are swapped. Return the smaller one first."] = (
+            2.0 / rate,
+            1.0 / rate,
+        )
+        slips[
+            "Both results are equal to the first limit. The factor must be -1 at the second "
+            "one, so it is twice as long."
+        ] = (1.0 / rate, 1.0 / rate)
+        slips["The second limit is the square of the first. It must be twice the first limit."] = (
+            1.0 / rate,
+            rate**-2,
+        )
         why = named(got, about.cause, slips)
         expect_close(got, (1.0 / rate, 2.0 / rate), cause=why)
-    about.cause = "Even a small drag has finite limits."
+    about.cause = "The drag is small here, but it is not 0. Compute the two limits as usual."
     got = drag_limits(1e-12, 0.0, 1.0, 1.0)
     expect_close(got, (1e12, 2e12), call="drag_limits(1e-12, 0.0, 1.0, 1.0)")
-    about(f"drag_limits({k1}, {k2}, {mass}, 0.0)", cause="At speed 0, only k1 has an effect.")
+    about(
+        f"drag_limits({k1}, {k2}, {mass}, 0.0)",
+        cause="The speed is 0, so only k1 has an effect. The limits are m / k1 and 2 m / k1.",
+    )
     got = drag_limits(k1, k2, mass, 0.0)
     expect_close(got, (mass / k1, 2.0 * mass / k1))
 
@@ -60,12 +75,13 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
 @pytest.mark.exercise("B5.8")
 def test_without_drag_no_frame_is_too_long() -> None:
     about.read = LIMITS
-    about.cause = "Without drag, there is no limit. Return math.inf twice instead of dividing by 0."
+    about.cause = "Without drag, every time step is stable. Return math.inf for both limits "
+    about.cause += "instead of dividing by 0."
     for arguments in ((0.0, 0.0, 2.0, 5.0), (0.0, 0.5, 2.0, 0.0)):
         about.call = f"[*drag_limits{arguments}]"
         got = [*drag_limits(*arguments)]
         expect_exactly(got, [math.inf, math.inf])
-    about.cause = "Here (k1 + k2 v) / m is 1."
+    about.cause = "Here (k1 + k2 |v|) / m is 1 per second, so the limits are 1 s and 2 s."
     got = drag_limits(1.0, 0.5, 2.0, 2.0)
     expect_close(got, (1.0, 2.0), call="drag_limits(1.0, 0.5, 2.0, 2.0)")
 
@@ -76,13 +92,30 @@ def test_the_step_fails_just_beyond_the_limits_and_not_before(rng: Random) -> No
     k1, mass, speed = positive_number(rng), positive_number(rng), positive_number(rng, 5.0, 90.0)
     k2 = round(positive_number(rng, 0.3, 3.0) * k1 / speed, 6)  # both parts of the drag count
     about.call = f"drag_limits({k1}, {k2}, {mass}, {speed})"
-    about.cause = "At the limits, 1 - (k1 + k2 |v|) h / m is 0 and -1."
+    about.cause = "A step multiplies the velocity by 1 - (k1 + k2 |v|) h / m. This factor must be "
+    about.cause += "0 at the first limit and -1 at the second."
     first, second = drag_limits(k1, k2, mass, speed)
     for limit, share, wanted, cause in (
-        (first, 0.98, 1, "Just below the first limit, a step only slows the motion down."),
-        (first, 1.02, -1, "Just above the first limit, a step reverses the motion."),
-        (second, 0.98, -1, "Just below the second limit, the reversed motion is slower."),
-        (second, 1.02, -2, "Just above the second limit, the reversed motion is faster."),
+        (
+            first,
+            0.98,
+            1,
+            "Just below the first limit, a step must slow the particle down without "
+            "reversing its motion.",
+        ),
+        (first, 1.02, -1, "Just above the first limit, a step must reverse the motion."),
+        (
+            second,
+            0.98,
+            -1,
+            "Just below the second limit, the reversed motion must be slower than before the step.",
+        ),
+        (
+            second,
+            1.02,
+            -2,
+            "Just above the second limit, the reversed motion must be faster than before the step.",
+        ),
     ):
         about.cause = cause
         h = limit * share
@@ -98,7 +131,8 @@ def test_the_step_fails_just_beyond_the_limits_and_not_before(rng: Random) -> No
 @pytest.mark.robust
 def test_limits_need_numbers_that_mean_something() -> None:
     about.read = LIMITS
-    about.cause = "Raise ValueError. The functions of arguments.py do this, one for each argument."
+    about.cause = "One of these arguments is out of range, so raise ValueError. The functions of "
+    about.cause += "arguments.py do this, so call one of them for each argument."
     for bad in (
         (-0.3, 0.05, 2.0, 5.0),
         (0.3, -0.05, 2.0, 5.0),

@@ -31,7 +31,8 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
     center, way = components(rng), direction(rng)
     mass, mu = round(rng.uniform(2.0, 90.0), 3), round(rng.uniform(2.0, 9.0), 3)
     for distance in (0.5, 1.0, 20.0, 4000.0, 1e6):
-        about.cause = "The force is m mu / r^2, along the unit vector toward the center."
+        about.cause = "The force must have the size m mu / r^2 and the direction of the unit "
+        about.cause += "vector toward the center."
         place = away_from(center, way, distance)
         about.call = f"p = Particle({distance} m from the center, mass={mass}); "
         about.call += f"InverseSquareGravity(Vector3{center}, {mu}).update_force(p, 0.5)"
@@ -43,23 +44,24 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
         x, y, z = xyz(place)
         reach = math.hypot(x, y, z)
         slips = {
-            "The force decreases with r, but it must decrease with r^2. Check the power, and "
-            "normalize the direction.": [part * distance for part in wanted],
-            "The force decreases with r^3, but it must decrease with r^2.": [
-                part / distance for part in wanted
-            ],
-            "The force pushes away from the center. Reverse its direction.": [
-                -part for part in wanted
-            ],
-            "The mass is missing. Multiply by particle.mass.": [part / mass for part in wanted],
-            "The force pulls toward (0, 0, 0) instead of the center. Use self.center.": [
+            "This force is proportional to 1 / r, but it must be proportional to 1 / r^2. Check "
+            "the power of r, and normalize the direction.": [part * distance for part in wanted],
+            "This force is proportional to 1 / r^3, but it must be proportional to 1 / r^2. Check "
+            "the power of r.": [part / distance for part in wanted],
+            "This force pushes the particle away from the center. Use the direction from the "
+            "particle to the center instead.": [-part for part in wanted],
+            "The mass is missing, so this is an acceleration. Multiply it by particle.mass to get "
+            "a force.": [part / mass for part in wanted],
+            "This force pulls toward (0, 0, 0), but the center is somewhere else. Measure the "
+            "direction and the distance from self.center.": [
                 -mass * mu * part / reach**3 for part in (x, y, z)
             ],
         }
         blame(got, slips)
         # The difference of two positions of 10 m, 0.5 m apart, keeps 14 digits.
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-12 * size)
-        about.cause = "Do not change position or center. -= and normalize work in place."
+        about.cause = "The position or the center has changed. Perhaps you used -= or normalize, "
+        about.cause += "which work in place. Use - and normalized instead."
         expect_unchanged("p.position", xyz(p.position), xyz(place))
 
 
@@ -76,9 +78,11 @@ def test_at_the_center_there_is_no_finite_force() -> None:
     ):
         about.call = f"p = Particle(Vector3({x}, 0, 0), {mass=}); p.add_force(Vector3(1, 2, 3)); "
         about.call += f"InverseSquareGravity(Vector3(), {mu}).update_force(p, 0.5)"
-        about.cause = "m mu / r^2 is too large for a float here. Raise ArithmeticError."
+        about.cause = "The particle is so close to the center that m mu / r^2 is too large for a "
+        about.cause += "float. Raise ArithmeticError."
         if x == 0.0:
-            about.cause = "At the center there is no direction. Raise ArithmeticError."
+            about.cause = "The particle is exactly at the center, so the force has no direction. "
+            about.cause += "Raise ArithmeticError."
         p = Particle(Vector3(x, 0, 0), mass=mass)
         p.add_force(Vector3(1, 2, 3))
         expect_error(
@@ -88,7 +92,8 @@ def test_at_the_center_there_is_no_finite_force() -> None:
                 Particle(Vector3(0, 1, 0)), 0.5
             ),
         )
-        about.cause = "Check that the force is finite before you add it."
+        about.cause = "An error was raised, but a force was added first. Check that the force is "
+        about.cause += "finite before you add it."
         got = xyz(p.force_accumulator)
         expect_close(got, (1, 2, 3), then="; p.force_accumulator")
 
@@ -97,7 +102,8 @@ def test_at_the_center_there_is_no_finite_force() -> None:
 @pytest.mark.robust
 def test_a_force_that_is_finite_is_right_at_any_distance() -> None:
     about.read = READ
-    about.cause = "r^3 or r^2 can underflow or overflow. Use (m / r) (mu / r) and a unit vector."
+    about.cause = "r^2 or r^3 can be too small or too large for a float, although the force is "
+    about.cause += "not. Compute (m / r) (mu / r) and multiply a unit vector by it."
     for y, mu, force in (
         (1e-120, 2.0, -3e240),
         (1e-150, 2e-50, -3e250),
@@ -118,17 +124,19 @@ def test_inverse_square_gravity_leaves_an_immovable_particle_alone() -> None:
     about.read = READ
     about.call = "p = Particle(Vector3(0, 2, 0), mass=math.inf); InverseSquareGravity(Vector3(), "
     about.call += "10.0).update_force(p, 0.5); p.force_accumulator"
-    about.cause = "Check has_finite_mass first. Infinity times 0 is NaN."
+    about.cause = "An immovable particle has an infinite mass, which can make the force NaN. Check "
+    about.cause += "has_finite_mass first, and add no force if it is False."
     p = Particle(Vector3(0, 2, 0), mass=math.inf)
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), ZERO)
     p.position = Vector3()
-    about.cause = "Skip an immovable particle at the center, too. Check the mass first."
+    about.cause = "An immovable particle needs no force, even at the center. Check its mass before "
+    about.cause += "you check the distance."
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
     name = about.call.replace("(0, 2, 0)", "()")
     expect_close(xyz(p.force_accumulator), ZERO, call=name)
     about.call = about.call.replace("math.inf", "4.0")
-    about.cause = "A particle of finite mass must still feel the force."
+    about.cause = "This particle has a finite mass, so the force must act on it."
     p = Particle(Vector3(0, 2, 0), mass=4.0)
     InverseSquareGravity(Vector3(), 10.0).update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), (0, -10.0, 0))
@@ -140,19 +148,22 @@ def test_inverse_square_gravity_may_push_and_its_center_may_move(rng: Random) ->
     force = components(rng)
     about.call = f"p = Particle(Vector3(2, 0, 0), mass=2.0); p.add_force(Vector3{force}); gravity "
     about.call += "= InverseSquareGravity(Vector3(), -6.0); gravity.update_force(p, 0.5)"
-    about.cause = "A negative mu pushes away from the center. Add the force to the other forces."
+    about.cause = "A negative mu is valid, and it pushes the particle away from the center. Add "
+    about.cause += "the force to the other forces with add_force."
     p, gravity = Particle(Vector3(2, 0, 0), mass=2.0), InverseSquareGravity(Vector3(), -6.0)
     p.add_force(Vector3(*force))
     gravity.update_force(p, 0.5)
     wanted = (force[0] + 3.0, force[1], force[2])
     got = xyz(p.force_accumulator)
     expect_close(got, wanted, then="; p.force_accumulator")
-    about.cause = "Do not change the center or the position."
+    about.cause = "The center or the position has changed. Compute with new vectors instead of "
+    about.cause += "changing these two."
     expect_unchanged("gravity.center", xyz(gravity.center), ZERO)
     expect_unchanged("p.position", xyz(p.position), (2, 0, 0))
     about.call += "; gravity.center = Vector3(6, 0, 0); gravity.mu = 4.0; p.clear_forces(); "
     about.call += "gravity.update_force(p, 0.5)"
-    about.cause = "Read self.center and self.mu in every call, because they may change."
+    about.cause = "The center or mu has changed since the last call. Read self.center and self.mu "
+    about.cause += "in every call."
     gravity.center, gravity.mu = Vector3(6, 0, 0), 4.0
     p.clear_forces()
     gravity.update_force(p, 0.5)
@@ -166,14 +177,16 @@ def test_kepler_s_ellipse_is_met_the_better_the_shorter_the_frames(rng: Random) 
     mass, center = round(rng.uniform(2.0, 9.0), 3), components(rng)
     about.call = "p at (0.4, 0, 0) from the center with (0, 2, 0) m/s, mu = 1; a second of "
     about.call += "gravity.update_force(), p.integrate()"
-    about.cause = "If the force is m mu / r^2 toward the center, every mass follows Kepler's "
-    about.cause += "ellipse. Fix the force first if another check of it fails too."
+    about.cause = "With a force of m mu / r^2 toward the center, a particle of any mass follows "
+    about.cause += "Kepler's ellipse. If another check of the force fails as well, fix that one "
+    about.cause += "first."
     exact = (-0.62894818, 0.79966473, 0.0)
     ends = [orbit(ELLIPSE, 1.0, mass, 1.0 / n, n, center)[0] for n in (1000, 2000)]
     errors = [math.dist(end, exact) for end in ends]
     # Explicit Euler is off by 7.1 h here, and its next term is 0.3 % of that.
     expect_between(errors[0], -0.008, 0.008, then=" in steps of 1/1000 s: the error of p.position")
-    about.cause = "If the force is m mu / r^2, half the step must give half the error."
+    about.cause = "With the right force, half the time step must give half the error. Check that "
+    about.cause += "the force is m mu / r^2 at every distance."
     expect_close(
         errors[0] / errors[1],
         2.0,
@@ -186,7 +199,8 @@ def test_kepler_s_ellipse_is_met_the_better_the_shorter_the_frames(rng: Random) 
 def test_the_orbit_closes() -> None:
     about("p at (0.4, 0, 0) with (0, 2, 0) m/s, mu = 1; one orbit, 2 pi s, of ", read=READ)
     about.call += "gravity.update_force(), p.integrate()"
-    about.cause = "With 1 / r^2 the orbit closes: shorter steps leave a smaller gap."
+    about.cause = "With a force that decreases with r^2 the orbit closes, so shorter steps must "
+    about.cause += "leave a smaller gap. Check the power of r."
     counts = (10_000, 20_000)
     ends = [orbit(ELLIPSE, 1.0, 1.0, PERIOD / n, n, ZERO)[0] for n in counts]
     gaps = [math.dist(end, ELLIPSE[0]) for end in ends]

@@ -61,25 +61,28 @@ def expect_asked(
 @pytest.mark.exercise("B5.3")
 def test_every_pair_is_asked_once_a_frame(rng: Random) -> None:
     h, k = round(rng.uniform(0.1, 0.5), 3), round(rng.uniform(0.6, 0.9), 3)
-    about.cause = "In each update, call every pair's generator with its particle and the duration."
+    about.cause = "In each update, go through all pairs and call the update_force of each "
+    about.cause += "generator once. Pass it the particle of its pair and the duration."
     about.read = "book 5.2.2"
     acts = [("add", 0, 1), ("add", 2, 0), ("add", 0, 2), ("update", h), ("update", k)]
     wanted = [(0, 1, h), (2, 0, h), (0, 2, h), (0, 1, k), (2, 0, k), (0, 2, k)]
     slips = {
-        "Only the first update called the generators. A pair stays registered until remove or "
-        "clear removes it.": wanted[:3],
-        "The newest pair was called first. Call the pairs in the order in which they were added.": [
+        "The generators were called only in the first update. A pair must stay registered until "
+        "remove or clear removes it.": wanted[:3],
+        "The newest pair was called first. Call the generators in the order in which their pairs "
+        "were added.": [
             *wanted[2::-1],
             *wanted[:2:-1],
         ],
-        "Only one generator per particle was called. Every call of add registers another pair.": [
+        "Only one generator was called for each particle. A particle may have several generators, "
+        "because every call of add registers another pair.": [
             one for one in wanted if one[:2] != (0, 1)
         ],
-        "A pair is missing. Do not compare generators with ==, because two different generators "
-        "may be equal.": [one for one in wanted if one[:2] != (0, 2)],
-        "The generators always got 1/60 s. Pass them the duration that update_forces gets.": [
-            (p, generator, 1.0 / 60.0) for p, generator, _ in wanted
-        ],
+        "The generator of one pair was not called. Perhaps you compare generators with ==. Two "
+        "different generators can be equal, so "
+        "compare with `is`.": [one for one in wanted if one[:2] != (0, 2)],
+        "The generators always got a duration of 1/60 s. Pass them the duration that "
+        "update_forces gets.": [(p, generator, 1.0 / 60.0) for p, generator, _ in wanted],
         "No generator was called. Skip a particle only if its inverse mass is 0.": [],
     }
     expect_asked(acts, wanted, cause=about.cause, slips=slips)
@@ -87,7 +90,8 @@ def test_every_pair_is_asked_once_a_frame(rng: Random) -> None:
 
 @pytest.mark.exercise("B5.3")
 def test_one_generator_may_serve_many_particles() -> None:
-    about.cause = "A particle and a generator may each belong to several pairs."
+    about.cause = "The same particle or generator may be registered in several pairs. Call "
+    about.cause += "update_force once for every pair."
     about.read = "the docstring of ForceRegistry"
     acts = [("add", 0, 0), ("add", 1, 0), ("add", 2, 0), ("update", 0.5)]
     expect_asked(acts, [(0, 0, 0.5), (1, 0, 0.5), (2, 0, 0.5)], cause=about.cause)
@@ -95,10 +99,8 @@ def test_one_generator_may_serve_many_particles() -> None:
 
 @pytest.mark.exercise("B5.3")
 def test_a_pair_that_is_added_twice_acts_twice() -> None:
-    about.cause = (
-        "Every call of add registers another pair, even an equal one. Do not check whether the "
-        "pair is already registered."
-    )
+    about.cause = "The same pair was added more than once, so its generator must be called more "
+    about.cause += "than once. Do not check whether a pair is registered already."
     about.read = "the docstring of add"
     about.call = "registry.add(p, generator) twice; registry.update_forces(0.5); number of calls"
     got = asked((), [("add", 1, 1), ("add", 1, 1), ("update", 0.5)])
@@ -108,13 +110,15 @@ def test_a_pair_that_is_added_twice_acts_twice() -> None:
 @pytest.mark.exercise("B5.3")
 def test_remove_takes_back_one_call_of_add() -> None:
     about.read = "the docstring of remove"
-    about.cause = "Each call of remove must remove exactly one pair. All other pairs stay."
+    about.cause = "Each call of remove must remove exactly one pair and keep all others. Stop "
+    about.cause += "after the first pair that matches."
     adds = [("add", 0, 0), ("add", 1, 1), ("add", 0, 0), ("add", 0, 0)]
     everyone = [(0, 0, 0.5), (1, 1, 0.5), (0, 0, 0.5), (0, 0, 0.5)]
     expect_asked(
         [*adds, ("update", 0.5)],
         everyone,
-        cause="Every call of add registers another pair, even an equal one.",
+        cause="This pair was added more than once, and each call of add registers another pair. "
+        "So remove must leave the other ones registered.",
     )
     about.call = "added p[0] with generator[0] three times, and p[1] with generator[1]; "
     about.call += "registry.remove(p[0], generator[0]); calls of update_force, sorted"
@@ -128,9 +132,9 @@ def test_remove_takes_back_one_call_of_add() -> None:
 @pytest.mark.exercise("B5.3")
 def test_remove_looks_for_both_the_particle_and_the_generator() -> None:
     about.read = "the docstring of remove"
-    about.cause = (
-        "Remove the pair whose particle and generator are the same objects as the arguments (`is`)."
-    )
+    about.cause = "Two different generators can be equal, so == does not tell them apart. Compare "
+    about.cause += "with `is`, and remove the pair whose particle and generator are the same "
+    about.cause += "objects as the arguments."
     pairs = [("add", 0, 0), ("add", 0, 1), ("add", 1, 0), ("add", 1, 1)]
     everyone = [(0, 0, 0.5), (0, 1, 0.5), (1, 0, 0.5), (1, 1, 0.5)]
     for i, (_, particle, generator) in enumerate(pairs):
@@ -141,9 +145,8 @@ def test_remove_looks_for_both_the_particle_and_the_generator() -> None:
 @pytest.mark.exercise("B5.3")
 def test_remove_of_what_is_absent_changes_nothing() -> None:
     about.read = "the docstring of remove"
-    about.cause = (
-        "If the pair is not registered, do nothing. In particular, do not remove another pair."
-    )
+    about.cause = "This pair is not registered, so remove must do nothing. Do not raise an error, "
+    about.cause += "and do not remove another pair."
     acts = [("remove", 0, 0), ("add", 0, 1), ("add", 1, 0), ("remove", 0, 0), ("update", 0.5)]
     expect_asked(acts, [(0, 1, 0.5), (1, 0, 0.5)], cause=about.cause)
 
@@ -151,9 +154,8 @@ def test_remove_of_what_is_absent_changes_nothing() -> None:
 @pytest.mark.exercise("B5.3")
 def test_clear_takes_back_everything() -> None:
     about.read = "the docstring of clear"
-    about.cause = (
-        "After clear the registry is empty. Only pairs that are added later have an effect."
-    )
+    about.cause = "clear must remove all pairs. After that, only pairs that are added later may "
+    about.cause += "have an effect."
     acts = [("add", 0, 0), ("add", 1, 1), ("update", 0.5), ("clear",), ("update", 0.5)]
     acts += [("clear",), ("add", 2, 1), ("update", 0.25)]
     expect_asked(acts, [(0, 0, 0.5), (1, 1, 0.5), (2, 1, 0.25)], cause=about.cause)
@@ -162,12 +164,17 @@ def test_clear_takes_back_everything() -> None:
 @pytest.mark.exercise("B5.3")
 def test_immovable_particles_are_skipped() -> None:
     about.read = "the docstring of update_forces"
-    about.cause = "Skip a particle whose inverse mass is 0, because no force can move it."
+    about.cause = "No force can move a particle whose inverse mass is 0, so skip its pair in "
+    about.cause += "update_forces. Keep the pair, because the particle may become movable."
     acts = [("add", 0, 0), ("add", 1, 0), ("add", 1, 1), ("add", 2, 0), ("update", 0.5)]
     wanted = [(0, 0, 0.5), (2, 0, 0.5)]
-    slips = {"The loop stopped at the immovable particle. Skip it and continue.": wanted[:1]}
+    slips = {
+        "The loop stopped at the immovable particle. Skip only this pair, and continue with "
+        "the next one.": wanted[:1]
+    }
     expect_asked(acts, wanted, cause=about.cause, immovable=(1,), slips=slips)
-    about.cause = "This particle can move now. Check the inverse mass in every update."
+    about.cause = "This particle was immovable before, but it can move now. Check its inverse mass "
+    about.cause += "in every update."
     acts = [("add", 1, 2), ("add", 0, 2), ("update", 0.5), ("free", 1), ("update", 0.5)]
     wanted = [(0, 2, 0.5), (1, 2, 0.5), (0, 2, 0.5)]
     expect_asked(acts, wanted, cause=about.cause, immovable=(1,))
@@ -178,12 +185,17 @@ def test_an_update_adds_to_the_forces_that_are_there(rng: Random) -> None:
     by_hand, first, second = components(rng), components(rng), components(rng)
     about.call = f"p.add_force(Vector3{by_hand}); generators push with {first} and {second}; "
     about.call += "registry.update_forces(0.5); p.force_accumulator"
-    about(cause="Keep forces that were added by hand. Only a step clears them.", read="book 5.2.2")
+    about(
+        cause="The sum must contain the forces of both generators and the force that was added by "
+        "hand. Do not clear the forces in update_forces, because only a step clears them.",
+        read="book 5.2.2",
+    )
     before, after, emptied = gathered(by_hand, [first, second])
     wanted = tuple(by_hand[i] + first[i] + second[i] for i in range(3))
     # Two roundings of numbers up to 30.
     expect_close(after, wanted, tolerance=1e-13)
-    about.cause = "add, remove and clear change only the registry. They do not change any forces."
+    about.cause = "The force on the particle has changed. add, remove and clear must change only "
+    about.cause += "the registry and not the forces."
     name = f"p.add_force(Vector3{by_hand}); p in registry.add(); p.force_accumulator"
     expect_close(before, by_hand, call=name, read="the docstring of add")
     about.read = "the docstring of clear"
@@ -193,10 +205,8 @@ def test_an_update_adds_to_the_forces_that_are_there(rng: Random) -> None:
 @pytest.mark.exercise("B5.3")
 def test_a_generator_may_change_the_registry_meanwhile() -> None:
     about.read = "the docstring of update_forces"
-    about.cause = (
-        "Pairs that are added or removed during an update take effect in the next update. Loop "
-        "over a copy of the list."
-    )
+    about.cause = "A generator has added or removed pairs during the update. Such changes must "
+    about.cause += "take effect in the next update only, so loop over a copy of the list."
     for what, second in (("remove", 2), ("add", 4), ("remove the second", 2), ("clear", 0)):
         about.call = f"three pairs, the first generator changes the registry ({what}); "
         about.call += "registry.update_forces(0.5) twice; number of generators called in each"
@@ -209,7 +219,8 @@ def test_a_generator_may_change_the_registry_meanwhile() -> None:
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
 def test_an_update_takes_a_positive_and_finite_duration(duration: float) -> None:
     about(f"registry.update_forces({duration!r})", read="the docstring of update_forces")
-    about.cause = "Check the duration first. positive of arguments.py raises both errors for you."
+    about.cause = "The duration must be positive, finite and a number. Check it first with "
+    about.cause += "positive from arguments.py, which raises both errors for you."
     expect_error(
         lambda: ForceRegistry().update_forces(duration),
         TypeError if isinstance(duration, str) else ValueError,
@@ -217,7 +228,8 @@ def test_an_update_takes_a_positive_and_finite_duration(duration: float) -> None
     )
     for immovable in (False, True):
         got = asked_after_a_refusal(duration, immovable)
-        about.cause = "Check the duration before you call any generator."
+        about.cause = "The duration was rejected, but a generator was called before. Check the "
+        about.cause += "duration before you call any generator."
         then = " with one pair, then registry.update_forces(0.5); number of generators called"
         expect_exactly(got, 1, then=then)
 
@@ -226,7 +238,8 @@ def test_an_update_takes_a_positive_and_finite_duration(duration: float) -> None
 @pytest.mark.robust
 def test_what_a_generator_raises_comes_out() -> None:
     about.call = "a generator raises ArithmeticError; registry.update_forces(0.5)"
-    about.cause = "Do not catch an error of a generator here, so that the caller sees it."
+    about.cause = "An error that a generator raises must reach the caller. Do not catch errors of "
+    about.cause += "generators in update_forces."
     about.read = "the docstring of update_forces"
     registry = failing()
     expect_error(
@@ -249,10 +262,11 @@ def test_only_a_particle_and_a_generator_can_be_added(bad: Any) -> None:
         ("registry.add(gravity, p)", lambda: registry.add(gravity, p)),  # type: ignore[arg-type]
     ):
         about.call = call
-        about.cause = "Raise TypeError if the particle has no add_force, or the generator no "
-        about.cause += "update_force."
+        about.cause = "registry.add must check its arguments. Raise TypeError if the particle has "
+        about.cause += "no add_force or the generator has no update_force."
         expect_error(attempt, TypeError, allowed=lambda: other.add(p, gravity))
-        about.cause = "A refused pair must not be stored. Check both before you append."
+        about.cause = "The pair was rejected, but it is registered. Check both arguments before "
+        about.cause += "you append the pair."
         about.call += ", which is refused; registry.update_forces(0.5)"
         came = "no error"
         try:

@@ -47,14 +47,15 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
     for azimuth, elevation in ((0.0, 0.0), (a, e), (-a, -e)):
         about.call = f"range = SniperRange(1); range.shoot({azimuth}, {elevation})"
         at = SniperRange(1)
-        about.cause = "A bullet was fired, so return True."
+        about.cause = "Shots are left and no bullet is in flight, so this shot must be fired. "
+        about.cause += "Return True."
         fired = at.shoot(azimuth, elevation)
         expect_exactly(fired, True)
         expect_exactly(at.bullet is None, False, then="; range.bullet is None")
         bullet: Any = at.bullet
-        about.cause = "The vertical part is speed x sin(elevation), and the horizontal part is "
-        about.cause += "speed x cos(elevation). The azimuth rotates the horizontal part from Z "
-        about.cause += "toward X."
+        about.cause = "The vertical component of the velocity is speed x sin(elevation), and its "
+        about.cause += "horizontal part is speed x cos(elevation). The azimuth rotates this "
+        about.cause += "horizontal part from Z toward X."
         wanted = (
             120.0 * math.cos(elevation) * math.sin(azimuth),
             120.0 * math.sin(elevation),
@@ -62,22 +63,27 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
         )
         got = xyz(bullet.velocity)
         slips = {
-            "Azimuth and elevation are swapped.": (
+            "Azimuth and elevation are swapped. The elevation decides the vertical component, and "
+            "the azimuth rotates the horizontal part.": (
                 120.0 * math.cos(azimuth) * math.sin(elevation),
                 120.0 * math.sin(azimuth),
                 wanted[2],
             ),
-            "The azimuth rotates the shot in the wrong direction, away from X.": (
+            "The azimuth rotates the shot away from X. A positive azimuth must give a positive x "
+            "component.": (
                 -wanted[0],
                 *wanted[1:],
             ),
-            "The sine and the cosine of the azimuth are swapped.": wanted[::-1],
-            "The horizontal part was not multiplied by cos(elevation).": (
+            "The sine and the cosine of the azimuth are swapped. At an azimuth of 0 the bullet "
+            "must fly along Z.": wanted[::-1],
+            "The bullet is too fast, because the horizontal part was not multiplied by "
+            "cos(elevation).": (
                 120.0 * math.sin(azimuth),
                 wanted[1],
                 120.0 * math.cos(azimuth),
             ),
-            "The angles are in radians. Do not convert them from degrees.": (
+            "The angles were converted from degrees, but they are in radians already. Pass them "
+            "to sin and cos as they are.": (
                 120.0 * math.cos(math.radians(elevation)) * math.sin(math.radians(azimuth)),
                 120.0 * math.sin(math.radians(elevation)),
                 120.0 * math.cos(math.radians(elevation)) * math.cos(math.radians(azimuth)),
@@ -85,14 +91,15 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
         }
         blame(got, slips)
         expect_close(got, wanted, then="; range.bullet.velocity")
-        about.cause = "Use MUZZLE, GRAVITY and BULLET_MASS from the top of the file, and damping 1."
+        about.cause = "The new bullet has a wrong attribute. Use MUZZLE, GRAVITY and BULLET_MASS "
+        about.cause += "from the top of the file, and a damping of 1."
         got = xyz(bullet.position)
         expect_close(got, (0, 1.5, 0), then="; range.bullet.position")
         got = xyz(bullet.acceleration)
         expect_close(got, (0, -2, 0), then="; range.bullet.acceleration")
         numbers = (bullet.mass, bullet.damping)
         expect_close(numbers, (1.0, 1.0), then="; mass and damping of range.bullet")
-        about.cause = "Each shot must reduce shots_left by 1."
+        about.cause = "Each shot that is fired must reduce shots_left by 1."
         expect_exactly(at.shots_left, 9, then="; range.shots_left")
 
 
@@ -101,7 +108,8 @@ def test_the_wind_acts_on_the_bullet() -> None:
     about("range = SniperRange(1); range.wind.velocity = Vector3(4, 0, 20); ", read=SHOOT)
     about.call += "range.shoot(0.0, 0.0); range.forces.update_forces(0.5); "
     about.call += "range.bullet.force_accumulator"
-    about.cause = "Add the bullet and the wind to self.forces once."
+    about.cause = "The wind must act on the bullet exactly once. Add the bullet together with the "
+    about.cause += "wind to self.forces, once for each shot."
     at = SniperRange(1)
     at.wind.velocity = Vector3(4, 0, 20)
     at.shoot(0.0, 0.0)
@@ -119,7 +127,8 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     a, e = draw_angles(rng)
     about.call = f"range = SniperRange(1); range.shoot({a}, {e}); a step of 1/60 s later"
     at = SniperRange(1)
-    about.cause = "One step must move the bullet by v h exactly once."
+    about.cause = "One step must move the bullet by v h, exactly once. Check that update "
+    about.cause += "integrates the bullet and that shoot does not."
     at.shoot(a, e)
     at.update(1.0 / 60.0)
     bullet: Any = at.bullet
@@ -129,7 +138,8 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     way = "the docstring of update"
     expect_close(place[:2], wanted, call=name, read=way, tolerance=1e-12)
     about.call += "; range.shoot(0.0, 0.0)"
-    about.cause = "While a bullet is in flight, return False and change nothing."
+    about.cause = "A bullet is still in flight, so no other one may be fired. Return False and "
+    about.cause += "change nothing."
     expect_exactly(at.shoot(0.0, 0.0), False)
     expect_exactly(at.shots_left, 9, then="; range.shots_left")
     bullet = at.bullet
@@ -140,12 +150,15 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
 def test_without_shots_left_none_is_fired() -> None:
     about("range = SniperRange(1); range.shots_left = 1; range.shoot(0.0, 0.0); ", read=SHOOT)
     about.call += "range.bullet = None; range.shoot(0.0, 0.0)"
-    about.cause = "When no shots are left, return False and fire nothing."
+    about.cause = "No shots are left, so no bullet may be fired. Return False."
     at = SniperRange(1)
     at.shots_left = 1
     fired = at.shoot(0.0, 0.0)
     expect_exactly(
-        fired, True, call="range.shots_left = 1; range.shoot(0.0, 0.0)", cause="One shot is left."
+        fired,
+        True,
+        call="range.shots_left = 1; range.shoot(0.0, 0.0)",
+        cause="One shot is left, so it must be fired. Return True.",
     )
     at.bullet = None
     expect_exactly(at.shoot(0.0, 0.0), False)
@@ -160,7 +173,8 @@ def test_the_rifle_turns_only_so_far(bad: float) -> None:
     about.read = SHOOT
     for angles in ((bad, 0.0), (0.0, bad)):
         about.call = f"range.shoot{angles}"
-        about.cause = "Raise ValueError for an angle beyond +-SWING (0.2). Exactly 0.2 is allowed."
+        about.cause = "Both angles must be from -SWING to SWING, which is 0.2. Raise ValueError "
+        about.cause += "for an angle beyond that, but allow exactly 0.2."
         at = SniperRange(1)
 
         def allowed() -> None:
@@ -168,13 +182,13 @@ def test_the_rifle_turns_only_so_far(bad: float) -> None:
                 SniperRange(1).shoot(*good)
 
         expect_error(lambda at=at, angles=angles: at.shoot(*angles), ValueError, allowed=allowed)
-        about.cause = "Check both angles before you change shots_left."
+        about.cause = "The angles were rejected, but something has changed. Check both angles "
+        about.cause += "before you change shots_left or anything else."
         expect_exactly(at.shots_left, 10, then="; range.shots_left")
         expect_exactly(at.bullet is None, True, then="; range.bullet is None")
         at.shoot(0.0, 0.0)
-        about.cause = (
-            "Check the angles first, so that an invalid angle is rejected during a flight, too."
-        )
+        about.cause = "An invalid angle must be rejected even while a bullet is in flight. Check "
+        about.cause += "the angles before anything else."
         expect_error(
             lambda at=at, angles=angles: at.shoot(*angles),
             ValueError,
@@ -189,16 +203,20 @@ def test_the_rifle_turns_only_so_far(bad: float) -> None:
 @pytest.mark.exercise("P4.2b")
 def test_the_innermost_ring_counts(rng: Random) -> None:
     about.read = "the docstring of ring_points"
-    about.cause = (
-        "The rings have radii of 0.1, 0.25 and 0.5 m and give 10, 5 and 2 points. Use the "
-    )
-    about.cause += "distance from the center."
-    use = "Use the distance from the center, math.hypot(x, y)."
+    about.cause = "The points depend on the distance from the center. The rings with radii of 0.1, "
+    about.cause += "0.25 and 0.5 m give 10, 5 and 2 points."
+    use = "Compare the distance from the center, math.hypot(x, y), with the radii."
     for x, y, points, slip, gives in (
-        (0.0, 0.3, 2, "Here x alone decides.", 10),
-        (0.3, 0.0, 2, "Here y alone decides.", 10),
-        (0.08, -0.08, 5, "The distance used here is x + y.", 10),
-        (0.2, 0.2, 2, "The rings are square here, because only the larger of x and y is used.", 5),
+        (0.0, 0.3, 2, "Only x was compared with the radii of the rings.", 10),
+        (0.3, 0.0, 2, "Only y was compared with the radii of the rings.", 10),
+        (0.08, -0.08, 5, "The sum x + y was used as the distance.", 10),
+        (
+            0.2,
+            0.2,
+            2,
+            "Only the larger one of |x| and |y| was used, which makes the rings square.",
+            5,
+        ),
     ):
         about.call = f"ring_points({x}, {y}), {math.hypot(x, y):.4f} m from the center"
         got = ring_points(x, y)
@@ -218,14 +236,15 @@ def test_the_innermost_ring_counts(rng: Random) -> None:
             about.call = f"ring_points({x!r}, {y!r}), {away} m from the center"
             got = ring_points(x, y)
             slips = {
-                "These are the points of all rings. Only the smallest ring counts.": sum(
-                    points for radius, points in RINGS if away <= radius
-                ),
-                "These points belong to the largest ring. Check the smallest first.": RINGS[-1][1],
+                "This is the sum of the points of all rings around the hole. Only the smallest of "
+                "these rings counts.": sum(points for radius, points in RINGS if away <= radius),
+                "These are the points of the largest ring. Check the smallest ring first, because "
+                "it gives the most points.": RINGS[-1][1],
             }
             why = named(got, about.cause, slips)
             expect_exactly(got, points, cause=why)
-    about.cause = "A point on the edge of a ring is inside it."
+    about.cause = "This point is exactly on the edge of a ring, which still counts as inside. "
+    about.cause += "Compare with <= instead of <."
     for x, y, points in ((0.1, 0.0, 10), (0.0, -0.25, 5), (-0.5, 0.0, 2), (0.3, 0.4, 2)):
         about.call = f"ring_points({x}, {y})"
         expect_exactly(ring_points(x, y), points)
@@ -267,13 +286,14 @@ def expect_hole(
     x, y, points = hole
     middle, height, _, factor = TARGETS[distance]
     slips = {
-        "The points were not multiplied by the target's factor.": (
+        "The points of the ring are right, but they were not multiplied by the target's factor.": (
             *TARGETS[distance],
             x,
             y,
             points / factor,
         ),
-        "The result is the hole's position in the world. Subtract the target's center.": (
+        "This is the position of the hole in the world, but x and y are measured from the "
+        "target's center. Subtract the center.": (
             *TARGETS[distance],
             x + middle,
             y + height,
@@ -300,19 +320,15 @@ def expect_no_hole(start: tuple[float, float, float], end: tuple[float, float, f
 @pytest.mark.exercise("P4.2b")
 def test_a_hole_is_where_the_way_passes_the_plane_of_the_target(rng: Random) -> None:
     away = round(rng.uniform(0.02, 0.06), 3)
-    about.cause = (
-        "Check every target on the path. Measure x and y from its center, and multiply the "
-    )
-    about.cause += "points by its factor."
+    about.cause = "This path hits a target. Check every target on the path, measure x and y of the "
+    about.cause += "hole from its center, and multiply the points by its factor."
     for distance, (middle, height, _, factor) in TARGETS.items():
         for x, y in ((away, -away), (-away, away)):
             start = (middle + x, height + y, distance - 1.0)
             end = (middle + x, height + y, distance + 1.0)
             expect_hole(start, end, (distance, x, y, 10 * factor))
-    about.cause = (
-        "This path is oblique. Interpolate x and y at the plane, which is crossed here at a "
-        "quarter of the path."
-    )
+    about.cause = "This path is oblique, so x and y change along it. Interpolate them at the "
+    about.cause += "target's plane, which the path crosses at a quarter of its length."
     start, end = (0.5, 0.5, 99.0), (-3.5, 4.5, 103.0)
     expect_hole(start, end, (100.0, 0.0, 0.0, 20))
     start, end = (0.5, 0.8, 99.0), (-3.5, 4.8, 103.0)
@@ -325,49 +341,57 @@ def test_a_way_beside_the_target_or_short_of_it_makes_no_hole() -> None:
         (
             (-2.1, 1.5, 49.0),
             (-2.1, 1.5, 51.0),
-            "This path passes beside the target, so it does not hit.",
+            "This path passes beside the target and misses its largest ring, so there is no hole. "
+            "Return None.",
         ),
         (
             (-1.5, 1.5, 40.0),
             (-1.5, 1.5, 49.9),
-            "This path ends before the target, so it does not hit.",
+            "This path ends before it reaches the target, so there is no hole. Return None.",
         ),
         (
             (-1.5, 1.5, 50.1),
             (-1.5, 1.5, 60.0),
-            "This path begins behind the target, so it does not hit.",
+            "This path begins behind the target, so it does not cross its plane. Return None.",
         ),
         (
             (-1.5, 1.5, 51.0),
             (-1.5, 1.5, 49.0),
-            "This path comes from behind the target, so it does not hit.",
+            "This path crosses the target's plane from behind, which does not count as a hit. "
+            "Return None.",
         ),
         (
             (-1.5, 1.5, 50.0),
             (-1.5, 1.5, 50.0),
-            "This path has no length. Check start.z < distance before you divide.",
+            "This path has no length, so it hits nothing. Check start.z < distance before you "
+            "divide by the length.",
         ),
         (
             (3.5, 1.5, 49.0),
             (-1.5, 1.5, 51.0),
-            "At the plane, x is 1. It is -1.5 only at the end of the path.",
+            "Where this path crosses the target's plane, x is 1, so it misses the target. Do not "
+            "use the end of the path, where x is -1.5.",
         ),
         (
             (-1.5, 1.5, 50.0),
             (-1.5, 1.5, 52.0),
-            "The step before has already passed this plane. Test start.z < distance.",
+            "This path begins exactly on the target's plane, so the step before has already been "
+            "checked there. Use start.z < distance as the condition.",
         ),
     ):
         about.cause = cause
         expect_no_hole(start, end)
-    about.cause = "A path that ends on the plane hits it. Test distance <= end.z."
+    about.cause = "This path ends exactly on the target's plane, which counts as a hit. Use "
+    about.cause += "distance <= end.z as the condition."
     expect_hole((-1.5, 1.5, 48.0), (-1.5, 1.5, 50.0), (50.0, 0.0, 0.0, 10))
 
 
 @pytest.mark.exercise("P4.2b")
 def test_a_long_way_hits_the_first_target_that_it_meets() -> None:
-    about.cause = "The nearer of two targets stops the bullet."
+    about.cause = "The path meets two targets, but the nearer one stops the bullet. Return the "
+    about.cause += "hole in the nearer target."
     expect_hole((-2.0, 1.5, 25.0), (0.0, 1.5, 125.0), (50.0, 0.0, 0.0, 10))
-    about.cause = "The path misses the nearer target. Continue with the next target."
+    about.cause = "The path misses the nearer target, so it can still hit one behind it. Continue "
+    about.cause += "with the next target."
     expect_hole((-0.5, 1.5, 25.0), (-0.5, 1.5, 125.0), (100.0, 0.0, 0.0, 20))
     expect_hole((2.0, 1.5, 25.0), (2.0, 1.5, 175.0), (150.0, 0.0, 0.0, 30))

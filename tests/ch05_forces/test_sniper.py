@@ -42,10 +42,8 @@ def thrown(at: SniperRange, position: Components, velocity: Components) -> Any:
 @pytest.mark.exercise("P4.2b")
 def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
     about.read = UPDATE
-    about.cause = (
-        "In each step, copy the position, update the forces, integrate, and check which target the "
-    )
-    about.cause += "path from the copy to the new position has hit."
+    about.cause = "In each step, copy the position, update the forces and integrate. After that, "
+    about.cause += "check which target was hit on the path from the copy to the new position."
     for x, distance, factor in ((-1.5, 50.0, 1), (2.0, 150.0, 3)):
         azimuth, elevation = math.atan2(x, distance), distance * 0.00007
         level = 120.0 * math.cos(elevation) * math.cos(azimuth)
@@ -56,7 +54,8 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         holes = [tuple(hole) for hole in came["holes"]]
         expect_exactly(len(holes), 1, then="; number of holes")
         frames = math.floor(distance / (level * FRAME))
-        about.cause = "The target stops the bullet. Set range.bullet to None."
+        about.cause = "The bullet flies on after it has hit a target. The target stops it, so set "
+        about.cause += "self.bullet to None."
         expect_exactly(len(came["positions"]), frames, then="; steps in flight before")
         points = factor * (10 if abs(y) <= 0.1 else 5 if abs(y) <= 0.25 else 2)
         # A hundred roundings of positions up to 150 m.
@@ -64,20 +63,29 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         expect_close(
             holes[0], wanted, then="; distance, x, y and points of the hole", tolerance=1e-10
         )
-        about.cause = "Add the points to the score. They already include the target's factor."
+        about.cause = "Add the points of the hole to the score. Do not multiply them again, "
+        about.cause += "because they already include the target's factor."
         expect_exactly(came["score"], points, then="; range.score")
 
 
 @pytest.mark.exercise("P4.2b")
 def test_the_wind_carries_the_bullet_away() -> None:
     about.call = "range with a wind of 10 m/s along X; range.shoot(0.0, 0.02); range.update(1/60)"
-    once = "In each step, update the forces once and then integrate."
-    about(cause=f"{once} The shot has landed beyond END_OF_RANGE, z > 210 m.", read=UPDATE)
+    once = "In each step, update the forces exactly once, and then integrate."
+    about(
+        cause=f"{once} The shot has landed when z is larger than END_OF_RANGE, 210 m.", read=UPDATE
+    )
     still = play([(0.0, 0.02)], FRAME, wind=(0.0, 0.0, 0.0), k1=0.05)["positions"]
     blown = play([(0.0, 0.02)], FRAME, wind=(10.0, 0.0, 0.0), k1=0.05)["positions"]
     frames = (len(blown), len(still))
     # With k1 alone a cross wind changes nothing along Z, and both pass 210 m in step 109.
-    blame(frames, {"The result is a flight without drag.": (105, 105)})
+    blame(
+        frames,
+        {
+            "This is how long the flight takes without drag. Update the forces in each "
+            "step before you integrate.": (105, 105)
+        },
+    )
     expect_exactly(frames, (109, 109), then=": steps in flight, and in still air")
     # x' of the book's step with dv/dt = (w - v) k: in units of w, the velocity is 1 - (1 - k h)^n.
     keep = 1.0 - 0.05 * FRAME
@@ -86,10 +94,12 @@ def test_the_wind_carries_the_bullet_away() -> None:
     got = (blown[-1][0], still[-1][0])
     about.cause = once
     if got[1] != 0.0:
-        about.cause = "The wind changes only after the shot has landed."
+        about.cause = "The bullet was carried to the side although there was no wind. Change the "
+        about.cause += "wind only after the shot has landed."
     expect_close(got, wanted, then=": x at the end, and in still air", tolerance=1e-10)
     z = 120.0 * math.cos(0.02) * FRAME * (1.0 - keep**109) / (1.0 - keep)
-    about.cause = "Drag slows the bullet down."
+    about.cause = "The bullet must be slowed down by drag. Call update_forces with the duration "
+    about.cause += "before each integration."
     expect_close(blown[-1][2], z, then=": z at the end", tolerance=1e-9)
 
 
@@ -99,7 +109,8 @@ def test_a_frame_lasts_as_long_as_it_is_told(rng: Random) -> None:
     h = round(rng.uniform(0.1, 0.3), 3)
     about.call = "range.wind.velocity = Vector3(5, 0, 0); range.shoot(0.0, 0.1); a Drag(0.5, 0.0) "
     about.call += f"of the bullet added to range.forces; range.update({h})"
-    about.cause = "Pass the duration to update_forces and to integrate. All registered forces act."
+    about.cause = "A step must last as long as the duration says. Pass the duration to "
+    about.cause += "update_forces and to integrate, and let all registered forces act."
     at = SniperRange(1)
     at.wind.k1, at.wind.k2, at.wind.velocity = 0.25, 0.0, Vector3(5, 0, 0)
     at.shoot(0.0, 0.1)
@@ -120,7 +131,8 @@ def test_a_frame_lasts_as_long_as_it_is_told(rng: Random) -> None:
 def test_what_is_exactly_at_the_edge_flies_on() -> None:
     about("a bullet without forces from (20, 1, 178) with (0, -2, 64) m/s; ", read=UPDATE)
     about.call += "range.update(0.5): the bullet is at (20, 0, 210); range.bullet is None"
-    about.cause = "A shot has landed if y < 0 or z > 210. Use < and > instead of <= and >=."
+    about.cause = "This bullet is exactly at the edge, so it is still in flight. A shot has landed "
+    about.cause += "if y < 0 or z > 210, without the equal sign."
     at = SniperRange(1)
     bullet = thrown(at, (20.0, 1.0, 178.0), (0.0, -2.0, 64.0))
     at.update(0.5)
@@ -130,7 +142,8 @@ def test_what_is_exactly_at_the_edge_flies_on() -> None:
     about.call = "a bullet without forces from (5, 1.5, 190) with (0, 0, 60) m/s; "
     about.call += "range.update(0.5): it passes the target at 200 m and ends at 220 m; number of "
     about.call += "holes"
-    about.cause = "Check for a hit before you check for the end of the range."
+    about.cause = "In this step the bullet hits a target and also leaves the range. Check for a "
+    about.cause += "hit before you check for the end of the range."
     at = SniperRange(1)
     thrown(at, (5.0, 1.5, 190.0), (0.0, 0.0, 60.0))
     at.update(0.5)
@@ -141,8 +154,15 @@ def test_what_is_exactly_at_the_edge_flies_on() -> None:
 def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
     about.read = UPDATE
     for (azimuth, elevation), cause in (
-        ((0.1, -0.1), "A shot below the ground, y < 0, has landed."),
-        ((0.15, 0.19), "A shot beyond END_OF_RANGE, z > 210 m, has landed."),
+        (
+            (0.1, -0.1),
+            "The bullet is below the ground when y < 0, which means that the shot has landed.",
+        ),
+        (
+            (0.15, 0.19),
+            "The bullet has left the range when z is larger than END_OF_RANGE, 210 m. "
+            "Then the shot has landed.",
+        ),
     ):
         about.cause = cause
         about.call = f"range without drag; range.shoot({azimuth}, {elevation}); range.update(1/60) "
@@ -155,7 +175,8 @@ def test_a_miss_lands_on_the_ground_or_behind_the_range() -> None:
         came = play([(azimuth, elevation)], FRAME)
         expect_exactly(len(came["positions"]), n, then="; steps in flight")
         got = (len(came["holes"]), came["score"], came["shots_left"])
-        about.cause = "A miss makes no hole and earns no points."
+        about.cause = "This shot has missed, so it must make no hole and earn no points. Only "
+        about.cause += "shots_left is reduced by 1."
         expect_exactly(got, (0, 0, 9), then="; holes, score and shots left")
 
 
@@ -168,12 +189,14 @@ def test_the_wind_changes_when_a_shot_has_landed_and_not_before() -> None:
     for aim, what in (((0.1, -0.1), "misses"), ((math.atan2(-1.5, 50.0), 0.0035), "hits")):
         about.call = f"range.wind.velocity = Vector3{wind}; range.shoot{aim}, which {what}; "
         about.call += "range.update(1/60)"
-        about.cause = "The wind must not change during a flight."
+        about.cause = "The wind must stay the same during the flight. Call change_wind only after "
+        about.cause += "the shot has landed."
         came = play([aim], FRAME, wind=wind)
         blown = [tuple(one) for one in came["winds"]]
         during = [*dict.fromkeys(blown[:-1])]
         expect_exactly(during, [wind], then="; winds during the flight")
-        about.cause = "Call change_wind() once after every shot, whether it hits or misses."
+        about.cause = "After every shot the wind must change exactly once. Call change_wind "
+        about.cause += "whether the shot hits or misses."
         expect_exactly(blown[-1], drawn, then="; the wind afterwards")
 
 
@@ -182,7 +205,8 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
     about("range = SniperRange(1); range.shoot(0.1, -0.1); bullet = range.bullet; ", read=UPDATE)
     about.call += "range.update(1/60) 20 times; range.forces.update_forces(0.5); "
     about.call += "bullet.force_accumulator"
-    about.cause = "Remove the bullet and the wind with self.forces.remove, or clear the registry."
+    about.cause = "No force may act on a bullet that has landed. Remove the bullet and the wind "
+    about.cause += "with self.forces.remove, or clear the registry."
     at = SniperRange(1)
     at.shoot(0.1, -0.1)
     bullet: Any = at.bullet
@@ -192,18 +216,22 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
         at.bullet is None,
         True,
         call="range.bullet is None, after 20 steps",
-        cause="y is below 0 after 8 steps, so the shot has landed.",
+        cause="After 8 steps the bullet is below the ground, so the shot has landed. Set "
+        "self.bullet to None then.",
     )
     at.forces.update_forces(0.5)
     expect_close(xyz(bullet.force_accumulator), (0, 0, 0))
-    about.cause = "A bullet that has landed must not move."
+    about.cause = "A bullet that has landed must not move anymore. Return early from update if no "
+    about.cause += "bullet is in flight."
     place, wind = xyz(bullet.position), xyz(at.wind.velocity)
     at.update(FRAME)
     expect_unchanged("bullet.position", xyz(bullet.position), place, call="range.update(1/60)")
-    about.cause = "While no bullet is in flight, update must change nothing, including the wind."
+    about.cause = "The wind has changed although no bullet is in flight. In this case, update must "
+    about.cause += "change nothing."
     got = xyz(at.wind.velocity)
     expect_unchanged("the wind", got, wind, call="range.update(1/60)")
-    about.cause = "The next shot can be fired as soon as this one has landed."
+    about.cause = "This shot has landed, so the next one can be fired. Set self.bullet to None "
+    about.cause += "when a shot has landed."
     expect_exactly(at.shoot(0.0, 0.0), True, call="range.shoot(0.0, 0.0)")
 
 
@@ -215,11 +243,12 @@ def test_a_whole_round_is_ten_shots() -> None:
     aims = [near, miss, far, miss, far, miss] * 2
     about.call = "twelve times range.shoot() and range.update(1/60) until it has landed, every "
     about.call += "other a hit"
-    about.cause = "Ten shots are fired. The other two must be rejected."
+    about.cause = "A round has only ten shots, so the last two of these twelve must not be fired."
     came = play(aims, FRAME)
     expect_exactly(came["shots_left"], 0, then="; range.shots_left")
     points = [hole[3] for hole in came["holes"]]
-    about.cause = "Append one hole per hit, in the order of the shots. The score is their sum."
+    about.cause = "Each hit must append exactly one hole, in the order of the shots. The score is "
+    about.cause += "the sum of their points."
     wanted = [10, 30, 30, 10, 30]
     expect_exactly(points, wanted, then="; points of the holes")
     expect_exactly(came["score"], 110, then="; range.score")
@@ -230,7 +259,8 @@ def test_a_whole_round_is_ten_shots() -> None:
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
 def test_a_frame_of_the_range_takes_a_positive_and_finite_duration(duration: float) -> None:
     about.read = UPDATE
-    about.cause = "Check the duration with positive() of arguments.py before anything moves."
+    about.cause = "The duration must be positive and finite. Check it with positive from "
+    about.cause += "arguments.py before anything moves."
     error = TypeError if isinstance(duration, str) else ValueError
     about.call = f"range.shoot(0.0, 0.1); range.update({duration!r})"
     flying = SniperRange(1)

@@ -32,7 +32,8 @@ def lifted(origin: tuple, radius: float, force: tuple, place: tuple) -> tuple[st
 def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -> None:
     about.read = READ
     origin, force, radius = components(rng), components(rng), round(rng.uniform(2.0, 5.0), 3)
-    about.cause = "Add self.force, unchanged, where sqrt(dx^2 + dz^2) is at most the radius."
+    about.cause = "The force must act only inside the column. Add self.force unchanged if "
+    about.cause += "sqrt(dx^2 + dz^2) is at most the radius."
     # 0.6 and 0.8: the distance is the radius times the share.
     ways = [
         (dx * share * radius, dz * share * radius)
@@ -45,34 +46,37 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
     ]
     inside = [math.hypot(dx, dz) <= radius for dx, dz in ways]
     rules = {
-        "The column is at (0, 0). Measure the distance from self.origin.": [
-            math.hypot(origin[0] + dx, origin[2] + dz) <= radius for dx, dz in ways
+        "The distance was measured from (0, 0), but the column is somewhere else. Measure it from "
+        "self.origin.": [math.hypot(origin[0] + dx, origin[2] + dz) <= radius for dx, dz in ways],
+        "The distance was measured in X and Y. The column is vertical, so use X and Z.": [
+            abs(dx) <= radius for dx, _ in ways
         ],
-        "The distance is measured in X and Y. Use X and Z.": [abs(dx) <= radius for dx, _ in ways],
-        "The column is square, because dx and dz are each compared with the radius.": [
-            max(abs(dx), abs(dz)) <= radius for dx, dz in ways
-        ],
-        "|dx| + |dz| is compared with the radius. Use the distance sqrt(dx^2 + dz^2).": [
-            abs(dx) + abs(dz) <= radius for dx, dz in ways
-        ],
-        "The squared distance is compared with the radius. Square the radius, too.": [
+        "The column is square, because dx and dz were each compared with the radius. Compare the "
+        "distance instead.": [max(abs(dx), abs(dz)) <= radius for dx, dz in ways],
+        "The sum |dx| + |dz| was compared with the radius. Use the distance sqrt(dx^2 + dz^2) "
+        "instead.": [abs(dx) + abs(dz) <= radius for dx, dz in ways],
+        "The squared distance was compared with the radius itself. Square the radius as well.": [
             dx * dx + dz * dz <= radius for dx, dz in ways
         ],
-        "The force acts outside the column instead of inside.": [not acts for acts in inside],
-        "The force acts everywhere.": [True for _ in ways],
-        "The force acts nowhere.": [False for _ in ways],
+        "The force acts outside the column instead of inside. Reverse the comparison.": [
+            not acts for acts in inside
+        ],
+        "The force acts everywhere. Check the distance before you add it.": [True for _ in ways],
+        "The force acts nowhere. Check that you call particle.add_force inside the column.": [
+            False for _ in ways
+        ],
     }
     acted = [got != ZERO for _, got in came]
     if acted != inside:
-        about.cause = next(
-            (f"{rule} {about.cause}" for rule in rules if rules[rule] == acted), about.cause
-        )
+        about.cause = next((rule for rule in rules if rules[rule] == acted), about.cause)
     for (call, got), acts in zip(came, inside, strict=True):
         about.call = call
         x, y, z = force
         slips = {
-            "The force is multiplied by the mass of 4 kg.": (4.0 * x, 4.0 * y, 4.0 * z),
-            "The force points straight up. Keep the direction of self.force.": (
+            "The force was multiplied by the mass of 4 kg. Add self.force as it is, because it is "
+            "a force already.": (4.0 * x, 4.0 * y, 4.0 * z),
+            "The force points straight up, but self.force has another direction. Add the whole "
+            "vector.": (
                 0.0,
                 math.hypot(x, y, z),
                 0.0,
@@ -86,9 +90,8 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
 def test_the_column_has_no_end_upwards_or_downwards(rng: Random) -> None:
     about.read = READ
     origin, force = components(rng), components(rng)
-    about.cause = (
-        "Only the distance in X and Z matters. Ignore the heights of the particle and the origin."
-    )
+    about.cause = "The column has no upper or lower end. Use only the distance in X and Z, and "
+    about.cause += "ignore the heights of the particle and the origin."
     for height in (-500.0, 0.0, 500.0):
         place = (origin[0] + 1.0, height, origin[2] - 1.0)
         about.call, got = lifted(origin, 2.0, force, place)
@@ -102,11 +105,13 @@ def test_the_column_has_no_end_upwards_or_downwards(rng: Random) -> None:
 def test_the_edge_belongs_to_the_column(rng: Random) -> None:
     about.read = READ
     force = components(rng)
-    about.cause = "A particle at exactly the radius is still in the column. Use <= instead of <."
+    about.cause = "This particle is exactly at the edge of the column, which counts as inside. "
+    about.cause += "Compare with <= instead of <."
     for place in ((4.0, 7.0, 6.0), (1.0, 7.0, -3.0), (-4.0, 7.0, 2.0)):  # 3, 4, 5 and along an axis
         about.call, got = lifted((1.0, 0.0, 2.0), 5.0, force, place)
         expect_close(got, force)
-    about.cause = "A column of radius 0 is a line, and a particle on it is inside."
+    about.cause = "A column with a radius of 0 is a vertical line. This particle is exactly on it, "
+    about.cause += "so it counts as inside."
     about.call, got = lifted((1.0, 0.0, 2.0), 0.0, force, (1.0, 7.0, 2.0))
     expect_close(got, force)
 
@@ -117,7 +122,8 @@ def test_the_uplift_adds_to_the_other_forces(rng: Random) -> None:
     first, force, moved = components(rng), components(rng), components(rng)
     about.call = f"p = Particle(Vector3(1, 2, 1)); p.add_force(Vector3{first}); uplift = "
     about.call += f"Uplift(Vector3(0, 1, 0), 3.0, Vector3{force}); uplift.update_force(p, 0.5)"
-    about.cause = "Add the force with add_force, which keeps the other forces."
+    about.cause = "The sum must contain self.force and also the force that was already there. Use "
+    about.cause += "add_force, which keeps the other forces."
     p, uplift = Particle(Vector3(1, 2, 1)), Uplift(Vector3(0, 1, 0), 3.0, Vector3(*force))
     p.add_force(Vector3(*first))
     uplift.update_force(p, 0.5)
@@ -125,21 +131,22 @@ def test_the_uplift_adds_to_the_other_forces(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     # One rounding of numbers up to 20.
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-13)
-    about.cause = "Do not change the force, the position or the origin."
+    about.cause = "The force, the position or the origin has changed. Read these vectors without "
+    about.cause += "changing them."
     expect_unchanged("uplift.force", xyz(uplift.force), force)
     expect_unchanged("uplift.origin", xyz(uplift.origin), (0, 1, 0))
     expect_unchanged("p.position", xyz(p.position), (1, 2, 1))
     about.call = "uplift.origin = Vector3(9, 0, 9); p.clear_forces(); uplift.update_force(p, 0.5); "
     about.call += f"then uplift.radius = 20.0, uplift.force = Vector3{moved}, and again"
-    about.cause = (
-        "The column has moved, and the particle is outside it now. Read self.origin in every call."
-    )
+    about.cause = "The column has moved since the last call, and the particle is outside now. Read "
+    about.cause += "self.origin in every call."
     uplift.origin = Vector3(9, 0, 9)
     p.clear_forces()
     uplift.update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), ZERO, then="; the first force")
     uplift.radius, uplift.force = 20.0, Vector3(*moved)
     uplift.update_force(p, 0.5)
-    about.cause = "Read self.radius and self.force in every call, because they may change."
+    about.cause = "The radius or the force has changed since the last call. Read self.radius and "
+    about.cause += "self.force in every call."
     got = xyz(p.force_accumulator)
     expect_close(got, moved, then="; the second force")

@@ -46,7 +46,8 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
     about.read = READ
     v, w = components(rng), components(rng)
     k1, k2 = round(rng.uniform(0.2, 0.9), 3), round(rng.uniform(0.2, 0.9), 3)
-    about.cause = "The force is -u (k1 + k2 |u|) with u = v - w, the velocity relative to the air."
+    about.cause = "Drag depends on the velocity relative to the air, u = v - w. The force must be "
+    about.cause += "-u (k1 + k2 |u|)."
     u = [v[i] - w[i] for i in range(3)]
 
     def drag(a: Sequence[float], one: float, two: float) -> list[float]:
@@ -57,19 +58,20 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
         wanted = drag(u, one, two)
         still, blown = drag(v, one, two), drag(w, one, two)
         slips = {
-            "The force is the drag in still air. Subtract the velocity of the wind first.": still,
-            "The force is the one on a particle at rest. Use the particle's velocity, too.": [
+            "This is the drag in still air. Subtract the velocity of the wind from the velocity "
+            "of the particle first.": still,
+            "This is the force on a particle at rest. Use the velocity of the particle as well.": [
                 -part for part in blown
             ],
-            "The force uses v + w. Subtract the wind instead.": drag(
-                [v[i] + w[i] for i in range(3)], one, two
+            "The velocity of the wind was added. Drag depends on the velocity relative to the "
+            "air, so use v - w.": drag([v[i] + w[i] for i in range(3)], one, two),
+            "The force points in the wrong direction, because it was computed with w - v. Use v - "
+            "w.": [-part for part in wanted],
+            "k1 and k2 are swapped. k1 belongs to the speed, and k2 belongs to its square.": drag(
+                u, two, one
             ),
-            "The force uses w - v, so it points in the wrong direction.": [
-                -part for part in wanted
-            ],
-            "k1 and k2 are swapped.": drag(u, two, one),
-            "The force is the sum of two drags, one for v and one for w. Subtract first, then use "
-            "|v - w|.": [still[i] - blown[i] for i in range(3)],
+            "This is the sum of two drags, one for v and one for w. Compute v - w first, and then "
+            "the drag at this relative velocity.": [still[i] - blown[i] for i in range(3)],
         }
         why = named(got, about.cause, slips)
         # A few roundings of numbers up to 700.
@@ -80,13 +82,15 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
 def test_what_moves_with_the_air_feels_nothing(rng: Random) -> None:
     about.read = READ
     v = components(rng)
-    about.cause = "A particle that moves with the wind feels no force, because v - w is 0."
+    about.cause = "This particle moves with the wind, so v - w is 0 and there is no force on it."
     about.call, got = blow(v, v, 0.5, 0.25)
     expect_close(got, ZERO)
-    about.cause = "The wind pushes a particle at rest along w. Use v - w instead of w - v."
+    about.cause = "The wind must push a particle at rest in the direction of w. Check the sign, "
+    about.cause += "and use v - w as the relative velocity."
     about.call, got = blow(ZERO, (2.0, 0.0, 0.0), 0.5, 0.25)
     expect_close(got, (2.0, 0.0, 0.0))
-    about.cause = "In still air this is the usual drag on the bullet."
+    about.cause = "The air is still here, so the force must be the usual drag against the velocity "
+    about.cause += "of the particle."
     about.call, got = blow((0.0, 0.0, 2.0), ZERO, 0.5, 0.25)
     expect_close(got, (0.0, 0.0, -2.0))
 
@@ -97,7 +101,8 @@ def test_the_wind_adds_a_force_and_changes_nothing_else(rng: Random) -> None:
     f, v, w = components(rng), components(rng), components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.add_force(Vector3{f}); wind = Wind(0.5, "
     about.call += f"0.0); wind.velocity = Vector3{w}; wind.update_force(p, 0.5)"
-    about.cause = "Add the force with add_force, and do not change any velocity."
+    about.cause = "Add the force with add_force, which keeps the other forces. Do not change the "
+    about.cause += "velocity of the particle or of the wind."
     p, wind = Particle(velocity=Vector3(*v)), Wind(0.5, 0.0)
     p.add_force(Vector3(*f))
     wind.velocity = Vector3(*w)
@@ -115,14 +120,21 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
     about.read = CHANGE
     seed = rng.randrange(1000)
     about.call = f"range = SniperRange({seed}); range.change_wind() 400 times; range.wind.velocity"
-    about.cause = "Draw the numbers with self.random.uniform."
+    about.cause = "Each call of change_wind must draw a new wind. Draw its components with "
+    about.cause += "self.random.uniform."
     (seen,) = winds([seed], 400)
-    expect_exactly(len(seen), 401, call=f"how many: {about.call}", cause="Draw one wind per call.")
-    about.cause = "The wind is horizontal, so its y component is 0."
+    expect_exactly(
+        len(seen),
+        401,
+        call=f"how many: {about.call}",
+        cause="Draw exactly one wind in each call of change_wind.",
+    )
+    about.cause = "The wind has a vertical component. It must be horizontal, so set y to 0."
     highest = max(abs(y) for _, y, _ in seen)
     expect_close(highest, 0.0, then=": the largest |y|")
     for name, blown in (("x", [w[0] for w in seen]), ("z", [w[2] for w in seen])):
-        about.cause = f"Draw {name} uniformly from -STRONGEST_WIND to STRONGEST_WIND (10 m/s)."
+        about.cause = f"Draw the {name} component uniformly between -STRONGEST_WIND and "
+        about.cause += "STRONGEST_WIND, which is 10 m/s."
         # Of 401 uniform numbers in 20 none lies in the last of either side once in 10^8 runs, and
         # their mean is beyond 2 more seldom: 7 times its deviation.
         for what, got, low, high in (
@@ -132,17 +144,21 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
         ):
             why = about.cause
             if abs(got) > 10.0:
-                why = f"The wind exceeds 10 m/s. Do not add the new wind to the old one. {why}"
+                why = "A component of the wind exceeds 10 m/s. Perhaps the new wind was added to "
+                why += f"the old one. {why}"
             expect_between(got, low, high, then=f": the {what} {name}", cause=why)
-    about.cause = "Draw x and z independently, so that the wind is sometimes weak."
+    about.cause = "Weak winds are too rare or too frequent. Draw x and z independently of each "
+    about.cause += "other."
     # |w| < 5 for 0.196 of all: 79 of 401, and beyond these bounds once in 10^9 runs.
     weak = sum(math.hypot(x, z) < 5.0 for x, _, z in seen)
     expect_between(weak, 27, 131, then=": how often it is below 5 m/s")
     # x z > 0 for half of all: 200 of 401, and beyond these bounds once in 10^11 runs.
-    about.cause = "Draw x and z independently, so that the wind can come from any direction."
+    about.cause = "The wind does not come equally often from all directions. Draw x and z "
+    about.cause += "independently of each other."
     same = sum(x * z > 0.0 for x, _, z in seen)
     expect_between(same, 130, 270, then=": how often x and z have the same sign")
-    about.cause = "Draw x and z independently, so that they are almost never equal."
+    about.cause = "x and z have the same size, but they must be almost never equal. Draw two "
+    about.cause += "separate random numbers."
     same = sum(abs(abs(x) - abs(z)) < 1e-9 for x, _, z in seen)
     expect_exactly(same, 0, then=": how often |x| is |z|")
 
@@ -151,10 +167,8 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
 def test_the_wind_stays_the_same_generator() -> None:
     about.read = CHANGE
     about.call = "range = SniperRange(1); wind = range.wind; wind.k1 = 0.5; range.change_wind()"
-    about.cause = (
-        "Change the velocity of self.wind instead of creating a new object, because the registry "
-        "holds the old one."
-    )
+    about.cause = "The registry holds the old Wind object, so a new one would have no effect. "
+    about.cause += "Change the velocity of self.wind instead of creating a new object."
     at = SniperRange(1)
     wind = at.wind
     before = xyz(wind.velocity)
@@ -165,7 +179,8 @@ def test_the_wind_stays_the_same_generator() -> None:
     now = xyz(at.wind.velocity)
     gap = tuple(now[i] - after[i] for i in range(3))
     expect_close(gap, ZERO, then="; range.wind.velocity minus wind.velocity")
-    about.cause = "Draw a new velocity."
+    about.cause = "The velocity of the wind is still the same. Draw a new one and store it in "
+    about.cause += "self.wind.velocity."
     expect_exactly(after == before, False, then="; is it the same as before")
 
 
@@ -174,13 +189,15 @@ def test_the_wind_follows_the_seed_of_its_range(rng: Random) -> None:
     about.read = CHANGE
     seed = rng.randrange(1000)
     about.call = f"ranges of the seeds {seed}, {seed} and {seed + 1}; change_wind() of each in turn"
-    about.cause = "Draw with self.random, so that the same seed always gives the same winds."
+    about.cause = "The same seed must always give the same winds. Draw with self.random instead of "
+    about.cause += "the random module."
     first, second, other = winds([seed, seed, seed + 1], 6)
     same = sum(a == b for a, b in zip(first, second, strict=True))
     expect_exactly(same, 7, then=": winds that are the same for one seed")
-    about.cause = "A different seed must give different winds."
+    about.cause = "Two different seeds gave the same winds. Draw with self.random, which depends "
+    about.cause += "on the seed of the range."
     same = sum(a == b for a, b in zip(first, other, strict=True))
     expect_exactly(same, 0, then=": winds that are the same for two seeds")
-    about.cause = "Draw a new wind in every call."
+    about.cause = "Some calls gave the same wind. Draw a new wind in every call."
     kinds = len({tuple(w) for w in first})
     expect_exactly(kinds, 7, then=": how many winds the first has seen")

@@ -52,7 +52,10 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
         for extension in (positive_number(rng, 0.3, 3.0), 1e-4):
             offset = tuple((rest + extension) * part for part in d)
             about.call, bungee, p = rope(kind, base, offset, STILL, (k, rest, 0.0))
-            about.cause = "A stretched rope pulls toward its other end: -k (l - l0) d^."
+            about.cause = (
+                "This rope is longer than its rest length, so it pulls toward its other end. The "
+                "force is -k (l - l0) d^."
+            )
             before = xyz(p.position), xyz(p.velocity)
             bungee.update_force(p, 0.5)
             got = xyz(p.force_accumulator)
@@ -64,8 +67,9 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
                 ): [-part for part in wanted],
                 "The force is zero, although the rope is longer than its rest length and must "
                 "pull. Check the condition for a slack rope.": ZERO,
-                "The force is -k l d^, as if the rest length were 0. Subtract the rest length "
-                "from the length.": [-k * (rest + extension) * part for part in d],
+                "The force is -k l d^, as if the rest length were 0. Only the extension counts, "
+                "so subtract the rest length from "
+                "the length.": [-k * (rest + extension) * part for part in d],
                 "The force is multiplied by the whole offset, so a long rope is too strong. Use "
                 "the unit vector along the offset.": [part * (rest + extension) for part in wanted],
             }
@@ -87,15 +91,21 @@ def test_a_slack_rope_does_nothing(rng: Random) -> None:
             (
                 0.5,
                 0.0,
-                "A rope that is shorter than its rest length is slack. A Bungee never pushes.",
+                "This rope is shorter than its rest length, so it is slack. A Bungee never "
+                "pushes, so it must add no force here.",
             ),
-            (0.9, 5.0, "A slack rope has no damping either, however fast its ends separate."),
+            (
+                0.9,
+                5.0,
+                "A slack rope exerts no force at all, so it has no damping either, however "
+                "fast its ends separate.",
+            ),
             (
                 0.0,
                 5.0,
                 (
-                    "If both ends are at the same position, the rope is slack and there is no "
-                    "direction."
+                    "Both ends are at the same position. The rope is slack and has no direction, "
+                    "so it must add no force."
                 ),
             ),
         ):
@@ -107,7 +117,10 @@ def test_a_slack_rope_does_nothing(rng: Random) -> None:
             got = xyz(p.force_accumulator)
             expect_close(got, ZERO)
         about.call, bungee, p = rope(kind, STILL, (2.0, 0.0, 0.0), (5.0, 0.0, 0.0), (3.0, 2.0, 3.0))
-        about.cause = "At exactly its rest length, a rope is still slack and has no damping."
+        about.cause = (
+            "At exactly its rest length a rope is still slack, so there is no damping either. "
+            "Compare with > instead of >=."
+        )
         bungee.update_force(p, 0.5)
         expect_close(xyz(p.force_accumulator), ZERO)
         about.cause = (
@@ -132,22 +145,26 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
         offset = tuple((rest + extension) * part for part in d)
         still = k * extension / c  # the speed of shortening at which nothing is left of the pull
         for share, cause in (
-            (-1.0, "Damping adds to the pull of a rope that is getting longer: -(k x + c l') d^."),
+            (
+                -1.0,
+                "This rope is getting longer. Damping opposes that, so it adds to the pull, "
+                "and the force is -(k x + c l') d^ with the extension x.",
+            ),
             (
                 0.5,
-                "Damping reduces the pull of a stretched rope that is getting shorter: -(k x + "
-                "c l') d^.",
+                "This rope is getting shorter. Damping opposes that, so it reduces the pull, and "
+                "the force is -(k x + c l') d^ with the extension x.",
             ),
             (
                 2.0,
-                "If the damping is larger than the pull, there is no force, because a rope never "
-                "pushes.",
+                "The damping is larger than the pull here, so the sum would push. A rope never "
+                "pushes, so it must add no force.",
             ),
             (
                 1.001,
                 (
-                    "A rope does not push even a little if the damping is "
-                    "slightly larger than the pull."
+                    "The damping is slightly larger than the pull here. A rope does not push even "
+                    "a little, so it must add no force."
                 ),
             ),
         ):
@@ -161,7 +178,7 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
             wanted = tuple(-left * part for part in d)
             own = sum(part * u for part, u in zip(d, xyz(p.velocity), strict=True))
             slips = {
-                "The damping is missing. Add -c l' along the rope.": [
+                "The damping force is missing. Add -c l' along the rope.": [
                     -k * extension * part for part in d
                 ],
                 (
@@ -179,7 +196,10 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
 def test_a_rope_acts_on_its_particle_beside_other_forces(rng: Random) -> None:
     about.read = "the docstring of Bungee"
     f = components(rng)
-    about.cause = "Add the pull to the existing forces, and do not change the other end."
+    about.cause = (
+        "A Bungee acts on one particle only. Add the pull to the forces that p already has, and "
+        "leave the other end unchanged."
+    )
     about.call = f"p at (0, -3, 0); q at (0, 0, 0); p.add_force(Vector3{f}); Bungee(q, 2.0, "
     about.call += "1.0).update_force(p, 0.5)"
     p, q = Particle(Vector3(0.0, -3.0, 0.0)), Particle(mass=math.inf)
@@ -194,7 +214,8 @@ def test_a_rope_acts_on_its_particle_beside_other_forces(rng: Random) -> None:
         about.call = f"p at (0, -3, 0); p.add_force(Vector3{f}); b = {kind}(..., 2.0, 1.0), its "
         about.call += "other end at (0, 0, 0); b.update_force(p, 0.5)"
         about.cause = (
-            "The forces that were already on p are lost. Add the pull to them, with add_force."
+            "The forces that were already on p are lost. Call add_force, which adds the pull to "
+            "them."
         )
         p.add_force(Vector3(*f))
         bungee.update_force(p, 0.5)
@@ -204,7 +225,10 @@ def test_a_rope_acts_on_its_particle_beside_other_forces(rng: Random) -> None:
         about.call += "; p.clear_forces(); b.stiffness, b.rest_length, b.damping = 3, 2, 0.5; p "
         about.call += "has "
         about.call += "(0, -1, 0) more velocity; b.update_force(p, 0.5)"
-        about.cause = "Read the attributes in every call. The pull is now 3 (3 - 2) + 0.5 * 1."
+        about.cause = (
+            "The attributes may change between two calls, so read them in every call. The pull is "
+            "now 3 (3 - 2) + 0.5 * 1."
+        )
         p.clear_forces()
         p.velocity = p.velocity + Vector3(0.0, -1.0, 0.0)
         bungee.stiffness, bungee.rest_length, bungee.damping = 3.0, 2.0, 0.5

@@ -59,16 +59,20 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
             0.25 * unit,
             0.75 * unit,
         ),
-        "The lift is divided by the mass. The force does not depend on the mass.": (
+        "Your lift is divided by the mass. The integrator divides by the mass later, so add the "
+        "force itself.": (
             0.25 * full / 3.0,
             0.75 * full / 3.0,
         ),
-        "The lift is multiplied by the mass. The force does not depend on the mass.": (
+        "Your lift is multiplied by the mass of the body. It depends only on the displaced water, "
+        "so remove the factor.": (
             0.75 * full,
             2.25 * full,
         ),
-        "The lift uses g = 9.81. Use self.gravity.": (0.25 * unit * 9.81, 0.75 * unit * 9.81),
-        "The lift uses the density of water. Use self.liquid_density.": (
+        "Your lift uses g = 9.81, but this Buoyancy was created with another value. Use "
+        "self.gravity.": (0.25 * unit * 9.81, 0.75 * unit * 9.81),
+        "Your lift uses the density of water, but this Buoyancy was created for another liquid. "
+        "Use self.liquid_density.": (
             250.0 * volume * g,
             750.0 * volume * g,
         ),
@@ -76,8 +80,10 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
             0.5 * full,
             full,
         ),
-        "The depth is measured from the surface, y_w - y. Add max_depth to it.": (0.0, 0.25 * full),
-        "The lift is either complete or zero. It must grow with the submerged fraction.": (
+        "Your depth is y_w - y, measured from the center of the body. Its lowest point is "
+        "max_depth deeper, so add max_depth.": (0.0, 0.25 * full),
+        "Your lift is either complete or zero. It must grow with the submerged fraction while the "
+        "body is partly under water.": (
             0.0,
             full,
         ),
@@ -99,13 +105,20 @@ def test_out_of_the_water_there_is_no_lift_and_deep_in_it_no_more(rng: Random) -
         (
             surface + 1.5 * s,
             0.0,
-            "Above the water there is neither a lift nor a downward force.",
+            "The body is completely above the water, so there is neither a lift nor a downward "
+            "force. Limit the submerged fraction to 0 or more.",
         ),
-        (surface + 50.0, 0.0, "High above the water there is no lift."),
+        (
+            surface + 50.0,
+            0.0,
+            "The body is high above the water, so there is no lift. Limit the "
+            "submerged fraction to 0 or more.",
+        ),
         (
             surface - 1.5 * s,
             1.0,
-            "Deep under water the whole body is submerged, so the lift is rho V g.",
+            "The whole body is under water, so the submerged fraction is 1 and the lift is rho V "
+            "g.",
         ),
         (
             surface - 50.0,

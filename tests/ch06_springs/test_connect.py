@@ -56,33 +56,36 @@ def test_a_connection_serves_both_ends(rng: Random) -> None:
         k, rest, _ = numbers
         both = tuple(p + q for p, q in zip(v, w, strict=True))
         slips = {
-            "The force is half of the right one. Apply the whole spring_force to each end.": [
-                0.5 * part for part in wanted
-            ],
-            "The damping is missing. Add -c l' along the spring.": tension(
+            "The force is half of what it should be. Both ends get the whole spring_force, in "
+            "opposite directions, so do not split it.": [0.5 * part for part in wanted],
+            "The damping force is missing. Add -c l' along the spring.": tension(
                 here, v, there, w, (k, rest, 0.0)
             ),
-            "The velocities are added. The length changes with their difference, so subtract b's "
-            "velocity from a's.": tension(here, both, there, ZERO, numbers),
-            "The offset is b's position minus a's, so both forces have the wrong direction. Use "
+            "Your force uses the sum of the two velocities. The rate at which the length changes "
+            "depends on their difference, so subtract "
+            "b's velocity from a's.": tension(here, both, there, ZERO, numbers),
+            "Your offset is b's position minus a's, so both forces have the wrong direction. Use "
             "a's position minus b's.": tension(there, v, here, w, numbers),
             (
-                "The result is the force on b. The force on a does not depend on the particle "
-                "that update_force gets."
+                "This is the force on b. The force on a does not depend on the particle that "
+                "update_force receives, so always use a's position minus b's."
             ): [-part for part in wanted],
-            "no force on a": ZERO,
+            "The force on a is still zero. Call a.add_force with the spring force.": ZERO,
         }
         blame(on_a, slips)
         # A few roundings of numbers up to 500.
         expect_close(on_a, wanted, call=f"{name}; a.force_accumulator", tolerance=1e-11)
         about.cause = (
-            "b must get exactly the opposite of the force on a, so that the momentum is conserved."
+            "Every force has an equal and opposite reaction. Add exactly the opposite of the "
+            "force on a to b, so that momentum is conserved."
         )
         blame(
             on_b,
             {
-                "b gets the same force as a. Add the opposite force to b.": on_a,
-                "no force on b": ZERO,
+                "b gets the same force as a. The two forces are opposite, so add the negative of "
+                "a's force to b.": on_a,
+                "The force on b is still zero. Call b.add_force with the opposite of the force on "
+                "a.": ZERO,
             },
         )
         opposite = tuple(-part for part in on_a)
@@ -97,7 +100,10 @@ def test_a_compressed_connection_pushes_its_ends_apart(rng: Random) -> None:
     offset = tuple(0.4 * rest * part for part in d)
     about.call = f"a at {offset}, b at (0, 0, 0); b.add_force(Vector3{f}); a.add_force(Vector3(1, "
     about.call += f"2, 3)); Connection(a, b, {k}, {rest}).update_force(a, 0.5)"
-    about.cause = "A compressed connection must push both ends away from each other."
+    about.cause = (
+        "This connection is shorter than its rest length, so it must push both ends away from each "
+        "other."
+    )
     a, b = Particle(Vector3(*offset)), Particle()
     b.add_force(Vector3(*f))
     a.add_force(Vector3(1.0, 2.0, 3.0))
@@ -107,12 +113,18 @@ def test_a_compressed_connection_pushes_its_ends_apart(rng: Random) -> None:
     pulled = [g - 0.6 * k * rest * part for g, part in zip((1, 2, 3), d, strict=True)]
     blame(
         got,
-        {"With abs(l - l0), a compressed spring pulls. Remove abs (E-3).": pulled},
+        {
+            "With abs(l - l0), a compressed spring pulls. Remove abs, which comes from the printed "
+            "formula (E-3), so that the sign of the extension is kept.": pulled
+        },
     )
     expect_close(got, wanted, then="; a.force_accumulator", tolerance=1e-12)
     wanted = tuple(g - 0.6 * k * rest * part for g, part in zip(f, d, strict=True))
     got = xyz(b.force_accumulator)
-    about.cause = "The forces that b already had are lost. Add the force to them, with add_force."
+    about.cause = (
+        "The force on b is wrong. If the forces that b already had are lost, use add_force, which "
+        "adds to them."
+    )
     expect_close(got, wanted, then="; b.force_accumulator", tolerance=1e-12)
 
 
@@ -123,8 +135,8 @@ def test_connected_ends_at_one_place_feel_nothing(rng: Random) -> None:
     about.call = f"a and b at {place}, a with velocity {v}; c = Connection(a, b, 100.0, 2.0, 3.0); "
     about.call += "c.update_force(a, 0.5)"
     about.cause = (
-        "Both ends are at the same position, so there is no direction and no force. Do not divide "
-        "0 by 0."
+        "Both ends are at the same position, so the spring has no direction and exerts no force. "
+        "Make sure that your code does not divide 0 by 0."
     )
     a, b = Particle(Vector3(*place), Vector3(*v)), Particle(Vector3(*place))
     c = Connection(a, b, 100.0, 2.0, 3.0)
@@ -134,8 +146,8 @@ def test_connected_ends_at_one_place_feel_nothing(rng: Random) -> None:
         expect_close(got, ZERO, then=f"; {name}.force_accumulator")
     about.call += "; a.position.x += 1.0; c.update_force(a, 0.5); a.force_accumulator"
     about.cause = (
-        "At a distance of 1 m the spring acts again: a push of 100 N, minus 3 N s/m times the "
-        "speed."
+        "The ends are now 1 m apart, so the spring acts again. It pushes with 100 N, and the "
+        "damping reduces this by 3 N s/m times the speed."
     )
     a.position.x += 1.0
     c.update_force(a, 0.5)
@@ -145,7 +157,10 @@ def test_connected_ends_at_one_place_feel_nothing(rng: Random) -> None:
     expect_close(got, wanted, tolerance=1e-11)
     about.call = "a at (0, 1e-9, 0), b at (0, 0, 0); c = Connection(a, b, 100.0, 2.0); "
     about.call += "c.update_force(a, 0.5); a.force_accumulator"
-    about.cause = "Ends that are close are not at the same position. The spring pushes with k l0."
+    about.cause = (
+        "The ends are close together, but not at the same position. The spring still has a "
+        "direction and pushes with almost k l0."
+    )
     a, b = Particle(Vector3(0.0, 1e-9, 0.0)), Particle()
     c = Connection(a, b, 100.0, 2.0)
     c.update_force(a, 0.5)
@@ -154,7 +169,10 @@ def test_connected_ends_at_one_place_feel_nothing(rng: Random) -> None:
     about.call += "; c.stiffness, c.rest_length, c.damping = 5, 3, 2; a.clear_forces(); "
     about.call += "a.position.y = 2; "
     about.call += "a.velocity.y = 1; c.update_force(a, 0.5)"
-    about.cause = "Read the attributes in each call. The force is 5 (3 - 2) - 2 * 1."
+    about.cause = (
+        "The attributes of the spring may change between two calls, so read them in each call. The "
+        "force here is 5 (3 - 2) - 2 * 1."
+    )
     c.stiffness, c.rest_length, c.damping = 5.0, 3.0, 2.0
     a.clear_forces()
     a.position.y, a.velocity.y = 2.0, 1.0
@@ -174,8 +192,8 @@ def test_connect_lets_the_registry_ask_once(rng: Random) -> None:
         about.call = f"a of {mass_a} kg at {here}, b of {mass_b} kg at {there}; connect(registry, "
         about.call += f"a, b, {k}, {rest}); registry.update_forces(0.5)"
         about.cause = (
-            "Register one Connection with this stiffness and rest length once, under an end that "
-            "can move."
+            "Create one Connection with this stiffness and rest length. Register it once, under "
+            "an end that can move."
         )
         a, b = Particle(Vector3(*here), mass=mass_a), Particle(Vector3(*there), mass=mass_b)
         registry = ForceRegistry()
@@ -188,12 +206,13 @@ def test_connect_lets_the_registry_ask_once(rng: Random) -> None:
                 swapped = tension(here, ZERO, there, ZERO, (rest, k, 0.0))
                 slips = {
                     (
-                        "There is no force. Is the spring registered, and under an end that can "
-                        "move? The registry skips immovable particles."
+                        "There is no force. Check that the spring is registered under an end that "
+                        "can move, because the registry skips immovable particles."
                     ): ZERO,
                     (
-                        "The force is twice as large as it should be. Is the spring registered "
-                        "under both ends? Register it once."
+                        "The force is twice as large as it should be. Perhaps the spring is "
+                        "registered under both ends. Register it only once, because it acts on "
+                        "both."
                     ): [2.0 * part for part in force],
                     "The stiffness and the rest length are swapped. Compare the order of the "
                     "arguments with the constructor of Connection.": [
@@ -210,7 +229,10 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     here, there = components(rng), components(rng)
     k, rest, c = positive_number(rng), positive_number(rng, 0.05, 0.2), positive_number(rng)
     about.call = f"a at {here}, b at {there}; s = connect(registry, a, b, {k}, {rest}, {c})"
-    about.cause = "Return the Connection that you registered."
+    about.cause = (
+        "The caller needs the spring to change or remove it later. Return the Connection that you "
+        "registered."
+    )
     a, b, registry = Particle(Vector3(*here)), Particle(Vector3(*there)), ForceRegistry()
     s = connect(registry, a, b, k, rest, c)
     expect_exactly(s is not None, True, then=": does a spring come back")
@@ -230,7 +252,10 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     expect_close(got, wanted, then="; a.force_accumulator", tolerance=1e-11)
     about.call += "; a.clear_forces(); b.clear_forces(); registry.remove(a, s); "
     about.call += "registry.update_forces(0.5)"
-    about.cause = "The spring must be registered once, under a, so that one remove takes it away."
+    about.cause = (
+        "One call of remove must be enough to take the spring away. Register it only once, under a "
+        "if a can move."
+    )
     a.clear_forces()
     b.clear_forces()
     registry.remove(a, s)
@@ -247,14 +272,18 @@ def test_a_network_of_springs_keeps_its_momentum(rng: Random) -> None:
     about.call = "8 particles, each connected to each by connect(registry, a, b, 2.0, 3.0, 0.5); "
     about.call += "200 frames of registry.update_forces(h), p.integrate(h): the sum of all m v"
     about.cause = (
-        "One end gains the momentum that the other loses, so the total momentum is constant."
+        "At every moment one end gains the momentum that the other end loses, so the total "
+        "momentum must stay constant. Check that the two forces are opposite."
     )
     ends, away = network(bodies, 2.0, 3.0, 0.5, 1.0 / 240.0, 200)
     before = [math.fsum(mass * v[i] for _, v, mass in bodies) for i in range(3)]
     # Each of 200 frames rounds 8 velocities, and 56 forces, at some 1e-15 of what they are.
     expect_close(ends, before, tolerance=1e-10)
     about.call += "; the first one is more than 1 mm away from where it would be without springs"
-    about.cause = "The springs must act, too."
+    about.cause = (
+        "The momentum is conserved, but the particles move as if there were no springs. Check that "
+        "each spring is registered and adds its forces."
+    )
     expect_exactly(away > 1e-3, True)
 
 
@@ -263,7 +292,10 @@ def test_two_bodies_swing_about_each_other_with_the_reduced_mass() -> None:
     about.read = "book 6.3.2, Eq. 6.3, with the reduced mass m1 m2 / (m1 + m2)"
     about.call = "1 kg and 3 kg, connect(registry, a, b, 5.0, 1.0), stretched to 1.5 m; frames of "
     about.call += "1/2000 s of registry.update_forces(h), p.integrate(h): the period"
-    about.cause = "Both ends move: w^2 = k / mu with mu = 3/4 kg, so the period is 2.43346721 s."
+    about.cause = (
+        "Both ends move, so the frequency follows from w^2 = k / mu with the reduced mass mu = 3/4 "
+        "kg. The period is 2.43346721 s."
+    )
     period = pair_swinging(1.0, 3.0, 5.0, 1.0, 1.5, 1.0 / 2000.0, 10_000)
     # Explicit Euler's own error in the period is w^2 h^2 / 3, some 5e-7 of it.
     expect_close(period, 2.43346721, tolerance=1e-4)
@@ -275,7 +307,10 @@ def test_two_immovable_ends_may_be_connected() -> None:
     a, b, registry = Particle(), Particle(Vector3(1.0, 0.0, 0.0)), ForceRegistry()
     about.call = "connect(registry, a, b, 3.0, 0.0), both of infinite mass; "
     about.call += "registry.update_forces(0.5)"
-    about.cause = "A spring between two immovable particles is not an error."
+    about.cause = (
+        "A spring between two immovable particles has no effect, but it is not an error. connect "
+        "must accept it."
+    )
     still = Particle(mass=math.inf), Particle(mass=math.inf)
     connect(registry, *still, 3.0, 0.0)
     registry.update_forces(0.5)
@@ -283,7 +318,10 @@ def test_two_immovable_ends_may_be_connected() -> None:
     connect(registry, a, b, 3.0, 0.0)
     registry.update_forces(0.5)
     got = xyz(b.force_accumulator)
-    about.cause = "A valid spring must be registered."
+    about.cause = (
+        "These two particles can move, so connect must register the spring and the registry must "
+        "apply its force."
+    )
     expect_close(got, (-3.0, 0.0, 0.0))
 
 
@@ -304,7 +342,10 @@ def test_connect_refuses_what_means_nothing() -> None:
             allowed=lambda: connect(ForceRegistry(), a, b, 1.0, 1.0, 0.0),
         )
     about.call = "connect(registry, a, b, ...) was refused; registry.update_forces(0.5)"
-    about.cause = "A refused spring must not be registered."
+    about.cause = (
+        "The call raised an error, so it must not change the registry. Create the spring first, "
+        "and register it only if that succeeds."
+    )
     registry.update_forces(0.5)
     got = xyz(b.force_accumulator)
     expect_close(got, ZERO, then="; b.force_accumulator")

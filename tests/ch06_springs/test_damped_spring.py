@@ -61,38 +61,44 @@ def test_the_three_cases_by_known_values() -> None:
     about.read = READ
     damped, late = math.sqrt(99.0), math.sqrt(96.0)  # gamma, and that of a c / m not halved
     slips = {
-        "The exponent uses the damping c / m. Use half of it.": math.exp(-1.0)
+        "The exponent uses the whole damping rate c / m. The amplitude decays with half of it, so "
+        "use c / (2 m).": math.exp(-1.0)
         * (math.cos(0.5 * late) + 2.0 / late * math.sin(0.5 * late)),
-        "The position is e^(-half t) cos(gamma t) alone. Add half sin(gamma t) / gamma.": math.exp(
-            -0.5
-        )
-        * math.cos(0.5 * damped),
-        "The oscillation has the frequency sqrt(k / m). Use gamma, which is smaller.": math.exp(
-            -0.5
-        )
+        "Your position is e^(-half t) cos(gamma t). This leaves out the second term, so add half "
+        "sin(gamma t) / gamma inside the parentheses.": math.exp(-0.5) * math.cos(0.5 * damped),
+        "Your spring oscillates with the undamped frequency sqrt(k / m). Damping makes the "
+        "oscillation slower, so use gamma instead.": math.exp(-0.5)
         * (math.cos(5.0) + 0.1 * math.sin(5.0)),
-        "The position is e^(-half t) alone. Add half t e^(-half t).": math.exp(-5.0),
+        "Your position is e^(-half t), which is only the first term. Add the second term, half t "
+        "e^(-half t).": math.exp(-5.0),
     }
     over = math.sqrt(300.0)  # gamma for c = 40
     slips |= {
-        "Both terms use sinh. The first one needs cosh(gamma t), half of the sum e^(gamma t) + "
+        "Both of your terms use sinh. The first term needs cosh(gamma t), which is half of the "
+        "sum e^(gamma t) + "
         "e^(-gamma t).": math.exp(-1.0) * (1.0 + 20.0 / over) * math.sinh(0.05 * over),
-        "Half sinh(gamma t) / gamma is missing. Add it to e^(-half t) cosh(gamma t).": math.exp(
-            -1.0
-        )
-        * math.cosh(0.05 * over),
-        "These are cos and sin. An over-damped spring needs cosh and sinh.": math.exp(-1.0)
+        "The second term is missing. Multiply e^(-half t) by cosh(gamma t) plus half sinh(gamma "
+        "t) / gamma.": math.exp(-1.0) * math.cosh(0.05 * over),
+        "You used cos and sin for an over-damped spring. It does not oscillate, so use cosh and "
+        "sinh there.": math.exp(-1.0)
         * (math.cos(0.05 * over) + 20.0 / over * math.sin(0.05 * over)),
     }
     for c, t, x, cause in (
-        (2.0, 0.5, 0.09855066761858595, "Under-damped: e^(-half t) times cos and sin of gamma t."),
+        (
+            2.0,
+            0.5,
+            0.09855066761858595,
+            "This spring is under-damped, so it oscillates while its "
+            "amplitude decays. Multiply e^(-half t) by the terms "
+            "with cos and sin of gamma t.",
+        ),
         (
             20.0,
             0.5,
             0.04042768199451279,
             (
-                "Critically damped, a case that the book leaves out (E-23): gamma is 0, and "
-                "sin(gamma t) / gamma becomes t."
+                "This spring is critically damped, a case that the book leaves out (E-23). Here "
+                "gamma is 0, so replace sin(gamma t) / gamma by its limit t."
             ),
         ),
         (
@@ -100,27 +106,30 @@ def test_the_three_cases_by_known_values() -> None:
             0.05,
             0.9302947940980407,
             (
-                "Over-damped, a case that the book leaves out (E-23): e^(-half t) times cosh and "
-                "sinh of gamma t."
+                "This spring is over-damped, a case that the book leaves out (E-23). Multiply "
+                "e^(-half t) by the terms with cosh and sinh of gamma t."
             ),
         ),
         (
             40.0,
             0.5,
             0.2821711739751533,
-            "Over-damped, when only the slow part, which decays as e^(-(half - gamma) t), is left.",
+            "This spring is over-damped, and at this time only the slow part is left. It decays "
+            "as e^(-(half - gamma) t).",
         ),
     ):
         about(f"damped_spring_state(1.0, 0.0, 100.0, {c}, 1.0, {t})", cause=cause)
         state = damped_spring_state(1.0, 0.0, 100.0, c, 1.0, t)
         count = len(state) if isinstance(state, (tuple, list)) else 1
-        both = "Return both the position and the velocity."
+        both = (
+            "The function must return two numbers. Return the position and the velocity as a tuple."
+        )
         expect_exactly(count, 2, then=": how many numbers", cause=both)
         expect_close(state[0], x, then="[0]", cause=named(state[0], about.cause, slips))
     about.call = "damped_spring_state(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]"
     about.cause = (
-        "For k = 1 and d = 10, the printed formula takes the root of 4 k - d^2, which is -96 "
-        "(E-23)."
+        "The printed formula takes the square root of 4 k - d^2. For k = 1 and d = 10 that is "
+        "-96, because the formula only covers under-damping (E-23)."
     )
     got = damped_spring_state(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]
     wanted = by_roots(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]
@@ -141,22 +150,23 @@ def test_any_start_any_mass(share: float, name: str, rng: Random) -> None:
         half, (x, v) = c / (2.0 * m), wanted
         fade = math.exp(-half * t)
         slips = {
-            "The damping is not divided by the mass. Use c / (2 m).": by_roots(
+            "The damping is not divided by the mass. Use c / (2 m) as the decay rate.": by_roots(
                 x0, v0, k, c * m, m, t
             ),
-            "The stiffness is not divided by the mass. Use k / m.": by_roots(
-                x0, v0, k * m, c, m, t
-            ),
-            "The position does not depend on v0. Add the contribution of v0.": (
+            "The stiffness is not divided by the mass. The square of the natural frequency is k / "
+            "m.": by_roots(x0, v0, k * m, c, m, t),
+            "Your position does not depend on v0. A body that starts with a velocity moves "
+            "farther, so add the term with v0.": (
                 by_roots(x0, 0.0, k, c, m, t)[0],
                 v,
             ),
-            "The velocity does not depend on x0. Differentiate the position to get it.": (
+            "Your velocity does not depend on x0, although the spring pulls on a displaced body. "
+            "Differentiate the whole position to get the velocity.": (
                 x,
                 by_roots(0.0, v0, k, c, m, t)[1],
             ),
-            "The spring was treated as critically damped although c^2 is not 4 k m. Compare them "
-            "exactly.": (
+            "Your code treats this spring as critically damped, although c^2 differs from 4 k m. "
+            "Compare them exactly, without a margin.": (
                 (x0 + (v0 + half * x0) * t) * fade,
                 (v0 - (half * v0 + k / m * x0) * t) * fade,
             ),
@@ -184,19 +194,34 @@ def test_the_critical_case_has_no_gap_on_either_side(rng: Random) -> None:
             (
                 0.0,
                 1e-12,
-                "At the critical damping, the position is (x0 + (v0 + half x0) t) e^(-half t).",
+                "At critical damping the position is (x0 + (v0 + half x0) t) e^(-half t). "
+                "Differentiate it to get the velocity.",
             ),
-            (-1e-9, 1e-7, "Slightly below the critical damping, sin(gamma t) / gamma is nearly t."),
-            (1e-9, 1e-7, "Slightly above the critical damping, sinh(gamma t) / gamma is nearly t."),
+            (
+                -1e-9,
+                1e-7,
+                "This spring is slightly less than critically damped. There sin(gamma "
+                "t) / gamma is very close to t, so the result must be close to the "
+                "critical case.",
+            ),
+            (
+                1e-9,
+                1e-7,
+                "This spring is slightly more than critically damped. There sinh(gamma "
+                "t) / gamma is very close to t, so the result must be close to the "
+                "critical case.",
+            ),
             (
                 -1e-15,
                 1e-8,
-                "Close to the critical damping, gamma may be 0. Do not divide by gamma there.",
+                "Very close to critical damping, rounding can make gamma 0. Make sure that your "
+                "code does not divide by gamma in that case.",
             ),
             (
                 1e-15,
                 1e-8,
-                "Close to the critical damping, a difference of exponentials loses its digits.",
+                "Very close to critical damping, the two exponentials are almost equal, so their "
+                "difference loses most of its digits. Use sinh or expm1 instead.",
             ),
         ):
             about.cause = cause
@@ -206,7 +231,10 @@ def test_the_critical_case_has_no_gap_on_either_side(rng: Random) -> None:
             expect_close(got, wanted, tolerance=tolerance)
     about.call = "damped_spring_state(1.0, 0.0, 4.0, 4 - 4e-9, 1.0, 0.75), and with 4 + 4e-9: "
     about.call += "difference"
-    about.cause = "The results on both sides of the critical damping must agree within 1e-8."
+    about.cause = (
+        "The motion changes continuously with the damping. Results slightly below and slightly "
+        "above critical damping must therefore agree within 1e-8."
+    )
     below = damped_spring_state(1.0, 0.0, 4.0, 4.0 - 4e-9, 1.0, 0.75)
     above = damped_spring_state(1.0, 0.0, 4.0, 4.0 + 4e-9, 1.0, 0.75)
     for a, b in zip(below, above, strict=True):
@@ -219,21 +247,21 @@ def test_the_start_and_a_spring_that_is_none(rng: Random) -> None:
     x0, v0, t = draw_number(rng), draw_number(rng), positive_number(rng)
     c, m = positive_number(rng), positive_number(rng)
     about.call = f"damped_spring_state({x0}, {v0}, 3.0, {c}, {m}, 0.0)"
-    about.cause = "At time 0, position and velocity are x0 and v0."
+    about.cause = "No time has passed yet, so the position and velocity must be x0 and v0."
     got = damped_spring_state(x0, v0, 3.0, c, m, 0.0)
     expect_close(got, (x0, v0))
     about.call = f"damped_spring_state({x0}, {v0}, 0.0, 0.0, {m}, {t})"
-    about.cause = "Without stiffness and damping, the body moves at constant velocity: x0 + v0 t."
+    about.cause = "No force acts here, so the velocity is constant and the position is x0 + v0 t."
     got = damped_spring_state(x0, v0, 0.0, 0.0, m, t)
     expect_close(got, (x0 + v0 * t, v0))
     about.call = f"damped_spring_state({x0}, {v0}, 0.0, {c}, {m}, {t})"
-    about.cause = "Without stiffness, the damping slows the body down: v0 e^(-c t / m)."
+    about.cause = "Only the damping acts here, so the velocity decays as v0 e^(-c t / m)."
     got = damped_spring_state(x0, v0, 0.0, c, m, t)
     slow = math.exp(-c * t / m)
     wanted = (x0 + v0 * (1.0 - slow) * m / c, v0 * slow)
     expect_close(got, wanted, tolerance=1e-11)
     about.call = f"damped_spring_state({x0}, {v0}, 1.0, 0.0, 1.0, {t}): energy"
-    about.cause = "Without damping the energy x^2 + v^2 is constant."
+    about.cause = "Without damping no energy is lost, so x^2 + v^2 must stay constant."
     x, v = damped_spring_state(x0, v0, 1.0, 0.0, 1.0, t)
     wanted_energy = x0 * x0 + v0 * v0
     expect_close(x * x + v * v, wanted_energy, tolerance=1e-11)
@@ -246,20 +274,29 @@ def test_soft_and_stiff_springs_swing_alike() -> None:
             (1.0, 1.0, 1e12, 1e3, 1.0, 100.0),
             0.0,
             1e-12,
-            "At that time the spring has been at rest for long.",
+            "The damping has had 100 s to act. By then the oscillation has died out, so the "
+            "position must be 0.",
         ),
         (
             (1.0, 0.0, 1e-8, 0.0, 1.0, 1e4),
             math.cos(1.0),
             1e-12,
-            "A very soft spring oscillates, too.",
+            "A very soft spring is still a spring. Without damping it oscillates, only slowly, so "
+            "do not treat a small stiffness as zero.",
         ),
-        ((1.0, 0.0, 1e-18, 0.0, 1.0, 1e9), math.cos(1.0), 1e-12, "Compare half with chi exactly."),
+        (
+            (1.0, 0.0, 1e-18, 0.0, 1.0, 1e9),
+            math.cos(1.0),
+            1e-12,
+            "Without damping even the softest spring oscillates. Compare half with chi exactly, "
+            "because a margin would treat this spring as critically damped.",
+        ),
         (
             (1.0, 0.0, 1e12, 0.0, 1.0, math.pi * 1e-6),
             -1.0,
             1e-9,
-            "Half a period later the body is on the other side.",
+            "After half a period an undamped body has reached the opposite side, so its position "
+            "is -x0.",
         ),
     ):
         about.cause = cause
@@ -274,20 +311,31 @@ def test_no_number_is_too_large_for_the_formula() -> None:
             (1.0, 0.0, 1.0, 1000.0, 1.0, 5000.0),
             math.exp(-5.0),
             1e-5,
-            "cosh overflows. Write cosh with e^(-(half - gamma) t) and e^(-(half + gamma) t).",
+            "cosh(gamma t) overflows at such a time. Multiply out the product with e^(-half t), "
+            "so that only e^(-(half - gamma) t) and e^(-(half + gamma) t) remain.",
         ),
         (
             (1.0, 0.0, 1.0, 1e9, 1.0, 1e9),
             math.exp(-1.0),
             1e-9,
-            "half - gamma loses all its digits. chi^2 / (half + gamma) has the same value.",
+            "half and gamma are almost equal here, so half - gamma loses all of its digits. Use "
+            "chi^2 / (half + gamma), which has the same value.",
         ),
-        ((1.0, 1.0, 5.0, 10.0, 1.0, 1e6), 0.0, 1e-12, "cosh overflows, and e^-x becomes 0."),
+        (
+            (1.0, 1.0, 5.0, 10.0, 1.0, 1e6),
+            0.0,
+            1e-12,
+            "cosh(gamma t) overflows here, while "
+            "e^(-half t) becomes 0. Combine the two "
+            "factors into one exponential before you "
+            "evaluate it.",
+        ),
         (
             (0.0, 1.0, 1.0, 1e9, 1.0, 1.0),
             1e-9,
             1e-17,
-            "With strong damping, the body travels v0 m / c in total.",
+            "Strong damping stops the body almost at once. It travels v0 m / c in total, so the "
+            "position must be close to that distance.",
         ),
     ):
         about.cause = cause
@@ -300,8 +348,9 @@ def test_the_motion_goes_on_from_where_it_is(rng: Random) -> None:
     x0, v0, m, some = draw_number(rng), draw_number(rng), positive_number(rng), positive_number(rng)
     first, second = positive_number(rng, 0.1, 2.0), positive_number(rng, 0.1, 2.0)
     about.cause = (
-        "Two durations, one after the other, must lead to the same state as their sum. If they do "
-        "not, the position and the velocity do not belong to the same motion."
+        "The motion over two durations, one after the other, must end in the same state as the "
+        "motion over their sum. Otherwise, the position and the velocity do not belong to the same "
+        "motion."
     )
     # With a stiffness of 4 m the damping is critical to the last digit.
     for share, k in ((0.0, some), (0.5, some), (1.0, 4.0 * m), (2.0, some)):
@@ -315,8 +364,8 @@ def test_the_motion_goes_on_from_where_it_is(rng: Random) -> None:
     about.call = f"s = damped_spring_state({x0}, {v0}, 1.0, 0.0, 1.0, pi); damped_spring_state(*s, "
     about.call += "...)"
     about.cause = (
-        "After half a period the body is on the other side, and after a whole period it is back at "
-        "the start."
+        "This spring has no damping. After half a period the body is on the opposite side, and "
+        "after a whole period it is back where it started."
     )
     half = damped_spring_state(x0, v0, 1.0, 0.0, 1.0, math.pi)
     expect_close(half, (-x0, -v0), tolerance=1e-11)
@@ -332,8 +381,8 @@ def test_a_spring_state_needs_numbers_that_mean_something() -> None:
     bad = [(2, -2.0), (3, -3.0), (4, -4.0), (4, 0.0), (5, -5.0)]
     expect_finite_numbers("damped_spring_state", damped_spring_state, good, bad)
     about.cause = (
-        "An intermediate result can be too large for a float. The angle of the oscillation is "
-        "1e350 here."
+        "An intermediate result can be too large for a float. Here the angle of the oscillation "
+        "is about 1e350. Raise ValueError instead of returning a number."
     )
     expect_error(
         lambda: damped_spring_state(1.0, 0.0, 1e300, 0.0, 1.0, 1e200),
@@ -342,7 +391,10 @@ def test_a_spring_state_needs_numbers_that_mean_something() -> None:
         allowed=lambda: damped_spring_state(*good),
     )
     about.call = "damped_spring_state(1.0, 0.0, 1.0, 2.0, 1.0, 1.0)"
-    about.cause = "This call is valid, so it must return (1 + t) e^-t and -t e^-t."
+    about.cause = (
+        "This call is valid. The spring is critically damped, so the position is (1 + t) e^-t and "
+        "the velocity is -t e^-t."
+    )
     got = damped_spring_state(1.0, 0.0, 1.0, 2.0, 1.0, 1.0)
     wanted = (2.0 * math.exp(-1.0), -math.exp(-1.0))
     expect_close(got, wanted)

@@ -25,14 +25,19 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
     for share, cause in (
         (
             1.9,
-            "Up to its limit, a stretched spring pulls like any other spring: -k (l - l0) d^.",
+            "The spring is stretched, but its length is below the limit, so it pulls like any "
+            "other spring. The force is -k (l - l0) d^.",
         ),
-        (0.5, "A compressed spring pushes like any other spring: -k (l - l0) d^."),
+        (
+            0.5,
+            "The spring is shorter than its rest length, so it pushes like any other spring. The "
+            "force is -k (l - l0) d^.",
+        ),
         (
             0.1,
             (
-                "A compressed spring pushes with its full stiffness. The limit applies only to "
-                "stretching."
+                "A compressed spring pushes with its full stiffness, however short it is. The "
+                "limit applies only to stretching."
             ),
         ),
     ):
@@ -45,20 +50,31 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
         wanted = tuple(-k * (share - 1.0) * rest * part for part in d)
         got = xyz(p.force_accumulator)
         opposite = [-part for part in wanted]
-        slips = {"no force": ZERO, "The force points along the offset. Reverse the sign.": opposite}
+        slips = {
+            "There is no force on p. Up to its limit this is an ordinary spring, so call "
+            "particle.add_force with the force of one.": ZERO,
+            "The force points along the offset, so a stretched spring would push. Check its "
+            "sign.": opposite,
+        }
         if share < 1.0:
             slips = {
-                "no force": ZERO,
-                "With abs(l - l0), a compressed spring pulls. Remove abs (E-3).": opposite,
+                "There is no force on p. Up to its limit this is an ordinary spring, so call "
+                "particle.add_force with the force of one.": ZERO,
+                "With abs(l - l0), a compressed spring pulls. Its extension is negative, so "
+                "remove abs (E-3).": opposite,
             }
         blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-12)
-        about.cause = "This spring acts on one end only. Do not change the other particle."
+        about.cause = (
+            "The other particle has received a force as well. This spring acts only on the "
+            "particle that was passed."
+        )
         expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
     about.call = f"p at (4, 0, 0), q at (0, 0, 0); ElasticLimitSpring(q, {k}, 2, 4, "
     about.call += "0.25).update_force(p, 0.5); p.force_accumulator"
     about.cause = (
-        "When the length is exactly at the limit, the spring still pulls with its full stiffness."
+        "The length equals the limit here, so the spring still pulls with its full stiffness. "
+        "Only the length beyond the limit counts with share."
     )
     p, q = Particle(Vector3(4.0, 0.0, 0.0)), Particle()
     ElasticLimitSpring(q, k, 2.0, 4.0, 0.25).update_force(p, 0.5)
@@ -79,8 +95,8 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         about.call = f"p at {place}, q at {base}; ElasticLimitSpring(q, {k}, {rest}, {limit}, "
         about.call += f"{share}).update_force(p, 0.5)"
         about.cause = (
-            "Up to the limit the full stiffness applies, and beyond it share * stiffness: k (limit "
-            "- l0) + share k (l - limit)."
+            "Up to the limit the spring pulls with its full stiffness, and beyond it with share "
+            "* stiffness. Together this is k (limit - l0) + share k (l - limit)."
         )
         p, q = Particle(Vector3(*place), mass=3.0), Particle(Vector3(*base))
         spring = ElasticLimitSpring(q, k, rest, limit, share)
@@ -89,32 +105,34 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         late = rest + limit  # the length of a limit that is counted from the rest length
         sizes = {
             (
-                "The force does not grow beyond the limit. It must keep growing there, with share "
-                "* stiffness."
+                "The force stays the same beyond the limit. It must keep growing there, but only "
+                "with share * stiffness."
             ): limit - rest,
             (
-                "share is applied to the whole extension. Apply it only to the part beyond the "
-                "limit."
+                "share is applied to the whole extension. Apply it only to the part of the "
+                "length beyond the limit."
             ): share * (length - rest),
-            "The full stiffness acts beyond the limit. Multiply the stiffness by share "
-            "there.": length - rest,
-            "Only the part beyond the limit counts here. Add the part up to the limit.": share
-            * beyond,
-            "The limit is measured from the rest length. It must be compared with the length, not "
-            "the extension.": (min(length, late) - rest + share * max(length - late, 0.0)),
+            "The spring pulls with its full stiffness beyond the limit as well. Multiply the "
+            "stiffness by share for that part of the length.": length - rest,
+            "Only the part of the length beyond the limit counts here. Add the pull of the part "
+            "up to the limit, which is k (limit - l0).": share * beyond,
+            "The limit has been compared with the extension, as if it were measured from the "
+            "rest length. Compare it with the length of the spring.": (
+                min(length, late) - rest + share * max(length - late, 0.0)
+            ),
         }
         got = xyz(p.force_accumulator)
         slips = {slip: [-k * size * part for part in d] for slip, size in sizes.items()}
         blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
         about.cause = (
-            "The spring does not remember that it was stretched. The second call adds the same "
-            "force again."
+            "The second call adds the same force again, because the spring does not remember "
+            "that it was stretched. Do not store anything between two calls."
         )
         spring.update_force(p, 0.5)
         got = xyz(p.force_accumulator)
         twice = tuple(2.0 * part for part in wanted)
-        expect_close(got, twice, then=", and once more; p.force_accumulator", tolerance=1e-11)
+        expect_close(got, twice, then=", called twice; p.force_accumulator", tolerance=1e-11)
 
 
 @pytest.mark.exercise("6.1")
@@ -124,8 +142,8 @@ def test_ends_of_an_elastic_limit_spring_at_one_place(rng: Random) -> None:
     about.call = f"p and q at {place}; p.add_force(Vector3{f}); s = ElasticLimitSpring(q, 5.0, "
     about.call += "1.0, 2.0, 0.5); s.update_force(p, 0.5)"
     about.cause = (
-        "If both ends are at the same position, there is no direction and no force. The other "
-        "forces stay."
+        "Both ends are at the same position, so the spring has no direction and adds no force. "
+        "The other forces on the particle must stay."
     )
     p, q = Particle(Vector3(*place)), Particle(Vector3(*place), mass=math.inf)
     p.add_force(Vector3(*f))
@@ -134,7 +152,10 @@ def test_ends_of_an_elastic_limit_spring_at_one_place(rng: Random) -> None:
     expect_close(xyz(p.force_accumulator), f, then="; p.force_accumulator")
     about.call += "; p.clear_forces(); q.position = q.position - Vector3(4, 0, 0); s.limit = 3.0; "
     about.call += "s.share = 2.0; s.stiffness = 4.0; s.rest_length = 0.0; s.update_force(p, 0.5)"
-    about.cause = "Read the attributes in each call. The pull is 4 * 3 + 2 * 4 (4 - 3)."
+    about.cause = (
+        "The attributes were changed after the spring was created, so read them in every call. "
+        "The pull is 4 * 3 + 2 * 4 (4 - 3) here."
+    )
     p.clear_forces()
     q.position = q.position - Vector3(4.0, 0.0, 0.0)
     s.limit, s.share, s.stiffness, s.rest_length = 3.0, 2.0, 4.0, 0.0

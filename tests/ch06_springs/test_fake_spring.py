@@ -41,16 +41,21 @@ def test_the_force_by_its_formula() -> None:
     about.read = READ
     about.call = "p of 1 kg at (1, 0, 0), at rest, with acceleration (0, -10, 0) and damping 0.5; "
     about.call += "FakeStiffSpring(Vector3(), 400, 0).update_force(p, 1/60)"
-    about.cause = "(T - x) / h^2 - v / h, here with T = cos(chi h)"
+    about.cause = (
+        "For a mass of 1 kg the force is (T - x) / h^2 - v / h, where T is the position after h. "
+        "Here T = cos(chi h). The particle's own acceleration and damping do not enter."
+    )
     p = Particle(Vector3(1.0, 0.0, 0.0), acceleration=Vector3(0.0, -10.0, 0.0), damping=0.5)
     FakeStiffSpring(Vector3(), 400.0, 0.0).update_force(p, 1.0 / 60.0)
     got = xyz(p.force_accumulator)
     wanted = (-198.15499326694427, 0.0, 0.0)
     sizes = {
-        "In the printed listing, 1 / h * h does not divide by h^2 (E-6).": wanted[0] / 3600.0,
-        "The force is that of a real spring, -k x, which is too large for such a step.": -400.0,
-        "The force is for a step that moves p by a h^2 / 2, but semi-implicit Euler moves it by a "
-        "h^2.": 2.0 * wanted[0],
+        "In the printed listing, 1 / h * h does not divide by h^2 (E-6). Write the division as / "
+        "h / h or / (h * h).": wanted[0] / 3600.0,
+        "The force is that of a real spring, -k x, which is too large for such a long step. Use "
+        "the position T that a real spring would reach.": -400.0,
+        "The force is twice as large as it should be. It fits a step that moves p by a h^2 / 2, "
+        "but semi-implicit Euler moves it by a h^2.": 2.0 * wanted[0],
     }
     blame(got, {slip: (size, 0.0, 0.0) for slip, size in sizes.items()})
     # 1 - cos(1/3) loses a digit, and is multiplied by 3600.
@@ -58,17 +63,21 @@ def test_the_force_by_its_formula() -> None:
     about.call = "p of 1 kg at (0, 0, 0), velocity (0, 2, 0); "
     about.call += "FakeStiffSpring(Vector3(), 400, 0).update_force(p, 1/60)"
     about.cause = (
-        "Along y, use (T - x) / h^2 - v / h with x = 0 and v = 2. Here T = v sin(chi h) / chi."
+        "The particle is at the anchor and moves along y, so use (T - x) / h^2 - v / h with x = "
+        "0 and v = 2. Here T = v sin(chi h) / chi."
     )
     p = Particle(velocity=Vector3(0.0, 2.0, 0.0))
     FakeStiffSpring(Vector3(), 400.0, 0.0).update_force(p, 1.0 / 60.0)
     wanted = (0.0, (2.0 * math.sin(1.0 / 3.0) / 20.0 * 60.0 - 2.0) * 60.0, 0.0)
     got = xyz(p.force_accumulator)
     sizes = {
-        "The force is the printed (T - x) / h^2 - v (E-6). Use v / h.": wanted[1] + 120.0 - 2.0,
-        "The force is (T - x) / h^2. Subtract v / h, too.": wanted[1] + 120.0,
-        "There is no force, although p moves along y. The offset from the anchor is 0, so it has "
-        "no direction: compute x, y and z separately, not the distance as a whole.": 0.0,
+        "The force is the printed (T - x) / h^2 - v (E-6). The units show that v must be divided "
+        "by h, so subtract v / h.": wanted[1] + 120.0 - 2.0,
+        "The force is (T - x) / h^2, which ignores that the particle is already moving. Subtract "
+        "v / h as well.": wanted[1] + 120.0,
+        "There is no force, although p moves along y. Its offset from the anchor is 0 and "
+        "therefore has no direction. Compute x, y and z separately instead of the distance "
+        "as a whole.": 0.0,
     }
     blame(got, {slip: (0.0, size, 0.0) for slip, size in sizes.items()})
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-10)
@@ -79,13 +88,14 @@ def test_a_soft_spring_is_faked_too() -> None:
     about("p of 1 kg at (0, 0, 1), at rest; FakeStiffSpring(Vector3(), 0.5, ", read=READ)
     about.call += "0).update_force(p, 0.1)"
     about.cause = (
-        "(T - x) / h^2 is about half of a real spring's force, because it acts for the whole step."
+        "With a soft spring, (T - x) / h^2 must be about half of a real spring's force, because "
+        "this force acts during the whole step. Use the same formula for every stiffness."
     )
     p = Particle(Vector3(0.0, 0.0, 1.0))
     FakeStiffSpring(Vector3(), 0.5, 0.0).update_force(p, 0.1)
     wanted = (0.0, 0.0, (math.cos(0.1 * math.sqrt(0.5)) - 1.0) * 100.0)
     got = xyz(p.force_accumulator)
-    only = "There is no force along z. Compute x, y and z in the same way."
+    only = "There is no force along z. Compute the force on all three axes in the same way."
     blame(got, [(ZERO, only)])
     # cos loses three digits, and is multiplied by 100.
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
@@ -102,8 +112,9 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         about.call += f"{k}, {c}); s.update_force(p, {h}); a step of semi-implicit Euler; "
         about.call += "p.position"
         about.cause = (
-            "T is relative to the anchor, on each axis separately, with this mass and damping. "
-            "Then x + (v + a h) h must equal T."
+            "Compute T from the position relative to the anchor, on each axis separately, with "
+            "the mass of this particle and the damping of the spring. The step must then end at "
+            "T."
         )
         ends = faked(anchor, place, v, k, c, m, h, 1)
         wanted = tuple(
@@ -111,18 +122,18 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         )
         axes = list(zip(anchor, place, v, wanted, strict=True))
         slips = {
-            "The force is not multiplied by the mass. It must be m times the acceleration.": [
-                x + u * h + (end - x - u * h) / m for _, x, u, end in axes
-            ],
-            "T is computed for 1 kg. Use the particle's mass.": [
+            "The force has not been multiplied by the mass, so it is an acceleration. Multiply "
+            "it by particle.mass.": [x + u * h + (end - x - u * h) / m for _, x, u, end in axes],
+            "The position T has been computed for a mass of 1 kg. Pass the particle's mass to "
+            "damped_spring_state.": [
                 a + true_spring(x - a, u, k, c, 1.0, h) for a, x, u, _ in axes
             ],
-            "T is computed without damping. Use self.damping.": [
+            "The position T has been computed without damping. Pass self.damping to "
+            "damped_spring_state.": [
                 a + true_spring(x - a, u, k, 0.0, m, h) for a, x, u, _ in axes
             ],
-            "T is computed for an anchor at (0, 0, 0). Use self.anchor.": [
-                true_spring(x, u, k, c, m, h) for _, x, u, _ in axes
-            ],
+            "The position T has been computed for an anchor at (0, 0, 0). Subtract self.anchor "
+            "from the position first.": [true_spring(x, u, k, c, m, h) for _, x, u, _ in axes],
         }
         blame(ends[-1], slips)
         # Divided by h^2 and multiplied by it again: a few roundings of numbers up to 20.
@@ -136,7 +147,8 @@ def test_a_spring_far_too_stiff_for_the_step_stays_calm(rng: Random) -> None:
     about.call = f"p at {place}; s = FakeStiffSpring(Vector3(), 1e6, 200); 300 frames of 1/60 s of "
     about.call += "s.update_force(p, h), a step of semi-implicit Euler"
     about.cause = (
-        "Here k h^2 / m is 278. A real spring explodes above 4, but the faked one comes to rest."
+        "A real spring explodes if k h^2 / m is above 4, and here it is 278. The faked spring "
+        "must come to rest all the same, so check that its damping is used."
     )
     ends = faked(ZERO, place, ZERO, 1e6, 200.0, 1.0, 1.0 / 60.0, 300)
     farthest = max(math.hypot(*end) for end in ends)
@@ -145,7 +157,7 @@ def test_a_spring_far_too_stiff_for_the_step_stays_calm(rng: Random) -> None:
     # After a frame a true one has e^(-100/60) of its start: 19 %.
     name = ": the largest distance from the anchor after a frame, in m"
     expect_between(farthest, 0.0, 0.2 * start, then=name)
-    expect_between(left, 0.0, 1e-9, then=": the distance in the end, in m")
+    expect_between(left, 0.0, 1e-9, then=": the distance from the anchor at the end, in m")
     about.call = "the same from (1, 0, 0), after the first frame"
     wanted = true_spring(1.0, 0.0, 1e6, 200.0, 1.0, 1.0 / 60.0)
     got = faked(ZERO, (1.0, 0.0, 0.0), ZERO, 1e6, 200.0, 1.0, 1.0 / 60.0, 1)[-1][0]
@@ -159,8 +171,8 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     about.call = f"p of 2 kg at {place}; s = FakeStiffSpring(Vector3{place}, 400, 3); "
     about.call += f"p.add_force(Vector3{f}); s.update_force(p, 0.5); p.force_accumulator"
     about.cause = (
-        "A particle at rest at the anchor gets no force from the spring. Keep the other forces on "
-        "it."
+        "The particle is at rest at the anchor, so the spring adds no force. The other forces on "
+        "the particle must stay, so use add_force."
     )
     p, s = Particle(Vector3(*place), mass=2.0), FakeStiffSpring(Vector3(*place), 400.0, 3.0)
     p.add_force(Vector3(*f))
@@ -171,8 +183,8 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     about.call = f"s.anchor = Vector3(); s.stiffness = 0.0; s.damping = 0.0; p at {place}, "
     about.call += f"velocity {f}; s.update_force(p, 0.5)"
     about.cause = (
-        "Without stiffness and damping, the particle moves at constant velocity, so there is no "
-        "force. Read the attributes in every call."
+        "The stiffness and the damping have been set to 0, so the particle moves at constant "
+        "velocity and needs no force. Read the attributes in every call."
     )
     s.anchor, s.stiffness, s.damping = Vector3(), 0.0, 0.0
     p = Particle(Vector3(*place), Vector3(*f))
@@ -181,13 +193,19 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     expect_close(got, ZERO, tolerance=1e-12)
     s.stiffness = 100.0
     about.call = "p immovable at (1, 0, 0); s.update_force(p, 0.5); p.force_accumulator"
-    about.cause = "Do not add a force to an immovable particle. Infinity times 0 is NaN."
+    about.cause = (
+        "The particle is immovable, and an infinite mass times 0 is NaN. Return before you "
+        "compute a force for it."
+    )
     p = Particle(Vector3(1.0, 0.0, 0.0), mass=math.inf)
     s.update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), ZERO)
     about.call = "p of 2 kg at (1, 0, 0), at rest, FakeStiffSpring(Vector3(), 100, "
     about.call += "0).update_force(p, 0.5)"
-    about.cause = "2 ((cos(chi h) - 1) / h^2), chi the root of 100 / 2"
+    about.cause = (
+        "The force is 2 (cos(chi h) - 1) / h^2 here, where chi is the square root of 100 / 2. "
+        "Use the attributes of the spring and the mass of this particle."
+    )
     p = Particle(Vector3(1.0, 0.0, 0.0), mass=2.0)
     s.update_force(p, 0.5)
     wanted = (8.0 * (math.cos(0.5 * math.sqrt(50.0)) - 1.0), 0.0, 0.0)
@@ -199,7 +217,10 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
 @pytest.mark.robust
 def test_a_faked_spring_needs_a_duration() -> None:
     about.read = "the docstring of FakeStiffSpring.update_force"
-    about.cause = "Refuse it with ValueError, for an immovable particle too. positive() does that."
+    about.cause = (
+        "The duration must be positive and finite. Check it before anything else, so that "
+        "ValueError is raised for an immovable particle too. positive() does this check."
+    )
     s = FakeStiffSpring(Vector3(), 400.0, 3.0)
     for mass in (1.0, math.inf):
         p = Particle(Vector3(1.0, 0.0, 0.0), mass=mass)
@@ -211,7 +232,10 @@ def test_a_faked_spring_needs_a_duration() -> None:
                 allowed=lambda: s.update_force(Particle(Vector3(1.0, 0.0, 0.0)), 1.0),
             )
     about.call = "FakeStiffSpring(Vector3(), 400, 3).update_force(p, 1/60), p at (1, 0, 0)"
-    about.cause = "This duration is valid, so the call must not raise an error."
+    about.cause = (
+        "A duration of 1/60 s is valid, so the call must not raise an error. The damping of the "
+        "spring must be part of T."
+    )
     p = Particle(Vector3(1.0, 0.0, 0.0))
     s.update_force(p, 1.0 / 60.0)
     wanted = (true_spring(1.0, 0.0, 400.0, 3.0, 1.0, 1.0 / 60.0) - 1.0) * 3600.0

@@ -26,14 +26,15 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
     for time, cause in (
         (
             0.0,
-            "Without a look-ahead, the force pulls toward the target's current position: k (q - "
-            "p).",
+            "The look-ahead time is 0, so the force pulls toward the current position of the "
+            "target. It is k (q - p).",
         ),
         (
             ahead,
             (
-                "The force is k times the displacement from p + v T to q + w T. Both predictions "
-                "are straight lines, without damping, acceleration or mass."
+                "The force is k times the displacement from p + v T to q + w T. Both particles "
+                "are assumed to move on in a straight line, so damping, acceleration and mass do "
+                "not matter."
             ),
         ),
     ):
@@ -52,32 +53,33 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
         closing = [w[i] - v[i] for i in range(3)]
         way = [now[i] + closing[i] * time for i in range(3)]
         pulls = {
-            "The force pushes away from the target. Subtract in the opposite order.": [
-                -k * part for part in way
-            ],
-            "The stiffness is missing. Multiply the displacement by it.": way,
-            "The force is k times a unit vector. Use the whole displacement.": [
+            "The force pushes the bullet away from its target. Subtract the bullet's predicted "
+            "position from the target's, and not the other way round.": [-k * part for part in way],
+            "The force equals the displacement itself. Multiply it by the stiffness.": way,
+            "The force has the size k at every distance, as if the displacement had been "
+            "normalized. Multiply k by the whole displacement.": [
                 k * part / math.hypot(*way) for part in way
             ],
             (
-                "The force pulls toward the target's current position. Use the position after "
-                "look_ahead."
+                "The force pulls toward the current position of the target. Use the position "
+                "that the target will have after look_ahead."
             ): [k * part for part in now],
             (
                 "The prediction leaves out the bullet's own velocity. The bullet also moves "
-                "during look_ahead."
+                "during look_ahead, so start from where it will be then."
             ): [k * (now[i] + w[i] * time) for i in range(3)],
             "The prediction leaves out the target's velocity. The target also moves during "
-            "look_ahead.": [k * (now[i] - v[i] * time) for i in range(3)],
-            "The prediction uses the duration of the step. Use self.look_ahead.": [
-                k * (now[i] + closing[i] * 0.5) for i in range(3)
+            "look_ahead, so aim at where it will be then.": [
+                k * (now[i] - v[i] * time) for i in range(3)
             ],
+            "The prediction looks ahead by the duration of the step. Use self.look_ahead, which "
+            "does not depend on the step.": [k * (now[i] + closing[i] * 0.5) for i in range(3)],
         }
         slips = {slip: [f[i] + pull[i] for i in range(3)] for slip, pull in pulls.items()}
         blame(got, slips)
         # A few roundings of numbers up to 2000.
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
-        about.cause = "Do not change the target."
+        about.cause = "The target has received a force as well. Add the force to the bullet only."
         expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
 
 
@@ -87,7 +89,10 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
     here, v, there, w = (components(rng) for _ in range(4))
     about.call = f"p at {here}, velocity {v}; q at {there}, velocity {w}; b = HomingBullet(q, 2.0, "
     about.call += "3.0); b.update_force(p, 0.5)"
-    about.cause = "add_scaled, += and *= work in place. Use them on a new vector."
+    about.cause = (
+        "add_scaled, += and *= change a vector in place. Copy a position or velocity before you "
+        "use them on it, or use + and *, which return new vectors."
+    )
     p, q = Particle(Vector3(*here), Vector3(*v)), Particle(Vector3(*there), Vector3(*w))
     b = HomingBullet(q, 2.0, 3.0)
     b.update_force(p, 0.5)
@@ -100,7 +105,10 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
         expect_unchanged(name, xyz(now), before)
     about.call = f"p at {here}, velocity {v}; q at {there}, velocity {v}; b.stiffness changed from "
     about.call += "2 to 4, b.look_ahead from 3 to 1; b.update_force(p, 0.5)"
-    about.cause = "Read stiffness, look_ahead and the target's position and velocity in each call."
+    about.cause = (
+        "The attributes and the target's velocity were changed after the bullet was created. "
+        "Read stiffness, look_ahead and the target's motion in every call."
+    )
     p.clear_forces()
     b.stiffness, b.look_ahead, q.velocity = 4.0, 1.0, Vector3(*v)
     b.update_force(p, 0.5)
@@ -109,9 +117,12 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
     about.call = (
         f"p at {here}, velocity {v}; b.stiffness 4, b.look_ahead 1, b.target changed to an "
+        f"immovable particle at {w}; b.update_force(p, 0.5)"
     )
-    about.call += f"immovable particle at {w}; b.update_force(p, 0.5)"
-    about.cause = "Read self.target in every call. An immovable particle can also be a target."
+    about.cause = (
+        "The bullet has a new target. Read self.target in every call. An immovable particle is a "
+        "valid target too."
+    )
     p.clear_forces()
     b.target = Particle(Vector3(*w), mass=math.inf)
     b.update_force(p, 0.5)
@@ -127,8 +138,8 @@ def test_it_catches_a_target_that_flies_straight_on(rng: Random) -> None:
     about.call = f"p at (0, 0, 0), at rest; q at {start}, velocity {w}; 20 s of HomingBullet(q, "
     about.call += "4.0, 1.0).update_force(p, h), p.integrate(h), h = 1/240: distance"
     about.cause = (
-        "k T damps the velocity relative to the target, so the bullet reaches the target and "
-        "stays there."
+        "The bullet must reach the target and stay with it, because k T acts as a damping of the "
+        "velocity relative to the target. Check that both velocities are in the prediction."
     )
     distances = chased(start, w, 4.0, 1.0, 1.0 / 240.0, 4800)
     expect_close(distances[-1], 0.0, then=" in the end", tolerance=1e-6)

@@ -16,14 +16,15 @@ from expect import about, expect_close, expect_finite_numbers, named
 METHODS = {"backward_euler": backward_euler, "trapezoidal": trapezoidal}
 RULES = {
     "backward_euler": "x' = x + v' h and v' = v + a' h, both with the new values",
-    "trapezoidal": "x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, the means of both",
+    "trapezoidal": "x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, with the means of the "
+    "old and new values",
 }
 
 
 def off(
     method: str, x: float, v: float, k: float, c: float, m: float, h: float, new: tuple[float, ...]
 ) -> tuple[float, float]:
-    """Return what the two equations of a method are off, for a new state."""
+    """Return the errors of a method's two equations for a new state."""
     a, b = (-k * x - c * v) / m, (-k * new[0] - c * new[1]) / m
     if method == "trapezoidal":
         return new[0] - x - 0.5 * h * (v + new[1]), new[1] - v - 0.5 * h * (a + b)
@@ -38,45 +39,50 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
     k, c, m, h = (positive_number(rng) for _ in range(4))
     for stiffness, damping in ((k, 0.0), (0.0, c), (k, c)):
         about.call = f"{method}({x}, {v}, {stiffness}, {damping}, {m}, {h}) = (x', v')"
-        about.cause = f"{RULES[method]}, where m a = -k x - c v. Solve them for v'."
+        about.cause = (
+            f"The equations are {RULES[method]}, where m a = -k x - c v. Put the first one into "
+            "the second and solve for v'."
+        )
         new = METHODS[method](x, v, stiffness, damping, m, h)
-        expect_close(len(new), 2, then=": how many numbers")
+        expect_close(len(new), 2, then=": the number of results")
         left = off(method, x, v, stiffness, damping, m, h, new)
         other = "trapezoidal" if method == "backward_euler" else "backward_euler"
         u = v + (-stiffness * x - damping * v) / m * h
         slips = {
-            "The result is the step of explicit Euler.": (x + v * h, u),
-            "The result is the step of semi-implicit Euler.": (x + u * h, u),
+            "The result is the step of explicit Euler, which uses the old values only. Solve the "
+            "equations of this method for the new velocity instead.": (x + v * h, u),
+            "The result is the step of semi-implicit Euler, in which the force is still that of "
+            "the old state. Solve the equations of this method for the new "
+            "velocity instead.": (x + u * h, u),
         }
         fits = {
-            "The results are in the wrong order. Return x' first.": off(
-                method, x, v, stiffness, damping, m, h, (new[1], new[0])
-            ),
+            "The two results are in the wrong order. Return the position x' first and then the "
+            "velocity v'.": off(method, x, v, stiffness, damping, m, h, (new[1], new[0])),
             f"The result is that of {other}.": off(other, x, v, stiffness, damping, m, h, new),
-            "The damping is missing. Include c in m a = -k x - c v.": off(
-                method, x, v, stiffness, 0.0, m, h, new
-            ),
-            "The stiffness is missing. Include k in m a = -k x - c v.": off(
-                method, x, v, 0.0, damping, m, h, new
-            ),
-            "k and c are not divided by the mass. Divide both by m.": off(
-                method, x, v, stiffness, damping, 1.0, h, new
-            ),
+            "The damping is missing. The acceleration follows from m a = -k x - c v, so include "
+            "c.": off(method, x, v, stiffness, 0.0, m, h, new),
+            "The stiffness is missing. The acceleration follows from m a = -k x - c v, so "
+            "include k.": off(method, x, v, 0.0, damping, m, h, new),
+            "The stiffness and the damping have not been divided by the mass. The acceleration "
+            "needs k / m and c / m.": off(method, x, v, stiffness, damping, 1.0, h, new),
         }
-        # Where the equations of a mistake are met, it was made.
+        # If the new state solves the equations of a mistake, that mistake was made.
         slip = next((slip for slip in fits if max(map(abs, fits[slip])) < 1e-10), "")
         if not slip and abs(new[0] - x - v * h) < 1e-10:
-            slip = "The position is x' = x + v h, with the old velocity alone."
+            slip = "The position uses only the old velocity, x' = x + v h."
         if not slip and abs(new[0] - x - new[1] * h) < 1e-10 and left[0] != 0.0:
-            slip = "The position is x' = x + v' h, with the new velocity alone."
+            slip = "The position uses only the new velocity, x' = x + v' h."
         known = named(new, about.cause, slips)
         if slip and known == about.cause:
-            about.cause = f"{slip} The method is {about.cause}"
+            about.cause = f"{slip} {about.cause}"
         else:
             about.cause = known
         # A few roundings of numbers up to 4000.
         expect_close(
-            left, (0.0, 0.0), then=": what the equations for x' and v' are off", tolerance=1e-10
+            left,
+            (0.0, 0.0),
+            then=": the errors of the two equations, for x' and for v'",
+            tolerance=1e-10,
         )
 
 
@@ -84,10 +90,10 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
 @pytest.mark.parametrize(("method", "factor"), [("backward_euler", 2.0), ("trapezoidal", 4.0)])
 def test_half_the_frame_has_its_share_of_the_error(method: str, factor: float) -> None:
     about.read = f"the docstring of {method}"
-    about.call = f"{method}(x, v, 4.0, 0.5, 1.0, h) from x = 1, v = 0 to 2 s: error of x"
+    about.call = f"{method}(x, v, 4.0, 0.5, 1.0, h) from x = 1, v = 0 to 2 s: the error of x"
     about.cause = (
-        f"With half the step, the error must be 1/{factor:g} of the error before, by the order of "
-        "the method."
+        f"With half the time step, the error must be 1 / {factor:g} of what it was, because of "
+        "the order of the method. Compare your two equations with those in the docstring."
     )
     # x(2) by the closed form: e^-0.5 (cos 2g + sin 2g / (4 g)), g the root of 3.9375
     g = math.sqrt(3.9375)
@@ -97,7 +103,10 @@ def test_half_the_frame_has_its_share_of_the_error(method: str, factor: float) -
     ]
     # The next order adds some h of it.
     expect_close(
-        errors[0] / errors[1], factor, then=", h = 1/200 over h = 1/400", tolerance=0.03 * factor
+        errors[0] / errors[1],
+        factor,
+        then=", with h = 1/200, divided by that with h = 1/400",
+        tolerance=0.03 * factor,
     )
 
 
@@ -107,13 +116,17 @@ def test_no_spring_is_too_stiff(method: str, rng: Random) -> None:
     about.read = f"the docstring of {method}"
     v = draw_number(rng)
     causes = {
-        "trapezoidal": "The trapezoidal rule keeps the energy of a spring without damping.",
-        "backward_euler": "Each step of backward Euler divides the energy by 1 + k h^2 / m.",
+        "trapezoidal": "The trapezoidal rule keeps the energy of a spring without damping, "
+        "however stiff the spring is. Check that position and velocity both use the mean of the "
+        "old and the new value.",
+        "backward_euler": "Without damping, each step of backward Euler divides the energy by 1 "
+        "+ k h^2 / m, so even the stiffest spring calms down. Check that the force is that of "
+        "the new state.",
     }
     about.cause = causes[method]
     for k, steps in ((1e3, 5), (1e3, 1000), (1e6, 1000), (1e12, 1000)):
         about.call = f"{steps} times {method}(x, v, {k}, 0.0, 1.0, 1/60) from x = 1, v = {v}: "
-        about.call += "energy left"
+        about.call += "the fraction of the energy that is left"
         x, new = implicit_steps(method, 1.0, v, k, 0.0, 1.0, 1.0 / 60.0, steps)
         left = (k * x * x + new * new) / (k + v * v)
         wanted = 1.0 if method == "trapezoidal" else (1.0 + k / 3600.0) ** -steps
@@ -128,8 +141,13 @@ def test_backward_euler_loses_energy_by_its_factor(rng: Random) -> None:
     about.read = "the docstring of backward_euler"
     x, v = draw_number(rng), draw_number(rng)
     k, m, h = (positive_number(rng) for _ in range(3))
-    about.call = f"backward_euler({x}, {v}, {k}, 0.0, {m}, {h}): energy after / before"
-    about.cause = "Without damping, a step divides the energy by 1 + k h^2 / m."
+    about.call = (
+        f"backward_euler({x}, {v}, {k}, 0.0, {m}, {h}): the final energy / the initial energy"
+    )
+    about.cause = (
+        "Without damping, each step of backward Euler must divide the energy by exactly 1 + k "
+        "h^2 / m. Check that both equations use the new position and the new velocity."
+    )
     new = backward_euler(x, v, k, 0.0, m, h)
     energy = 0.5 * k * new[0] ** 2 + 0.5 * m * new[1] ** 2
     before = 0.5 * k * x * x + 0.5 * m * v * v
@@ -147,7 +165,10 @@ def test_an_implicit_step_needs_numbers_that_mean_something(method: str) -> None
     expect_finite_numbers(method, step, (1, 2, 3, 4, 5, 6), bad)
     about(
         f"{method}(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)",
-        cause=("Without a force, the body moves at constant velocity: x + v h."),
+        cause=(
+            "There is no force here, so the body keeps its velocity and moves by v h. A "
+            "stiffness and a damping of 0 are valid."
+        ),
     )
     got = step(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)
     expect_close(got, (11.0, 3.0))

@@ -26,8 +26,8 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
         about.call = f"p at (3, {y}, 5); p.add_force(Vector3{f}); LighterThanAir({most}, "
         about.call += f"{scale}).update_force(p, 0.5); p.force_accumulator"
         about.cause = (
-            "Add F e^(-y / H), upward, to the existing forces. At the scale height the lift is 1 / "
-            "e of F."
+            "Add a lift of F e^(-y / H), which points upward, to the forces already on the "
+            "particle. At the scale height H the lift is 1 / e of F."
         )
         p = Particle(Vector3(3.0, y, 5.0), mass=7.0)
         p.add_force(Vector3(*f))
@@ -36,17 +36,22 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         lift = most * math.exp(-share)
         lifts = {
-            "The lift is F H / y, which is infinite at the ground. Use F e^(-y / H).": most / share,
-            "The lift is F (1 - y / H), which falls along a straight line and becomes negative "
-            "above H. Use F e^(-y / H), which never reaches 0.": most * (1.0 - share),
-            "The lift is F e^-y, as if the scale height were 1 m. Divide the height by H.": most
-            * math.exp(-y),
-            "The lift is F 2^(-y / H). Use e instead of 2.": most * 0.5**share,
-            "This is F / (1 + y / H). Use F e^(-y / H).": most / (1.0 + share),
-            "The lift is F e^(y / H). The exponent needs a minus sign.": most * math.exp(share),
-            "The lift points down, so the balloon would fall faster. It must point up.": -lift,
-            "The lift is multiplied by the mass of 7 kg. It does not depend on the mass.": 7.0
-            * lift,
+            "The lift is F H / y, which is infinite at the ground. It must fall off "
+            "exponentially, so use F e^(-y / H).": most / share,
+            "The lift is F (1 - y / H), which decreases linearly and becomes negative above H. "
+            "Use F e^(-y / H), which never reaches 0.": most * (1.0 - share),
+            "The lift is F e^-y, as if the scale height were 1 m. Divide the height y by H "
+            "before you take the exponential.": most * math.exp(-y),
+            "The lift is F 2^(-y / H), so it is halved at the scale height. It must fall to 1 / "
+            "e there, so use math.exp.": most * 0.5**share,
+            "The lift is F / (1 + y / H), which decreases too slowly at large heights. Use F "
+            "e^(-y / H).": most / (1.0 + share),
+            "The lift is F e^(y / H), which grows with the height. The exponent needs a minus "
+            "sign.": most * math.exp(share),
+            "The lift points down, so the balloon would fall faster. Add the force along "
+            "positive y.": -lift,
+            "The lift has been multiplied by the mass of 7 kg. It does not depend on the mass of "
+            "the particle, so leave the mass out.": 7.0 * lift,
         }
         slips = {name: (f[0], f[1] + size, f[2]) for name, size in lifts.items()}
         blame(got, slips)
@@ -59,17 +64,18 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
     most, scale = positive_number(rng, 5.0, 90.0), positive_number(rng)
     balloon = LighterThanAir(most, scale)
     for y, cause in (
-        (0.0, "At the ground, at y = 0, the lift is max_lift."),
+        (0.0, "At the ground, at y = 0, the lift has its largest value, which is max_lift."),
         (
             -0.5 * scale,
             (
-                "Below the ground the lift is the same as at the ground. It does not grow any "
-                "further."
+                "Below the ground the lift is the same as at the ground. The formula would make "
+                "it grow further, so use y = 0 there."
             ),
         ),
         (
             -1e6,
-            "Below the ground, the lift is the same as at the ground. Do not compute e^1000000.",
+            "Below the ground the lift is the same as at the ground, so use y = 0 there. Without "
+            "this limit, e^1000000 would overflow.",
         ),
     ):
         about.cause = cause
@@ -82,7 +88,10 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
     about.call = f"balloon = LighterThanAir({most}, {scale}); balloon.max_lift = {2 * most}; "
     about.call += f"balloon.scale_height = {3 * scale}; p at (0, {3 * scale}, 0); "
     about.call += "balloon.update_force(p, 0.5)"
-    about.cause = "Read the attributes in every call."
+    about.cause = (
+        "max_lift and scale_height were changed after the balloon was created. Read both "
+        "attributes in every call."
+    )
     balloon.max_lift, balloon.scale_height = 2.0 * most, 3.0 * scale
     p = Particle(Vector3(0.0, 3.0 * scale, 0.0))
     balloon.update_force(p, 0.5)
@@ -96,8 +105,8 @@ def test_a_balloon_comes_to_rest_where_its_lift_is_its_weight() -> None:
     about.call = "p of 2 kg, damping 0.5, g = 9.81; 60 s of LighterThanAir(30, 8).update_force(p, "
     about.call += "h), p.integrate(h) in frames of 1/60 s; p.position.y"
     about.cause = (
-        "The particle rises until F e^(-y / H) equals m g, which is at the height H ln(F / (m g)), "
-        "and stays there."
+        "The particle must rise until the lift F e^(-y / H) equals its weight m g, which is at "
+        "the height H ln(F / (m g)), and come to rest there."
     )
     y = risen(30.0, 8.0, 2.0, 0.5, 9.81, 1.0 / 60.0, 3600)
     wanted = 8.0 * math.log(30.0 / (2.0 * 9.81))

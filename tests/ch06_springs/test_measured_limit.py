@@ -16,7 +16,7 @@ LARGEST = "the docstring of largest_stable_stiffness"
 
 
 def draw_step(rng: Random) -> tuple[float, float]:
-    """Draw the share of its force that a step lets count, and a damping, of which mistakes tell.
+    """Draw the fraction of its force that a step uses, and a damping, for which mistakes show.
 
     With a share of 1 it would be the book's step, and a damping near 1 is none.
     """
@@ -25,7 +25,7 @@ def draw_step(rng: Random) -> tuple[float, float]:
 
 
 def limit_of(share: float, explicit: bool, damping: float, h: float) -> float:
-    """Return the stiffness that such a step can bear when only a share of its force counts."""
+    """Return the stiffness up to which a step that uses a fraction of its force is stable."""
     keep = damping**h
     return ((1.0 / keep - 1.0) if explicit else 2.0 * (1.0 + keep) / keep) / (share * h * h)
 
@@ -35,30 +35,43 @@ def test_how_the_particle_is_released() -> None:
     about("swings_wider(integrator, 7.0, 0.25, 0.125): what the integrator gets", read=WIDER)
     seen = released()
     name = "swings_wider(integrator, 7.0, 0.25, 0.125): is the integrator called"
-    calls = "The integrator that is passed must make the steps, because no formula covers it."
+    calls = (
+        "Let the integrator that is passed make the steps. It can be any function, so no formula "
+        "can replace a trial with it."
+    )
     expect_exactly(len(seen) > 0, True, call=name, cause=calls)
     count, place, velocity, mass, damping, before, force, h, drift = seen[0]
-    about.cause = "Pass one particle to the integrator, in a list."
-    expect_exactly(count, 1, then=": how many particles")
-    about.cause = "The particle has a mass of 1 kg."
+    about.cause = "Pass a list with exactly one particle to the integrator."
+    expect_exactly(count, 1, then=": the number of particles")
+    about.cause = (
+        "Give the particle a mass of 1 kg, because the stiffness is measured for this mass."
+    )
     expect_close(mass, 1.0, then=": its mass")
-    about.cause = "Create the particle with this damping."
+    about.cause = (
+        "The particle must have the damping that was passed to swings_wider. Pass it on when you "
+        "create the particle."
+    )
     if damping == 1.0:
         about.cause = (
-            "The particle has no damping. The damping belongs to the particle and not to the "
-            "spring."
+            "The particle has no damping. Here the damping belongs to the particle and not to the "
+            "spring, so pass it to Particle."
         )
     expect_close(damping, 0.25, then=": its damping")
-    about.cause = "Pass the duration on to the integrator."
+    about.cause = "Pass the duration on to the integrator unchanged."
     expect_close(h, 0.125, then=": the duration")
-    about.cause = "Release the particle at a distance of START, 10 m, from the anchor."
+    about.cause = "Release the particle at a distance of START from the anchor, which is 10 m."
     expect_close(math.hypot(*place), 10.0, then=": distance from the anchor")
-    about.cause = "There is no gravity. Leave the particle's own acceleration at 0."
+    about.cause = (
+        "This scene has no gravity. Leave the particle's own acceleration at 0, so that only the "
+        "spring acts."
+    )
     expect_close(drift, (0.0, 0.0, 0.0), then=": acceleration")
-    about.cause = "Release the particle at rest."
+    about.cause = "Release the particle at rest, with a velocity of 0."
     expect_close(velocity, (0.0, 0.0, 0.0), then=": velocity")
-    by_hand = "You added a force to the particle yourself before you called the integrator. Pass "
-    by_hand += "registry.update_forces as apply_forces, and let the integrator call it."
+    by_hand = (
+        "A force was added to the particle before the integrator was called. Pass "
+        "registry.update_forces as apply_forces, and let the integrator call it."
+    )
     expect_close(
         before,
         (0.0, 0.0, 0.0),
@@ -67,9 +80,9 @@ def test_how_the_particle_is_released() -> None:
         cause=by_hand,
     )
     about.cause = (
-        "apply_forces must be update_forces of a registry with one AnchoredSpring of this "
+        "Pass the update_forces of a registry as apply_forces. It must contain one AnchoredSpring "
+        "of this stiffness, with a rest length of 0 and no damping."
     )
-    about.cause += "stiffness, a rest length of 0 and no damping."
     wanted = tuple(-7.0 * part for part in place)
     expect_close(force, wanted, then=": the force that apply_forces adds", tolerance=1e-11)
 
@@ -85,27 +98,35 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
         (
             0.98,
             False,
-            "At 2 % below the limit the oscillations die out, so they do not grow.",
+            "The stiffness is 2 % below the limit, so the oscillation dies out. Perhaps you "
+            "compare swings that are too early, or single positions instead of maxima.",
         ),
         (
             1.02,
             True,
             (
-                "At 2 % above the limit the oscillations grow, but only slowly with the book's "
-                "step. Compare late oscillations with early ones."
+                "The stiffness is 2 % above the limit, so the oscillation grows, but only slowly "
+                "with the book's step. Make enough steps, and compare late swings with early "
+                "ones."
             ),
         ),
-        (0.5, False, "Far below the limit the oscillations die out."),
+        (
+            0.5,
+            False,
+            "The stiffness is half the limit, so the oscillation clearly dies out and the answer "
+            "must be False.",
+        ),
         (
             4.0,
             True,
-            "Far above the limit the oscillations grow without bounds. Stop before a number "
-            "overflows.",
+            "The stiffness is far above the limit, so the oscillation grows without bound. Stop "
+            "as soon as it is very large, before a number overflows.",
         ),
         (
             1e6,
             True,
-            "After some steps the oscillations are too large for a float. Stop before that.",
+            "At this stiffness the position soon becomes too large for a float. Stop and return "
+            "True before that happens.",
         ),
     ):
         about.cause = cause
@@ -120,9 +141,9 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
 def test_swings_that_stay_as_they_are_are_not_wider() -> None:
     about.read = WIDER
     about.cause = (
-        "Without damping, semi-implicit Euler keeps the amplitude, although some oscillations are "
-        "sampled closer to their extremes than others. Compare the maximum of many late "
-        "oscillations with that of many early ones."
+        "Without damping, semi-implicit Euler keeps the amplitude, but a step can miss the "
+        "extreme of a swing. Compare the largest distance of many late swings with that of many "
+        "early ones."
     )
     for share in (0.1, 0.9, 0.98):
         k = share * 14_400.0
@@ -130,13 +151,13 @@ def test_swings_that_stay_as_they_are_are_not_wider() -> None:
         got = wider(1.0, False, k, 1.0, 1.0 / 60.0)
         expect_exactly(got, False)
     about.call = "swings_wider(integrator, 14700, 1.0, 1/60), a step that is stable up to 14400 N/m"
-    about.cause = "At 2 % above the limit, the oscillations grow."
+    about.cause = "The stiffness is 2 % above the limit of 14400 N/m, so the oscillation grows."
     got = wider(1.0, False, 14_700.0, 1.0, 1.0 / 60.0)
     expect_exactly(got, True)
     about.call = "swings_wider(integrator, 1.0, 1.0, 1/60), the book's step"
     about.cause = (
-        "Without damping the book's step is not stable for any spring. Here the oscillations grow "
-        "by 12 % in FRAMES steps."
+        "Without damping the book's step is unstable for every spring. This oscillation is a "
+        "slow case, and grows by 12 % in FRAMES steps. Make that many steps before you decide."
     )
     got = wider(1.0, True, 1.0, 1.0, 1.0 / 60.0)
     expect_exactly(got, True)
@@ -150,21 +171,26 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
     h = 1.0 / 20.0
     if explicit:
         damping = 0.9  # with which it is stable up to about 1 N/m
-    about.call = f"largest_stable_stiffness(integrator, {damping}, {h!r}), a step of the check's "
-    about.call += "own"
+    about.call = f"largest_stable_stiffness(integrator, {damping}, {h!r}), with an integrator that "
+    about.call += "the check provides"
     about.cause = (
-        "Measure the limit with the integrator that is passed, because no formula covers it. "
-        "Repeatedly halve the interval between a stable and an unstable stiffness."
+        "Measure the limit with the integrator that is passed, because no formula covers all "
+        "integrators. Halve the interval between a stable and an unstable stiffness again and "
+        "again."
     )
     got = measured(share, explicit, damping, h)
     wanted = limit_of(share, explicit, damping, h)
-    begun = "/ h^2, where the search began, and"
     slips = {
-        f"SOFTEST {begun} a middle that is safe is the new low end": 1e-7 / h**2,
-        f"STIFFEST {begun} one that is not safe is the new high end": 16.0 / h**2,
-        "The result is max_stable_stiffness, the formula for the book's step. The integrator here "
-        "is another one, so measure with swings_wider.": limit_of(1.0, True, damping, h),
-        "The result is STIFFEST / h. The bounds of the search are divided by h^2.": 16.0 / h,
+        "The result is SOFTEST / h^2, where the search began. If a middle stiffness is stable, "
+        "make it the new lower bound.": 1e-7 / h**2,
+        "The result is STIFFEST / h^2, where the search began. If a middle stiffness is "
+        "unstable, make it the new upper bound.": 16.0 / h**2,
+        "The result is max_stable_stiffness, which is the formula for the book's step. The "
+        "integrator here is a different one, so measure with swings_wider.": limit_of(
+            1.0, True, damping, h
+        ),
+        "The result is STIFFEST / h. The bounds of the search contain the square of the "
+        "duration, so divide by h^2.": 16.0 / h,
     }
     blame(got, slips)
     if isinstance(got, float) and 0.02 < abs(got / wanted - 1.0) < 0.3:
@@ -180,23 +206,27 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
 def test_the_ends_of_what_is_measured() -> None:
     about.read = LARGEST
     h = 1.0 / 60.0
-    about.call = "largest_stable_stiffness(integrator, 0.5, 1/60), a step that makes every swing "
-    about.call += "wider"
-    about.cause = "If no spring is stable, return 0 or almost 0."
+    about.call = "largest_stable_stiffness(integrator, 0.5, 1/60), an integrator that makes every "
+    about.call += "swing wider"
+    about.cause = (
+        "With this integrator every oscillation grows, so no spring is stable. Return 0, or a "
+        "stiffness that is almost 0."
+    )
     got = never_safe(h)
     # A spring of 0.36 N/m, with k h^2 / m = 1e-4, is softer than any that matters in a game.
     expect_between(got, -0.36, 0.36)
     about.cause = (
-        "Do not try any stiffness above STIFFEST / h^2. If even this stiffness is stable, return "
-        "it."
+        "The search ends at STIFFEST / h^2, so do not try any stiffness above it. If even this "
+        "one is stable, return it."
     )
     about.call = "largest_stable_stiffness(integrator, 0.5, 0.8), a step stable up to 400 / h^2"
     most = 16.0 / 0.8**2
     got = measured(0.01, False, 0.5, 0.8)
     expect_close(got, most, tolerance=0.01 * most)
-    about.call = "largest_stable_stiffness(integrator, 0.0, 1/60), the velocity-first step"
+    about.call = "largest_stable_stiffness(integrator, 0.0, 1/60), semi-implicit Euler"
     about.cause = (
-        "A damping of 0 is valid. With damping 0 the particle is at rest at the end of each step."
+        "A damping of 0 is valid. It stops the particle at the end of each step, so a spring may "
+        "be much stiffer. Here even STIFFEST / h^2 is stable."
     )
     got = measured(1.0, False, 0.0, h)
     most = 16.0 * 3600.0
@@ -208,8 +238,8 @@ def test_the_ends_of_what_is_measured() -> None:
 def test_measuring_needs_numbers_that_mean_something() -> None:
     about.read = WIDER
     about.cause = (
-        "Refuse it with ValueError. Particle and AnchoredSpring do that for their arguments. "
-        "Check the duration yourself, because this integrator does not."
+        "This argument is invalid, so ValueError must be raised. Particle and AnchoredSpring "
+        "check the damping and the stiffness for you, but you must check the duration yourself."
     )
 
     def step(particles: list, apply_forces: object, duration: float) -> None:
@@ -242,7 +272,8 @@ def test_measuring_needs_numbers_that_mean_something() -> None:
         )
     about.call = "swings_wider(integrator, 10.0, 0.5, 1/60), the book's step"
     about.cause = (
-        "This call is valid, so it must not raise an error. 10 N/m is below the limit of 41.8 N/m."
+        "All arguments of this call are valid, so it must not raise an error. A stiffness of 10 "
+        "N/m is below the limit of 41.8 N/m, so the oscillation dies out."
     )
     got = wider(1.0, True, 10.0, 0.5, 1.0 / 60.0)
     expect_exactly(got, False)

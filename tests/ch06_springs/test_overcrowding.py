@@ -27,16 +27,21 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
         (
             0.25,
             (
-                "Each particle that is closer than the distance pushes p away with k (distance - "
-                "l). p itself is in the list, at a distance of 0."
+                "Every particle that is closer than the distance pushes p away with k (distance "
+                "- l), where l is how far away it is. The list contains p itself, which must not "
+                "push."
             ),
         ),
         (
             0.9,
-            "A particle that is slightly closer than the distance pushes p away with a small "
-            "force.",
+            "The other particle is only slightly closer than the distance, so it pushes p away "
+            "with a small force. The push is k (distance - l) and has no minimum.",
         ),
-        (1.1, "Beyond the distance there is no push and no pull."),
+        (
+            1.1,
+            "The other particle is farther away than the distance, so it exerts no force. Only "
+            "add a force where distance - l is positive.",
+        ),
     ):
         about.cause = cause
         there = tuple(h + share * distance * part for h, part in zip(here, d, strict=True))
@@ -51,13 +56,16 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         near = share * distance
         pushes = {
-            "The force pulls toward the other particle, but it must push away.": -push,
-            "There is no push. The search may stop at p itself, which is in the list.": 0.0,
-            "The push is k at any distance. It must grow as the particles come closer, so "
-            "multiply k by (distance - l).": k,
-            "The push is multiplied by the whole offset, so it depends on the distance twice. Use "
-            "the unit vector along the offset.": push * near,
-            "The push uses the square of the distance. Use the distance.": k * (distance - near**2),
+            "The force pulls p toward the other particle. It must push p away, so check the sign "
+            "of the offset.": -push,
+            "There is no push. Perhaps the loop ends when it finds p itself in the list. Skip p "
+            "and go on to the next particle.": 0.0,
+            "The push has the size k at every distance. It must grow as the particles come "
+            "closer, so multiply k by (distance - l).": k,
+            "The push has been multiplied by the whole offset, so it depends on the distance "
+            "twice. Multiply it by the unit vector along the offset.": push * near,
+            "The push uses the squared distance between the particles. Take the magnitude of the "
+            "offset instead.": k * (distance - near**2),
         }
         if share < 1.0:
             slips = {
@@ -67,7 +75,8 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
             blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
         about.cause = (
-            "Push only the particle of this call. The other particle is pushed in its own call."
+            "The other particle has received a force as well. Push only the particle that was "
+            "passed, because update_force is called for each particle."
         )
         expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
 
@@ -81,8 +90,8 @@ def test_every_one_who_is_too_near_counts(rng: Random) -> None:
     about.call = f"p at {here}, others at distances of 1, 2, 1.5 and 4 m along x, y, -z and -y; "
     about.call += f"crowd = Overcrowding(all, 3.0, {k}); crowd.update_force(p, 0.5)"
     about.cause = (
-        "Add the pushes of all particles that are closer than the distance. Do not stop after the "
-        "first."
+        "Three of the four others are closer than the distance, and each of them pushes. Add up "
+        "all the pushes instead of stopping after the first."
     )
     p = Particle(Vector3(*here))
     others = [Particle(p.position + Vector3(*offset)) for offset in offsets]
@@ -94,8 +103,8 @@ def test_every_one_who_is_too_near_counts(rng: Random) -> None:
     about.call += "; p.clear_forces(); crowd.particles.pop(); crowd.distance = 1.25; "
     about.call += f"crowd.stiffness = {2 * k}; crowd.update_force(p, 0.5)"
     about.cause = (
-        "Read particles, distance and stiffness in each call. Only one particle is closer than "
-        "1.25 m."
+        "The list, the distance and the stiffness have been changed. Read these attributes in "
+        "every call. Only one particle is still closer than the distance, which is 1.25 m now."
     )
     p.clear_forces()
     crowd.particles.pop()
@@ -113,8 +122,8 @@ def test_a_particle_does_not_push_itself_nor_who_is_at_its_place(rng: Random) ->
     about.call = f"p and q at {here}, r 1 m above; Overcrowding([p, q, r], 3.0, "
     about.call += "5.0).update_force(p, 0.5)"
     about.cause = (
-        "p itself and q are at p's position, so they have no direction and do not push. r pushes "
-        "down."
+        "The particles p and q are at the same position, so there is no direction for a push "
+        "between them. Only r pushes p, and it pushes downward."
     )
     p, q = Particle(Vector3(*here)), Particle(Vector3(*here))
     r = Particle(p.position + Vector3(0.0, 1.0, 0.0), mass=math.inf)
@@ -122,7 +131,10 @@ def test_a_particle_does_not_push_itself_nor_who_is_at_its_place(rng: Random) ->
     crowd.update_force(p, 0.5)
     got = xyz(p.force_accumulator)
     expect_close(got, (0.0, -10.0, 0.0), then="; p.force_accumulator", tolerance=1e-12)
-    about.cause = "The list belongs to the caller. Do not change its order or its particles."
+    about.cause = (
+        "The list of particles belongs to the caller. Do not change its order or move its "
+        "particles."
+    )
     got = [part for one in crowd.particles for part in xyz(one.position)]
     wanted = [here[0], here[1] + 1.0, here[2], *here, *here]
     expect_close(
@@ -134,8 +146,8 @@ def test_a_particle_does_not_push_itself_nor_who_is_at_its_place(rng: Random) ->
     about.call = "p at (0, 1e-9, 0), not in the crowd; Overcrowding([q], 3.0, 5.0).update_force(p, "
     about.call += "0.5), q at (0, 0, 0); p.force_accumulator"
     about.cause = (
-        "The particle need not be in the crowd. A neighbor that is very close still has a "
-        "direction, so it pushes."
+        "The particle that is pushed may be missing from the list. Its neighbor is very close, "
+        "but not at the same position, so it has a direction and pushes."
     )
     p, q = Particle(Vector3(0.0, 1e-9, 0.0)), Particle()
     Overcrowding([q], 3.0, 5.0).update_force(p, 0.5)
@@ -152,11 +164,18 @@ def test_a_crowd_moves_apart_and_keeps_its_momentum(rng: Random) -> None:
     places[1] = (0.9 * x, 0.9 * y, 0.9 * z)  # two are too near, wherever the others are
     about.call = f"6 particles at {places[0]} ..., damping 0.2, Overcrowding(all, 1.0, 40.0) for "
     about.call += "each; 600 frames of registry.update_forces(h), p.integrate(h)"
-    about.cause = "All particles that are closer than 1 m push each other apart."
+    about.cause = (
+        "Particles that are closer than 1 m push each other apart with equal and opposite "
+        "forces. In the end none of them are that close, and the total momentum is still zero."
+    )
     nearest, momentum = crowded(places, 1.0, 40.0, 0.2, 1.0 / 60.0, 600)
     # Pushed out of the way, each coasts on a little, slowed by the damping.
     before = min(math.dist(a, b) for a in places for b in places if a is not b)
     least = max(0.99, before)
-    expect_between(nearest, least, math.inf, then=": the smallest distance in the end")
+    expect_between(
+        nearest, least, math.inf, then=": the smallest distance between two particles at the end"
+    )
     # The pushes of each frame are opposite but for rounding, some 1e-14 N.
-    expect_close(momentum, ZERO, then=": the sum of all m v", tolerance=1e-11)
+    expect_close(
+        momentum, ZERO, then=": the total momentum, which is the sum of all m v", tolerance=1e-11
+    )

@@ -18,7 +18,7 @@ FEW, MOST = 500, 5000  # evaluations: to be good, and at all
 
 
 class Asked:
-    """A field of forces that counts how often it is asked, and answers MOST times."""
+    """A field of forces that counts its evaluations, and refuses more than MOST of them."""
 
     def __init__(self, forces_at: Callable[[list[Components]], list[Components]]) -> None:
         self.forces_at, self.count = forces_at, 0
@@ -26,15 +26,18 @@ class Asked:
     def __call__(self, places: list[Components]) -> list[Components]:
         self.count += 1
         if self.count > MOST:
-            raise ValueError(f"more than {MOST} evaluations of the forces: take fewer parts")
+            raise ValueError(
+                f"more than {MOST} evaluations of the forces: split the time step into fewer parts"
+            )
         return self.forces_at(places)
 
 
 def turn_of_an_orbit(rng: Random) -> tuple[int, float]:
-    """Let the step go once round a center; return its evaluations, and its largest error.
+    """Step once around a center, and return the number of evaluations and the largest error.
 
-    The error is in units of the half axis, against Kepler's equation. Size, mass, strength, place
-    and plane of the orbit are drawn, and make no difference to either.
+    The error is the distance from the solution of Kepler's equation, in units of the semi-major
+    axis. The size, position and plane of the orbit, the mass and the strength of the force are
+    drawn, but neither result depends on them.
     """
     size, mass, mu = (positive_number(rng, 0.5, 4.0) for _ in range(3))
     center, along = components(rng), direction(rng)
@@ -80,8 +83,8 @@ def test_it_moves_all_by_their_forces(rng: Random) -> None:
     v, a, middle = components(rng), components(rng), components(rng)
     about.call = f"my_step with two particles of {m} and {n} kg on a spring of {stiffness} N/m"
     about.cause = (
-        "Each particle has its own mass, velocity and acceleration. Clear the forces after use, "
-        f"and evaluate them at most {MOST} times."
+        "Check that each particle moves with its own mass, velocity and acceleration. Clear the "
+        f"forces after you have used them, and evaluate them at most {MOST} times in all."
     )
 
     def ends(swung: float, t: float) -> list[Components]:
@@ -121,36 +124,57 @@ def test_it_moves_all_by_their_forces(rng: Random) -> None:
         tolerance=5e-2,
     )
     expect_close(
-        left[0], (0.0, 0.0, 0.0), then=": particles[0].force_accumulator after it", tolerance=0.0
+        left[0],
+        (0.0, 0.0, 0.0),
+        then=": particles[0].force_accumulator after the last frame",
+        tolerance=0.0,
     )
 
 
 @pytest.mark.exercise("G6.3")
 def test_it_goes_round_an_orbit(rng: Random, on_chart: Callable[[float, float], None]) -> None:
     about.read = STEP
-    about.call = f"my_step, {FRAMES} times in a turn of an orbit of eccentricity {ECCENTRICITY}"
+    about.call = (
+        f"my_step, {FRAMES} times in one revolution of an orbit of eccentricity {ECCENTRICITY}"
+    )
     about.cause = (
-        f"Use a method of order 2 or more, with as many parts as you like, up to {MOST} "
+        "Explicit and semi-implicit Euler are not accurate enough here. Use a method of order 2 "
+        f"or more, and split the time step into as many parts as you like, up to {MOST} "
         "evaluations in all."
     )
     count, error = turn_of_an_orbit(rng)
     on_chart(count, error)
     # Velocity Verlet in 16 parts a frame is off by 2e-3, explicit Euler in 80 by 0.3.
-    expect_between(error, -0.01, 0.01, then=": largest distance from the true orbit / half axis")
+    expect_between(
+        error,
+        -0.01,
+        0.01,
+        then=": the largest distance from the true orbit, divided by the semi-major axis",
+    )
 
 
 @pytest.mark.exercise("G6.3")
 @pytest.mark.parametrize("most", [1e-3, 1e-4], ids=["a good one", "a better one"])
 def test_it_is_near_for_few_evaluations(rng: Random, most: float) -> None:
     about.read = STEP
-    about.call = f"my_step, {FRAMES} times in a turn of an orbit of eccentricity {ECCENTRICITY}"
-    about.cause = f"{FEW} are allowed. Use fewer parts, or a method with fewer evaluations."
+    about.call = (
+        f"my_step, {FRAMES} times in one revolution of an orbit of eccentricity {ECCENTRICITY}"
+    )
+    about.cause = (
+        f"Only {FEW} evaluations of the forces are allowed in all. Split the time step into "
+        "fewer parts, or use a method that needs fewer evaluations per step."
+    )
     count, error = turn_of_an_orbit(rng)
-    name = f": evaluations of the forces, with an error of {error:.1e}"
+    name = f": the number of force evaluations, with an error of {error:.1e}"
     expect_between(count, 0, FEW, then=name)
     about.cause = (
-        f"Your method makes {count} evaluations, and {FEW} are allowed. Use more parts where the "
-        "orbit is fast, or a better method."
+        f"The error is too large. You use {count} of the {FEW} evaluations that are allowed, so "
+        "take more parts where the particle is fast, or use a more accurate method."
     )
     # Runge-Kutta 4, twice a frame, has 480 and 2.4e-4. These do not depend on what is drawn.
-    expect_between(error, -most, most, then=": largest distance from the true orbit / half axis")
+    expect_between(
+        error,
+        -most,
+        most,
+        then=": the largest distance from the true orbit, divided by the semi-major axis",
+    )

@@ -26,18 +26,24 @@ def test_the_ground_pushes_out_what_has_sunk_in(rng: Random) -> None:
     for height in (-high, high):
         about.call = f"p at (3, {height - depth}, 5); p.add_force(Vector3{f}); "
         about.call += f"PenaltyGround({height}, {k}).update_force(p, 0.5); p.force_accumulator"
-        about.cause = "Add k times the depth below the height, upward, to the existing forces."
+        about.cause = (
+            "The ground pushes up with k times the depth of the particle below the height of the "
+            "ground. Add this force to those already on the particle."
+        )
         p = Particle(Vector3(3.0, height - depth, 5.0), Vector3(7.0, 0.0, 7.0), mass=2.0)
         p.add_force(Vector3(*f))
         PenaltyGround(height, k).update_force(p, 0.5)
         wanted = (f[0], f[1] + k * depth, f[2])
         got = xyz(p.force_accumulator)
         pushes = {
-            "The force pushes down, but it must push up.": -k * depth,
-            "The depth is measured from a height of 0, but this ground lies elsewhere. Use "
-            "self.height.": k * (depth - height),
-            "The push is multiplied by the mass. It does not depend on the mass.": 2.0 * k * depth,
-            "There is no push, although p is below the ground. Check the sign of the depth.": 0.0,
+            "The force pushes the particle farther into the ground. It must push up, so check "
+            "its sign.": -k * depth,
+            "The depth is measured from a height of 0, but this ground is at another height. "
+            "Subtract the position from self.height.": k * (depth - height),
+            "The push has been multiplied by the mass. It depends only on the stiffness and the "
+            "depth, so leave the mass out.": 2.0 * k * depth,
+            "There is no push, although p is below the ground. Check the sign of the depth, "
+            "which is self.height minus the y of p.": 0.0,
         }
         slips = {slip: (f[0], f[1] + size, f[2]) for slip, size in pushes.items()}
         blame(got, slips)
@@ -49,9 +55,24 @@ def test_above_the_ground_nothing_pushes(rng: Random) -> None:
     about.read = READ
     height, k, c = number(rng), positive_number(rng), positive_number(rng)
     for above, speed, cause in (
-        (0.5, 0.0, "Above the ground there is no force. The ground does not pull."),
-        (0.5, -9.0, "Above the ground there is no damping, however fast a body arrives."),
-        (0.0, -9.0, "A body that just touches the ground has a depth of 0."),
+        (
+            0.5,
+            0.0,
+            "The particle is above the ground, so there is no force. The ground only pushes and "
+            "must never pull.",
+        ),
+        (
+            0.5,
+            -9.0,
+            "The particle is still above the ground, so there is no damping yet, however fast it "
+            "falls. Check the depth before you compute any force.",
+        ),
+        (
+            0.0,
+            -9.0,
+            "The particle just touches the ground, so its depth is 0 and there is no force. The "
+            "damping acts only below the surface.",
+        ),
     ):
         about(f"p at (0, {height + above}, 0), velocity (0, {speed}, 0); ", cause=cause)
         about.call += f"PenaltyGround({height}, {k}, {c}).update_force(p, 0.5); p.force_accumulator"
@@ -61,14 +82,20 @@ def test_above_the_ground_nothing_pushes(rng: Random) -> None:
         expect_close(got, ZERO)
     about.call = f"p at (0, -1e-6, 0); PenaltyGround(0, {k}).update_force(p, 0.5); "
     about.call += "p.force_accumulator"
-    about.cause = "A particle slightly below the surface gets a small push upward."
+    about.cause = (
+        "The particle is only slightly below the surface, so it gets a small push upward. Any "
+        "depth above 0 counts."
+    )
     p = Particle(Vector3(0.0, -1e-6, 0.0))
     PenaltyGround(0.0, k).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
     expect_close(got, (0.0, 1e-6 * k, 0.0))
     about.call = f"p at (0, {height - 1}, 0); PenaltyGround({height}, {k}, {c}).update_force(p, "
     about.call += "0.5)"
-    about.cause = "A particle below the surface gets a push upward."
+    about.cause = (
+        "The particle is 1 m below the surface, so it gets a push upward. The depth is the "
+        "height of the ground minus the y of the particle."
+    )
     p = Particle(Vector3(0.0, height - 1.0, 0.0))
     PenaltyGround(height, k, c).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
@@ -84,16 +111,18 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
     for share, cause in (
         (
             -2.0,
-            "For a body that is still sinking in, the damping increases the push: k depth - c v_y.",
+            "The body is still sinking in, so v_y is negative and the damping increases the "
+            "push. The force is k depth - c v_y.",
         ),
         (
             0.5,
-            "For a body that is leaving the ground, the damping reduces the push: k depth - c v_y.",
+            "The body is moving up out of the ground, so the damping reduces the push. The force "
+            "is k depth - c v_y.",
         ),
         (
             2.0,
-            "If the damping of a leaving body exceeds the push, there is no force. The ground "
-            "does not pull.",
+            "The body leaves so fast that the damping exceeds the push. The ground cannot pull "
+            "it back, so the force must be 0 and not negative.",
         ),
     ):
         about.cause = cause
@@ -107,21 +136,23 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         slips = {
             "The damping is missing, so a body would bounce on this ground forever. Subtract c "
-            "v_y.": (0.0, push, 0.0),
-            "The force is k depth + c v_y. The damping must act against the motion.": (
+            "v_y from the push.": (0.0, push, 0.0),
+            "The force is k depth + c v_y, so the damping acts with the motion. It must act "
+            "against the motion, so reverse its sign.": (
                 0.0,
                 max(push * (1.0 + share), 0.0),
                 0.0,
             ),
-            "The damping also acts along the ground. It must depend on v_y only and act upward "
-            "or not at all.": (-4.0 * c, wanted[1], -4.0 * c),
-            "The force pulls down. The ground can only push.": (0.0, push * (1.0 - share), 0.0),
+            "The damping also acts along the ground, as friction would. It must depend on v_y "
+            "only, so leave x and z at 0.": (-4.0 * c, wanted[1], -4.0 * c),
+            "The force pulls the body down. The ground can only push, so use 0 where the sum is "
+            "negative.": (0.0, push * (1.0 - share), 0.0),
         }
         blame(got, slips)
         if got[0] or got[2]:
             about.cause = (
-                "The damping also acts along the ground. It must depend on v_y only and act upward "
-                "or not at all."
+                "The damping also acts along the ground, as friction would. It must depend "
+                "on v_y only, so leave x and z at 0."
             )
         expect_close(got, wanted, tolerance=1e-11)
 
@@ -131,17 +162,26 @@ def test_a_body_comes_to_rest_in_the_sponge() -> None:
     about.read = "E-36, and the docstring of PenaltyGround"
     about.call = "p of 2 kg falls 0.5 m, g = 10, on PenaltyGround(0, 400, 10); 20 s of "
     about.call += "update_force(p, h), a step of semi-implicit Euler, h = 1/240: p.position.y"
-    about.cause = "A body that rests on a ground of springs has sunk in by m g / k, which is 5 cm."
+    about.cause = (
+        "A body that has come to rest on this ground has sunk in by m g / k, which is 5 cm here. "
+        "At this depth the push equals the weight."
+    )
     end, lowest = on_penalty_ground(400.0, 10.0, 2.0, 0.5, 1.0 / 240.0, 4800)
     # By then the swings have died out to e^-50.
     expect_close(end, -0.05, tolerance=1e-9)
-    about.cause = "The body arrives at sqrt(10) m/s, and the spring stops it within about 0.2 m."
+    about.cause = (
+        "The body arrives at sqrt(10) m/s, and the spring must stop it within about 0.2 m. Check "
+        "the stiffness, and the sign of the damping."
+    )
     deepest = -0.05 - math.sqrt(0.05**2 + 10.0 * 2.0 / 400.0)  # without damping
     expect_between(lowest, deepest, 0.6 * deepest, then=", at its lowest")
     about.call = "PenaltyGround(0, 400, 0) with height, stiffness and damping changed to 1, 3 and "
     about.call += "0.5; p at (0, 0, 0), velocity (0, 2, 0); update_force(p, 0.5); "
     about.call += "p.force_accumulator"
-    about.cause = "Read the attributes in every call: 3 N minus 0.5 times 2."
+    about.cause = (
+        "The attributes were changed after the ground was created, so read them in every call. "
+        "The force here is 3 N minus 0.5 times 2 m/s."
+    )
     ground, p = PenaltyGround(0.0, 400.0), Particle(velocity=Vector3(0.0, 2.0, 0.0))
     ground.height, ground.stiffness, ground.damping = 1.0, 3.0, 0.5
     ground.update_force(p, 0.5)

@@ -26,7 +26,7 @@ def pull(
     rest: float,
     c: float,
 ) -> tuple[float, ...]:
-    """Return the force of a spring on its end, each end a place and a velocity."""
+    """Return the force of a spring on one end. Each end is a position and a velocity."""
     offset, velocity = (
         [a - b for a, b in zip(p, q, strict=True)] for p, q in zip(end, other, strict=True)
     )
@@ -49,24 +49,29 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
         *numbers
     )
     about.cause = (
-        "The rest length of each spring is its current length: the height for the hangers, and "
-        "the distance between the planks for the others."
+        "No spring may pull in a new bridge, so the rest length of each one is its current "
+        "length. That is the height for the hangers, and the distance between the two planks for "
+        "the others."
     )
     forces = hung_bridge(places, [(place, ZERO) for place in places], numbers)[:-1]
     # Lengths of up to 20 m are 1e-14 m off, times a stiffness of up to 9 N/m.
     height, k, _ = numbers
     for i, force in enumerate(forces):
         slack = (
-            "The hangers have no rest length. Use the height, which is their length at the start."
+            "The hangers have a rest length of 0, so they pull the new bridge up. Use the "
+            "height, which is their length at the start."
         )
         blame(force, [((0.0, k * height, 0.0), slack)])
         expect_close(force, ZERO, then=f"; planks[{i}].force_accumulator", tolerance=1e-12)
-    about.call += ", the first plank 0.5 m lower"
-    about.cause = "A plank that was moved is pulled back."
+    about.call += ", with a single plank that was moved 0.5 m down"
+    about.cause = (
+        "The first plank has been moved down by 0.5 m, which stretches its hanger by 0.5 m. The "
+        "hanger must pull it back up with 0.5 k."
+    )
     x, y, z = places[0]
     got = hung_bridge(places[:1], [((x, y - 0.5, z), ZERO)], numbers)
     wanted = (0.0, 0.5 * numbers[1], 0.0)
-    expect_close(got[0], wanted, then=", and no others", tolerance=1e-11)
+    expect_close(got[0], wanted, then="; planks[0].force_accumulator", tolerance=1e-11)
 
 
 @pytest.mark.exercise("G6.2")
@@ -82,12 +87,12 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
     about.call = f"hang_bridge(registry, planks, {height}, {k}, {c}); all planks moved a little, "
     about.call += "with velocities; registry.update_forces(0.5)"
     about.cause = (
-        "Use one AnchoredSpring straight above each plank, and connect each plank to the next one "
-        "once. connect acts on both ends."
+        "Hang each plank on one AnchoredSpring whose anchor is straight above it. Then connect "
+        "each plank to the next one with a single call of connect, which acts on both ends."
     )
     forces = hung_bridge(places, after, (height, k, c))
     for i, end in enumerate(after):
-        if i == 2:  # it is immovable, and no spring asks for it: how much it gets is left open
+        if i == 2:  # it is immovable, so the force that it receives does not matter
             continue
         x, y, z = places[i]
         parts = [pull(end, ((x, y + height, z), ZERO), k, height, c)]
@@ -97,12 +102,15 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
         wanted = tuple(math.fsum(part[axis] for part in parts) for axis in range(3))
         below = pull(end, ((x, y - height, z), ZERO), k, height, c)
         slips = {
-            "The anchors are below the planks. They must be above them.": [
+            "The anchors are below the planks. Add the height to y, so that each plank hangs "
+            "from an anchor above it.": [
                 total - hanger + part
                 for total, hanger, part in zip(wanted, parts[0], below, strict=True)
             ],
-            "Only the hangers act. Connect the planks to each other, too.": parts[0],
-            "Each spring between two planks acts twice. Connect each pair once.": [
+            "Only the hangers act. Neighboring planks must pull on each other as well, so call "
+            "connect for each pair of them.": parts[0],
+            "Each spring between two planks acts twice. A single call of connect already acts on "
+            "both ends, so make only one for each pair.": [
                 2.0 * total - hanger for total, hanger in zip(wanted, parts[0], strict=True)
             ],
         }
@@ -110,11 +118,14 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
         expect_close(
             forces[i], wanted, then=f"; planks[{i}].force_accumulator", cause=why, tolerance=1e-11
         )
-    about.cause = "Keep the pairs that the registry already has."
+    about.cause = (
+        "The registry already had a spring before the bridge was hung, and this spring must keep "
+        "acting. Only add to the registry, and do not clear it."
+    )
     expect_close(
         forces[-1],
         (0.0, -2.0, 0.0),
-        then="; the force of another spring that the registry had before, upwards",
+        then="; the force of another spring that was in the registry before",
     )
 
 
@@ -127,21 +138,43 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         (
             -1.25,
             (0.75, 0.25, 0.0),
-            "The nearer plank carries more. The two fractions of the weight are 1 - s and s.",
+            "The two planks beside the walker share the weight as 1 - s and s, and the nearer "
+            "one carries more. Check which plank gets which fraction.",
         ),
-        (1.0, (0.0, 0.25, 0.75), "s goes from 0 at one plank to 1 at the next. Divide by the gap."),
-        (-0.5, (0.0, 1.0, 0.0), "A walker directly above a plank is carried by that plank alone."),
-        (-7.0, (1.0, 0.0, 0.0), "A walker before the first plank is carried by that plank alone."),
-        (9.0, (0.0, 0.0, 1.0), "A walker beyond the last plank is carried by that plank alone."),
+        (
+            1.0,
+            (0.0, 0.25, 0.75),
+            "The fraction s must go from 0 at one plank to 1 at the next. The gap here is 2 m "
+            "and not 1 m, so divide the distance by the gap.",
+        ),
+        (
+            -0.5,
+            (0.0, 1.0, 0.0),
+            "The walker is directly above a plank here, so this plank carries the whole weight.",
+        ),
+        (
+            -7.0,
+            (1.0, 0.0, 0.0),
+            "The walker is before the first plank here, so the first plank carries the whole "
+            "weight. Limit x to the range of the bridge.",
+        ),
+        (
+            9.0,
+            (0.0, 0.0, 1.0),
+            "The walker is beyond the last plank here, so the last plank carries the whole "
+            "weight. Limit x to the range of the bridge.",
+        ),
         (
             -1.5,
             (1.0, 0.0, 0.0),
-            "A walker directly above the first plank is carried by that plank alone.",
+            "The walker is directly above the first plank here, so this plank carries the whole "
+            "weight. It has no plank before it.",
         ),
         (
             1.5,
             (0.0, 0.0, 1.0),
-            "A walker directly above the last plank is carried by that plank alone.",
+            "The walker is directly above the last plank here, so this plank carries the whole "
+            "weight. It has no plank after it.",
         ),
     ):
         about(f"planks at x = -1.5, -0.5 and 1.5; load_bridge(planks, {x}, {weight})", cause=cause)
@@ -150,32 +183,38 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         wanted = [-weight * share for share in shares]
         beside = max(shares) < 1.0
         slips = {
-            "The fractions s and 1 - s are swapped.": [
-                -weight * (1.0 - share) if share else 0.0 for share in shares
-            ],
-            "Each plank carries half. The nearer one must carry more.": [
+            "The fractions s and 1 - s are swapped. The plank that the walker is closer to must "
+            "carry more.": [-weight * (1.0 - share) if share else 0.0 for share in shares],
+            "Each of the two planks carries half of the weight. The nearer one must carry more, "
+            "so use the fractions 1 - s and s.": [
                 -0.5 * weight * (share > 0.0) for share in shares
             ],
-            "The weight points up. It must point down.": [-part for part in wanted],
-            "The weight is multiplied by 9.81, but it is already in N.": [
-                9.81 * part for part in wanted
-            ],
+            "The weight pushes the planks up. Weight is a force downward, so its y component "
+            "must be negative.": [-part for part in wanted],
+            "The weight has been multiplied by 9.81. It is a force in N already, and not a mass "
+            "in kg, so use it as it is.": [9.81 * part for part in wanted],
         }
         about.cause = named(got, about.cause, slips) if beside else about.cause
         expect_close(
             got,
             wanted,
-            then=": forces upwards, less the 2 N that were there",
+            then=": forces along y without the 2 N that were there before",
             tolerance=1e-12 * weight,
         )
         got = [part for force in forces for part in (force[0], force[2])]
-        expect_close(got, [1.0, 3.0] * 3, then=": forces along x and z stay")
+        expect_close(got, [1.0, 3.0] * 3, then=": the forces along x and z, which must not change")
     about.call = f"one plank at x = -1.5; load_bridge([plank], 4.0, {weight})"
-    about.cause = "If there is only one plank, it carries the whole weight."
+    about.cause = (
+        "There is only one plank here, so it carries the whole weight wherever the walker is. "
+        "Perhaps your search needs a second plank."
+    )
     got = loaded(places[:1], 4.0, weight)[0][1] - 2.0
     expect_close(got, -weight, tolerance=1e-12 * weight)
     about.call = "load_bridge(planks, 0.0, 4.0), both planks at x = 0; the sum of what they carry"
-    about.cause = "However close the planks are, together they carry the whole weight."
+    about.cause = (
+        "Both planks are at the same x, so the gap between them is 0 and you cannot divide by "
+        "it. Together they must still carry the whole weight."
+    )
     got = math.fsum(force[1] - 2.0 for force in loaded([ZERO, ZERO], 0.0, 4.0))
     expect_close(got, -4.0)
 
@@ -185,8 +224,11 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
     about.read = "the docstrings of hang_bridge and load_bridge"
     places = [(float(i), 0.0, 0.0) for i in range(7)]
     about.call = "7 planks of 2 kg, hang_bridge(registry, planks, 3, 200, 20); load_bridge(planks, "
-    about.call += "3, 100) in every frame, 20 s: the pull of all hangers less 7 m g and 100 N"
-    about.cause = "At rest the springs carry the planks and the walker."
+    about.call += "3, 100) in every frame, 20 s: the pull of all hangers together"
+    about.cause = (
+        "Nothing moves any more at the end, so the pull of all hangers must equal the weight of "
+        "the planks plus that of the walker."
+    )
     ends = settled_bridge(places, (3.0, 200.0, 20.0), 2.0, (3.0, 100.0), 1200)
     up = math.fsum(
         pull((end, ZERO), ((place[0], 3.0, 0.0), ZERO), 200.0, 3.0, 0.0)[1]
@@ -194,11 +236,20 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
     )
     # By then the swings have died out to e^-20 of some 100 N.
     expect_close(up, 7.0 * 2.0 * 10.0 + 100.0, tolerance=1e-4)
-    about.call = "the same bridge: its sag is the same on both sides of the walker in the middle"
+    about.call = (
+        "the same bridge: how far the first three planks sag, which must match the last three"
+    )
+    about.cause = (
+        "The walker is above the middle plank, so the bridge must sag equally on both sides. Check "
+        "that all planks hang on the same kind of spring and that all neighbors are connected."
+    )
     sags = [-end[1] for end in ends]
     expect_close(sags[:3], sags[:3:-1], tolerance=1e-6)
-    about.call = "the same bridge: the sag in the middle, less that at the end"
-    about.cause = "The planks beside the walker sag more than those far away."
+    about.call = "the same bridge: the sag of the middle plank minus that of the first plank"
+    about.cause = (
+        "The ropes between the planks spread the load, but the planks near the walker must still "
+        "sag more than those at the ends. Check that neighboring planks are connected."
+    )
     # Without ropes between them 100 N over 200 N/m would be 0.5 m; the ropes share it out.
     expect_between(sags[3] - sags[0], 0.2, 0.499)
 
@@ -206,7 +257,11 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
 @pytest.mark.exercise("G6.2")
 @pytest.mark.robust
 def test_a_bridge_needs_numbers_that_mean_something() -> None:
-    about(cause="Check all arguments before the first call of add.", read=HANG)
+    about(
+        cause="Height, stiffness or damping is invalid here, so raise ValueError, even if there "
+        "are no planks. Check all arguments before you add anything to the registry.",
+        read=HANG,
+    )
     planks = [Particle(), Particle()]
     registry = ForceRegistry()
     for bad in (
@@ -227,15 +282,19 @@ def test_a_bridge_needs_numbers_that_mean_something() -> None:
             )
     about.call = "hang_bridge(registry, planks, ...) was refused; planks[0] is moved; "
     about.call += "registry.update_forces(0.5)"
-    about.cause = "A refused call must not register anything."
+    about.cause = (
+        "The call was refused, but some of its springs are in the registry all the same. Check "
+        "all arguments before you add the first spring."
+    )
     planks[0].position.y = -0.5
     registry.update_forces(0.5)
     got = xyz(planks[0].force_accumulator)
     expect_close(got, ZERO, then="; its force_accumulator")
     about.read = LOAD
     about.cause = (
-        "Refuse this argument with ValueError. The functions of arguments.py do that. There must "
-        "be at least one plank."
+        "Raise ValueError here. There must be at least one plank, x must be finite, and the "
+        "weight must be finite and not negative. The functions in arguments.py check numbers "
+        "like these."
     )
     for count, x, weight in (
         (0, 1.0, 1.0),

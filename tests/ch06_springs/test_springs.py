@@ -30,7 +30,7 @@ def hooke(
 def spring_slips(
     offset: tuple[float, ...], velocity: tuple[float, ...], k: float, rest: float, c: float
 ) -> dict[str, list[float]]:
-    """Return what likely mistakes make of the force of hooke."""
+    """Return the force of hooke after each likely mistake, keyed by its explanation."""
     length = math.hypot(*offset)
     d = [part / length for part in offset]
     rate = sum(part * v for part, v in zip(d, velocity, strict=True))
@@ -42,25 +42,29 @@ def spring_slips(
     return {
         "The extension is abs(l - l0), so a compressed spring pulls. Remove abs (E-3), because a "
         "compressed spring pushes this end away, along the offset.": along(-abs(pull) - c * rate),
-        "The damping pushes in the direction of the motion, so it would make the spring swing "
-        "more and more. Check its sign.": along(c * rate - pull),
-        "The force points along the offset, so a stretched spring would push its end farther "
-        "away. The minus sign is missing.": along(pull + c * rate),
-        "The force is -k l d^, as if the rest length were 0. Only the extension counts, so "
-        "subtract the rest length from the length.": along(-k * length - c * rate),
-        "The force is multiplied by the whole offset, so a long spring is too strong. The offset "
-        "only gives the direction. Normalize it first.": along(-(pull + c * rate) * length),
-        "The force uses the squared length of the offset. Take its magnitude.": along(
-            -k * (length**2 - rest) - c * rate
+        "The damping pushes in the direction of the motion, so the spring would swing more and "
+        "more. It must act against the motion, so check its sign.": along(c * rate - pull),
+        "The force points along the offset, so a stretched spring would push its end even "
+        "farther away. Check whether the minus sign is missing.": along(pull + c * rate),
+        "The force is -k l d^, as if the rest length were 0. Only the extension of the spring "
+        "counts, so subtract the rest length from the length.": along(-k * length - c * rate),
+        "The force has been multiplied by the whole offset, so a long spring is too strong. The "
+        "offset only gives the direction, so normalize it first.": along(
+            -(pull + c * rate) * length
         ),
-        "The damping is missing. Add -c (v . d^) d^.": along(-pull),
-        "There is no force, as if the spring were a slack rope.": along(0.0 * pull),
+        "The force uses the squared length of the offset. The extension needs the length itself, "
+        "so take the magnitude.": along(-k * (length**2 - rest) - c * rate),
+        "The damping force is missing. Add -c (v . d^) d^ along the spring.": along(-pull),
+        "There is no force, as if this were a slack rope. A spring also pushes when it is "
+        "shorter than its rest length.": along(0.0 * pull),
         "The damping is -c v, so it also slows down motion across the spring, which does not "
-        "stretch it. Use only the part of v along the spring.": [
+        "change its length. Use only the part of v along the spring.": [
             a - c * v for a, v in zip(along(-pull), velocity, strict=True)
         ],
-        "The damping uses the speed |v|, which is positive even if the spring gets shorter. Use v "
-        ". d^, the rate at which the length changes.": along(-pull - c * math.hypot(*velocity)),
+        "The damping uses the speed |v|, which is positive even while the spring gets shorter. "
+        "Use v . d^ instead, which is the rate at which the length changes.": along(
+            -pull - c * math.hypot(*velocity)
+        ),
         "The damping uses v . offset, which grows with the length of the spring. Normalize the "
         "offset first.": along(-pull - c * rate * length),
     }
@@ -70,11 +74,15 @@ def spring_slips(
 def test_a_stretched_spring_pulls_and_a_compressed_one_pushes(rng: Random) -> None:
     about.read = READ
     d, k, rest = direction(rng), positive_number(rng), positive_number(rng, 1.0, 5.0)
-    for share, cause in (
-        (1.5, "A stretched spring pulls this end back, against the offset."),
-        (0.5, "A compressed spring pushes this end away, along the offset."),
-        (1e-3, "A compressed spring pushes this end away, along the offset."),
-    ):
+    pulls = (
+        "A spring that is longer than its rest length pulls this end back, against the offset. "
+        "Check the sign and the size of the extension."
+    )
+    pushes = (
+        "A spring that is shorter than its rest length pushes this end away, along the offset. "
+        "Its extension is negative, so do not take an absolute value."
+    )
+    for share, cause in ((1.5, pulls), (0.5, pushes), (1e-3, pushes)):
         about.cause = cause
         offset = tuple(share * rest * part for part in d)
         about.call = f"spring_force(Vector3{offset}, Vector3(), {k}, {rest})"
@@ -95,7 +103,10 @@ def test_damping_acts_along_the_spring_alone(rng: Random) -> None:
     about.read = READ
     offset, velocity = components(rng), components(rng)
     k, rest, c = positive_number(rng), positive_number(rng, 1.0, 5.0), positive_number(rng)
-    about.cause = "The damping is -c (v . d^) d^, where d^ is the unit vector along the spring."
+    about.cause = (
+        "The damping force is -c (v . d^) d^, where d^ is the unit vector along the spring. It "
+        "depends only on the part of the velocity along the spring."
+    )
     for v, stiffness in ((velocity, 0.0), (velocity, k)):
         about.call = f"spring_force(Vector3{offset}, Vector3{v}, {stiffness}, {rest}, {c})"
         got = xyz(spring_force(Vector3(*offset), Vector3(*v), stiffness, rest, c))
@@ -105,14 +116,23 @@ def test_damping_acts_along_the_spring_alone(rng: Random) -> None:
         expect_close(got, wanted, cause=why, tolerance=1e-11)
     across = (-offset[1], offset[0], 0.0)
     about.call = f"spring_force(Vector3{offset}, Vector3{across}, 0.0, {rest}, {c})"
-    about.cause = "Motion across the spring does not change its length, so it is not damped."
+    about.cause = (
+        "The end moves at a right angle to the spring here, which does not change the length. "
+        "The damping must therefore be zero, so use only the part of v along the spring."
+    )
     got = xyz(spring_force(Vector3(*offset), Vector3(*across), 0.0, rest, c))
     expect_close(got, ZERO, tolerance=1e-11)
     about.call = "spring_force(Vector3(0, 2, 0), Vector3(0, 3, 0), 0.0, 2.0, 5.0)"
-    about.cause = "The damping acts against the velocity along the spring."
+    about.cause = (
+        "The end moves away along the spring at 3 m/s, so a damping of 5 N s/m pulls it back "
+        "with 15 N. Check the sign of the damping."
+    )
     got = xyz(spring_force(Vector3(0.0, 2.0, 0.0), Vector3(0.0, 3.0, 0.0), 0.0, 2.0, 5.0))
     expect_close(got, (0.0, -15.0, 0.0))
-    about.cause = "A compressed spring is damped too, even if the damping exceeds the push."
+    about.cause = (
+        "A compressed spring is damped like a stretched one, even if the damping exceeds the "
+        "push. Do not limit the force in either direction."
+    )
     for speed, wanted in ((-5.0, 25.0), (5.0, -5.0)):
         about.call = f"spring_force(Vector3(0, 1, 0), Vector3(0, {speed}, 0), 10, 2, 3)"
         got = xyz(spring_force(Vector3(0.0, 1.0, 0.0), Vector3(0.0, speed, 0.0), 10.0, 2.0, 3.0))
@@ -124,11 +144,17 @@ def test_ends_at_one_place_have_no_direction(rng: Random) -> None:
     about.read = READ
     v = components(rng)
     about.call = f"spring_force(Vector3(), Vector3{v}, 100.0, 2.0, 3.0)"
-    about.cause = "A zero offset has no direction, so there is no force. normalized() returns zero."
+    about.cause = (
+        "Both ends are at the same position, so the spring has no direction and exerts no force. "
+        "normalized() returns a zero vector in this case, which you can use directly."
+    )
     got = xyz(spring_force(Vector3(), Vector3(*v), 100.0, 2.0, 3.0))
     expect_close(got, ZERO)
     about.call = "spring_force(Vector3(0, 1e-9, 0), Vector3(), 100.0, 2.0)"
-    about.cause = "The ends are close but not at the same point, so the spring pushes with k l0."
+    about.cause = (
+        "The two ends are very close but not at the same position, so the spring still has a "
+        "direction. It pushes with almost k l0, which is 200 N here."
+    )
     got = xyz(spring_force(Vector3(0.0, 1e-9, 0.0), Vector3(), 100.0, 2.0))
     expect_close(got, (0.0, 200.0 - 1e-7, 0.0), tolerance=1e-10)
     about.call = f"p at the anchor with velocity {v}; AnchoredSpring(Vector3{v}, 100.0, 2.0, "
@@ -137,17 +163,18 @@ def test_ends_at_one_place_have_no_direction(rng: Random) -> None:
     AnchoredSpring(Vector3(*v), 100.0, 2.0, 3.0).update_force(p, 0.5)
     got = xyz(p.force_accumulator)
     about.cause = (
-        "The offset is p.position minus the anchor. Here it is zero, so there is no force."
+        "The offset is p.position minus the anchor. It is zero here, so there is no direction "
+        "and no force."
     )
     slips = {
-        "The spring behaves as if its other end were at (0, 0, 0). Subtract self.anchor from "
-        "the position.": hooke(v, v, 100.0, 2.0, 3.0)
+        "The spring behaves as if its other end were at (0, 0, 0). Subtract self.anchor from the "
+        "position to get the offset.": hooke(v, v, 100.0, 2.0, 3.0)
     }
     expect_close(got, ZERO, cause=named(got, about.cause, slips))
     about.call = "spring_force(Vector3(2, 0, 0), Vector3(), 100.0, 1.0)"
     about.cause = (
-        "The ends are close, but they are not at the same position. The offset still has a "
-        "direction, so there is a force."
+        "The ends are 2 m apart here, so the spring has a direction and pulls with 100 N. Only "
+        "ends at exactly the same position exert no force."
     )
     got = xyz(spring_force(Vector3(2.0, 0.0, 0.0), Vector3(), 100.0, 1.0))
     expect_close(got, (-100.0, 0.0, 0.0))
@@ -158,17 +185,26 @@ def test_the_vectors_of_a_spring_are_only_read(rng: Random) -> None:
     about.read = READ
     offset, velocity = components(rng), components(rng)
     about.call = f"o, v = Vector3{offset}, Vector3{velocity}; spring_force(o, v, 3.0, 1.0, 2.0)"
-    about.cause = "normalize and *= change the vector. Use normalized and *."
+    about.cause = (
+        "Do not change the two vectors that are passed in. The method normalize and the operator "
+        "*= work in place, so use normalized and *, which return new vectors."
+    )
     o, v = Vector3(*offset), Vector3(*velocity)
     force = spring_force(o, v, 3.0, 1.0, 2.0)
     expect_unchanged("o", xyz(o), offset)
     expect_unchanged("v", xyz(v), velocity)
     wanted = hooke(offset, velocity, 3.0, 1.0, 2.0)
-    about.cause = "The force is -(k (l - l0) + c l') d^."
+    about.cause = (
+        "The vectors are unchanged, but the force is wrong. It must be -(k (l - l0) + c l') d^, "
+        "where l' is the rate at which the length grows."
+    )
     expect_close(xyz(force), wanted, tolerance=1e-11)
     about.call = f"p at {offset}, velocity {velocity}; q at {velocity}, velocity {offset}; "
     about.call += "Spring(q, 3.0, 1.0, 2.0).update_force(p, 0.5)"
-    about.cause = "-= and normalize change the vector. Use - and normalized."
+    about.cause = (
+        "The spring must not change any position or velocity. The operator -= and the method "
+        "normalize work in place, so use - and normalized, which return new vectors."
+    )
     p = Particle(Vector3(*offset), Vector3(*velocity))
     q = Particle(Vector3(*velocity), Vector3(*offset))
     Spring(q, 3.0, 1.0, 2.0).update_force(p, 0.5)
@@ -188,8 +224,8 @@ def test_the_vectors_of_a_spring_are_only_read(rng: Random) -> None:
     expect_unchanged("p.position", xyz(p.position), velocity)
     about.call = "o = Vector3(); f = spring_force(o, Vector3(), 3.0, 1.0); f.x = 99.0"
     about.cause = (
-        "The result is one of the vectors that were passed in. Return a new vector, even if there "
-        "is no direction."
+        "Perhaps the result is one of the vectors that were passed in, so changing it also "
+        "changes the caller's vector. Return a new vector, even if the offset has no direction."
     )
     o = Vector3()
     f = spring_force(o, Vector3(), 3.0, 1.0)
@@ -209,11 +245,9 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
     q = Particle(Vector3(*there), Vector3(*w), mass=3.0)
     p.add_force(Vector3(*f))
     about.cause = (
-        "Subtract the other particle's position and velocity from p's. Add the force to p. "
-    )
-    about.cause += (
-        "The result depends on a mass. The force of a spring depends only on its length and on how "
-        "fast the length changes."
+        "Subtract the other particle's position and velocity from p's, and add the force to p. It "
+        "depends only on the length of the spring and on how fast the length changes, and not on "
+        "a mass."
     )
     s = Spring(q, k, rest, c)
     s.update_force(p, 0.5)
@@ -224,36 +258,46 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     back = tuple(-part for part in offset)
     forces = {
-        "The offset is q - p, so the force on p has the wrong direction. Use p - q.": hooke(
-            back, relative, k, rest, c
-        ),
-        "The velocity is q's minus p's, so the damping has the wrong sign. Reverse it.": hooke(
+        "The offset is q - p, so the force on p has the wrong direction. Subtract the other "
+        "particle's position from p's instead.": hooke(back, relative, k, rest, c),
+        "The velocity is q's minus p's, so the damping has the wrong sign. Subtract the other "
+        "particle's velocity from p's instead.": hooke(
             offset, tuple(-part for part in relative), k, rest, c
         ),
-        "The velocity is p's alone. Subtract q's position and velocity from p's.": hooke(
-            offset, v, k, rest, c
+        "The damping uses the velocity of p alone, but the length also changes when q moves. "
+        "Subtract q's position and velocity from p's.": hooke(offset, v, k, rest, c),
+        "The damping force is missing. Add -c (v . d^) d^ along the spring.": hooke(
+            offset, relative, k, rest, 0.0
         ),
-        "The damping is missing. Add -c (v . d^) d^.": hooke(offset, relative, k, rest, 0.0),
-        "The force points in the wrong direction.": tuple(-part for part in pull),
-        "The force is divided by the mass of p. The integrator divides by the mass later, so "
-        "return the force itself.": tuple(part / 2.0 for part in pull),
-        "The force is divided by the mass of q.": tuple(part / 3.0 for part in pull),
-        "There is no force on p, the particle that was passed.": ZERO,
+        "The force points in the wrong direction. Check the sign, and the order in which you "
+        "subtract the positions.": tuple(-part for part in pull),
+        "The force has been divided by the mass of p. The integrator divides by the mass later, "
+        "so add the force itself.": tuple(part / 2.0 for part in pull),
+        "The force has been divided by the mass of q. The force of a spring does not depend on "
+        "any mass, so leave the masses out.": tuple(part / 3.0 for part in pull),
+        "The force on p is zero, although p is the particle that was passed. Call "
+        "particle.add_force with the force of the spring.": ZERO,
     }
     slips = {name: [a + b for a, b in zip(f, force, strict=True)] for name, force in forces.items()}
-    slips["The force that was already on p is lost. Use add_force, which adds to it."] = [*pull]
+    slips[
+        "The force that was already on p has been lost. Call add_force, which adds to the "
+        "existing force instead of replacing it."
+    ] = [*pull]
     blame(got, slips)
     # A few roundings of numbers up to 600.
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
     about.cause = (
-        "A force has been added to q as well. A Spring acts only on p, and another Spring acts on "
-        "q."
+        "A force has been added to q as well. A Spring acts only on the particle that was "
+        "passed, and q needs a second Spring of its own."
     )
     expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
     about.call = "s = Spring(q, 1, 1, 1) has acted; s.stiffness, s.rest_length, s.damping = 5, 2, "
     about.call += "3; p at (0, 3, 0), velocity (0, 1, 0), q at rest at (0, 0, 0); "
     about.call += "s.update_force(p, 0.5)"
-    about.cause = "Read the attributes in every call. The force is -(5 (3 - 2) + 3 * 1)."
+    about.cause = (
+        "The attributes were changed after the spring was created. Read them in every call, so "
+        "that the force here is -(5 (3 - 2) + 3 * 1)."
+    )
     s.stiffness, s.rest_length, s.damping = 5.0, 2.0, 3.0
     p, q.position, q.velocity = Particle(Vector3(0, 3, 0), Vector3(0, 1, 0)), Vector3(), Vector3()
     s.update_force(p, 0.5)
@@ -275,28 +319,34 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
     s = AnchoredSpring(Vector3(*first), k, rest, c)
     about.call += "s.update_force(p, 0.5)"
     about.cause = (
-        "The offset is p.position minus the anchor, and the velocity is p.velocity. The mass "
+        "The offset is p.position minus the anchor. The anchor counts as being at rest, so the "
+        "velocity is p.velocity. The mass does not matter."
     )
-    about.cause += "does not matter."
     s.update_force(p, 0.5)
     offset = tuple(a - b for a, b in zip(here, first, strict=True))
     wanted = hooke(offset, v, k, rest, c)
     got = xyz(p.force_accumulator)
     slips = {
         "The offset is anchor - position, so the force has the wrong direction. Use position - "
-        "anchor.": hooke(tuple(-part for part in offset), v, k, rest, c),
-        "The damping is missing. Add -c (v . d^) d^.": hooke(offset, v, k, rest, 0.0),
-        "The force uses a rest length of 0. Use self.rest_length.": hooke(offset, v, k, 0.0, c),
-        "The spring behaves as if its other end were at (0, 0, 0). Subtract self.anchor from the "
-        "position.": hooke(here, v, k, rest, c),
-        "The force points in the wrong direction.": tuple(-part for part in wanted),
+        "anchor instead.": hooke(tuple(-part for part in offset), v, k, rest, c),
+        "The damping force is missing. Add -c (v . d^) d^ along the spring.": hooke(
+            offset, v, k, rest, 0.0
+        ),
+        "The force uses a rest length of 0. Pass on self.rest_length, so that only the extension "
+        "counts.": hooke(offset, v, k, 0.0, c),
+        "The spring behaves as if its other end were at (0, 0, 0). Subtract self.anchor from "
+        "the position to get the offset.": hooke(here, v, k, rest, c),
+        "The force points in the wrong direction. Check the sign, and the order in which you "
+        "subtract the positions.": tuple(-part for part in wanted),
     }
     blame(got, slips)
     expect_close(got, wanted, tolerance=1e-11)
     about.call += f"; p.clear_forces(); s.anchor = Vector3{second}; s.stiffness, s.rest_length, "
-    about.call += "s.damping = "
-    about.call += f"{2 * k}, {longer}, {4 * c}; s.update_force(p, 0.5)"
-    about.cause = "Read the attributes in every call, because an anchor may move."
+    about.call += f"s.damping = {2 * k}, {longer}, {4 * c}; s.update_force(p, 0.5)"
+    about.cause = (
+        "The anchor and the other attributes were changed after the spring was created. Read "
+        "them in every call instead of storing a result."
+    )
     p.clear_forces()
     s.anchor, s.stiffness, s.rest_length, s.damping = Vector3(*second), 2 * k, longer, 4 * c
     s.update_force(p, 0.5)
@@ -312,7 +362,10 @@ def test_a_particle_between_two_springs_swings_with_its_period() -> None:
     about.call = "p of 2 kg, AnchoredSpring(Vector3(), 50, 0), released 0.5 m away; "
     about.call += "spring.update_force(p, h), p.integrate(h) in steps of 1/1000 s, to the third "
     about.call += "return"
-    about.cause = "The period is 2 pi sqrt(m / k), here 2 pi / 5 s, in every direction."
+    about.cause = (
+        "The period must be 2 pi sqrt(m / k), which is 2 pi / 5 s here, in every direction. "
+        "Check that the force is proportional to the distance from the anchor."
+    )
     for axis in range(3):
         start = [0.0, 0.0, 0.0]
         start[axis] = 0.5
@@ -329,11 +382,17 @@ def test_a_spring_of_its_length_at_rest_does_nothing(rng: Random) -> None:
     d, k, rest = direction(rng), positive_number(rng), positive_number(rng, 1.0, 5.0)
     offset = tuple(rest * part for part in d)
     about.call = f"spring_force(Vector3{offset}, Vector3(), {k}, {rest})"
-    about.cause = "k (l - l0) is 0 at the rest length."
+    about.cause = (
+        "At its rest length the spring has no extension, so k (l - l0) is 0 and there must be no "
+        "force."
+    )
     got = xyz(spring_force(Vector3(*offset), Vector3(), k, rest))
     expect_close(got, ZERO, tolerance=1e-13)
     about.call = f"spring_force(Vector3{offset}, Vector3(), {k}, 0.0)"
-    about.cause = "With a rest length of 0 the force is -k times the offset."
+    about.cause = (
+        "With a rest length of 0 the extension is the whole length, so the force is -k times the "
+        "offset."
+    )
     got = xyz(spring_force(Vector3(*offset), Vector3(), k, 0.0))
     wanted = tuple(-k * part for part in offset)
     expect_close(got, wanted)

@@ -21,22 +21,28 @@ EXERCISES = {
     "runge_kutta_4": "B6.8",
 }
 RULES = {
-    "explicit_euler": "p' = p + v h, then v' = (v + a h) d^h once, with the a and v of the start.",
+    "explicit_euler": "Explicit Euler first moves the particle with its old velocity, p' = p + v "
+    "h. Then it changes the velocity, v' = (v + a h) d^h, with the acceleration at the start. "
+    "The damping acts once.",
     "semi_implicit_euler": (
-        "v' = (v + a h) d^h once, then p' = p + v' h with the new velocity and the old position. "
-        "Copy a vector that a move changes in place."
+        "Semi-implicit Euler first changes the velocity, v' = (v + a h) d^h, and damps it once. "
+        "Then it moves the old position with the new velocity, p' = p + v' h. Copy a vector "
+        "before you change it in place."
     ),
     "leapfrog": (
-        "p1 = p + v h / 2, where the forces are evaluated. Then v' = (v + a h) d^h once, and p' = "
+        "Leapfrog first moves for half the step, p1 = p + v h / 2, and evaluates the forces "
+        "there. Then it sets v' = (v + a h) d^h, damped once, and moves for the other half, p' = "
         "p1 + v' h / 2."
     ),
     "velocity_verlet": (
-        "p' = p + v h + a h^2 / 2. Evaluate b at p', with v + a h. Then v' = (v + (a + b) h / 2) "
-        "d^h, damped once."
+        "Velocity Verlet first moves, p' = p + v h + a h^2 / 2. Then it evaluates the "
+        "acceleration b at p', with the velocity v + a h, and sets v' = (v + (a + b) h / 2) d^h. "
+        "The damping acts once."
     ),
     "runge_kutta_4": (
-        "Use the weighted mean of four rates, in which the second and the third count double. "
-        "Multiply the new velocity by d^h once."
+        "Runge-Kutta takes a weighted mean of four rates, in which the second and the third "
+        "count double. Apply this mean to the starting state, and multiply the new velocity by "
+        "d^h once."
     ),
 }
 EVALUATIONS = dict.fromkeys(EXERCISES, 1) | {"velocity_verlet": 2, "runge_kutta_4": 4}
@@ -47,7 +53,7 @@ methods = pytest.mark.parametrize(
 
 
 def walk(method: str, body: Body, k: float, c: float, h: float, frames: int) -> list[float]:
-    """Return where a body is after some steps, and then its velocity."""
+    """Return the position of a body after some steps, followed by its velocity."""
     p, v, a, mass, d, hand = body
     states = []
     for i in range(3):
@@ -61,10 +67,11 @@ def walk(method: str, body: Body, k: float, c: float, h: float, frames: int) -> 
 def slips_of(
     method: str, body: Body, k: float, c: float, h: float, frames: int
 ) -> dict[str, list[float]]:
-    """Return what likely mistakes make of what walk returns."""
+    """Return what walk would return after each likely mistake, keyed by its explanation."""
     p, v, a, mass, d, hand = body
     bodies: dict[str, Body] = {
-        "The step leaves out p.acceleration, the constant part such as gravity. Add it to f / m.": (
+        "The step leaves out p.acceleration, which is the constant part of the acceleration, "
+        "such as gravity. Add it to f / m.": (
             p,
             v,
             ZERO,
@@ -72,22 +79,31 @@ def slips_of(
             d,
             hand,
         ),
-        "The step leaves out the force that was added by hand before it. It acts during the whole "
-        "step, so include it.": (p, v, a, mass, d, ZERO),
-        "The forces are not divided by the mass. Add f / m.": (p, v, a, 1.0, d, hand),
-        "The damping is missing. Multiply the velocity by d^h once.": (p, v, a, mass, 1.0, hand),
-        "The velocity is multiplied by d, which is the damping of a whole second. Multiply by "
-        "d^h.": (p, v, a, mass, d ** (1.0 / h), hand),
+        "The step leaves out the force that was added by hand before it. That force acts during "
+        "the whole step, so include it in every evaluation.": (p, v, a, mass, d, ZERO),
+        "The forces have not been divided by the mass. The acceleration is p.acceleration + f / "
+        "m.": (p, v, a, 1.0, d, hand),
+        "The velocity has not been damped. Multiply it by d^h once in each step.": (
+            p,
+            v,
+            a,
+            mass,
+            1.0,
+            hand,
+        ),
+        "The velocity is multiplied by d, which is the damping for a whole second. The step "
+        "lasts only h seconds, so multiply by d^h instead.": (p, v, a, mass, d ** (1.0 / h), hand),
     }
     slips = {slip: walk(method, wrong, k, c, h, frames) for slip, wrong in bodies.items()}
     slips[
         (
-            "The step leaves out the forces of apply_forces. Call it with the duration of the step "
-            "before you read the accumulators."
+            "The step ignores the forces of apply_forces. Call apply_forces with the duration of "
+            "the step, and read the accumulators after that."
         )
     ] = walk(method, body, 0.0, 0.0, h, frames)
     slips |= {
-        f"This is {other}.": walk(other, body, k, c, h, frames)
+        f"This is {other}, not {method}. Compare the order of your operations with the "
+        "docstring.": walk(other, body, k, c, h, frames)
         for other in EXERCISES
         if other != method
     }
@@ -114,7 +130,10 @@ def call_of(method: str, what: str) -> str:
 def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
     about.read = f"the docstring of {method}"
     k, c, h = positive_number(rng), positive_number(rng, 0.2, 2.0), positive_number(rng, 0.1, 0.4)
-    by_hand = "A force that was added by hand before the step counts in every evaluation."
+    by_hand = (
+        "A force was added by hand before the step. It acts during the whole step, so it must "
+        "count in every evaluation of the forces."
+    )
     for what, body, frames, cause in (
         ("one step", draw_body(rng), 1, RULES[method]),
         ("one step", draw_body(rng, components(rng)), 1, by_hand),
@@ -122,14 +141,16 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
             "three steps",
             draw_body(rng),
             3,
-            "The forces of an earlier step are still in the accumulators. Clear them, so that "
-            "every step begins like the first one.",
+            "A single step is right, but several steps in a row are not. Perhaps the forces of "
+            "one step are still in the accumulators at the next, so clear them before a step "
+            "ends.",
         ),
         (
             "one step",
             (*draw_body(rng)[:4], 0.0, ZERO),
             1,
-            "With d = 0, the whole velocity is lost.",
+            "With d = 0 the factor d^h is 0, so the particle must have no velocity left at the "
+            "end of the step.",
         ),
     ):
         about.cause = cause
@@ -162,8 +183,8 @@ def test_all_particles_move_before_forces_are_asked_again(method: str, rng: Rand
     bodies: list[Body] = [(one, v, ZERO, mass, 1.0, ZERO), (two, w, ZERO, mass, 1.0, ZERO)]
     about.call = call_of(method, f"two particles of {mass} kg on a spring of {s} N/m, h = {h}")
     about.cause = (
-        "Move all particles before you evaluate the forces again, because each force depends on "
-        "the others' positions."
+        "Each force depends on the positions of both particles. Move all particles before you "
+        "evaluate the forces again, instead of finishing one particle at a time."
     )
     ends = stepped(method, bodies, (0.0, 0.0, 0.0, s), h, 1)
     states = [
@@ -172,13 +193,17 @@ def test_all_particles_move_before_forces_are_asked_again(method: str, rng: Rand
     ]
     got = tuple(ends["positions"][0][i] - ends["positions"][1][i] for i in range(3))
     wanted = tuple(state[0] for state in states)
-    expect_close(got, wanted, then=": the distance from one to the other", tolerance=1e-11)
+    expect_close(
+        got, wanted, then=": the position of the first relative to the second", tolerance=1e-11
+    )
     got = tuple(ends["velocities"][0][i] - ends["velocities"][1][i] for i in range(3))
     wanted = tuple(state[1] for state in states)
-    expect_close(got, wanted, then=": the velocity of one seen from the other", tolerance=1e-11)
+    expect_close(
+        got, wanted, then=": the velocity of the first relative to the second", tolerance=1e-11
+    )
     got = tuple(0.5 * (ends["positions"][0][i] + ends["positions"][1][i]) for i in range(3))
     wanted = tuple(0.5 * (one[i] + two[i] + (v[i] + w[i]) * h) for i in range(3))
-    expect_close(got, wanted, then=": the middle of the two", tolerance=1e-11)
+    expect_close(got, wanted, then=": the midpoint between the two", tolerance=1e-11)
 
 
 @methods
@@ -188,20 +213,27 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     frames = rng.randint(2, 5)
     bodies = [draw_body(rng, hand), draw_body(rng)]
     about.call = call_of(method, f"{frames} steps of h = {h}; before each, {hand} N by hand")
-    about.cause = f"The method makes exactly {EVALUATIONS[method]} evaluations per step."
+    about.cause = (
+        f"The number of force evaluations per step of {method} is {EVALUATIONS[method]}. Each "
+        "evaluation is a single call of apply_forces for all particles together."
+    )
     asked = stepped(method, bodies, (1.0, 0.1), h, frames)["asked"]
     expect_exactly(
         len(asked), frames * EVALUATIONS[method], then=": how often apply_forces is called"
     )
-    about.cause = "Pass the duration of the whole step to apply_forces each time."
+    about.cause = (
+        "Pass the duration of the whole step to apply_forces each time, even when you evaluate "
+        "the forces in the middle of the step."
+    )
     expect_close(
         [d for d, _, _ in asked],
         [h] * len(asked),
         then=": the durations that apply_forces is called with",
     )
     about.cause = (
-        "Forces of an earlier evaluation are still in the accumulators. Before each evaluation, "
-        "clear the accumulators and add again the forces that were added before the step."
+        "Perhaps forces of an earlier evaluation are still in the accumulators. Clear the "
+        "accumulators before each evaluation, and then add again the forces that were added "
+        "before the step."
     )
     gone = (
         "The force that was added by hand before the step is lost. Store it, and add it again "
@@ -235,9 +267,9 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
             places.append(p[i] + v[i] * h + 0.5 * first * h * h)
         elif method == "runge_kutta_4":
             about.cause = (
-                "Evaluate the rates at four states: at the start, where the first rate leads in "
-                "half a step, where the second rate leads in half a step, and where the third "
-                "rate leads in a whole step."
+                "Runge-Kutta evaluates the rates at four states. The first one is the start. To "
+                "get each of the others, go back to the start and follow the previous rate, for "
+                "half a step, half a step and a whole step."
             )
             places.append(p[i] + 0.5 * h * v[i])
             second = a[i] - k * places[1] / mass
@@ -247,7 +279,10 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
     got = [part for _, _, places in asked for part in places[0]]
     flat = [wanted[i][n] for n in range(len(wanted[0])) for i in range(3)]
     expect_close(
-        got, flat, then=": where the particle is when apply_forces is called", tolerance=1e-11
+        got,
+        flat,
+        then=": the position of the particle at each call of apply_forces",
+        tolerance=1e-11,
     )
 
 
@@ -260,12 +295,15 @@ def test_what_a_step_leaves_behind(method: str, rng: Random) -> None:
     about.call = call_of(
         method, f"a = {a}, m = {mass}; by hand {hand}, forces -{k} x - {c} v; h = {h}"
     )
-    about.cause = "At the end of the step the accumulators must be empty."
+    about.cause = (
+        "The accumulators must be empty at the end of the step. Otherwise the same forces would "
+        "act again in the next one."
+    )
     ends = stepped(method, [body], (k, c), h, 1)
     expect_close(ends["forces"][0], ZERO, then=": p.force_accumulator")
     about.cause = (
-        "last_acceleration must be the mean acceleration of the step. Let kick compute the "
-        "velocity from the mean force."
+        "last_acceleration must be the mean acceleration of the step. Add the mean force to the "
+        "particle and call kick, which changes the velocity and sets this attribute."
     )
     wanted = tuple(
         one_step(method, p[i], v[i], a[i] + hand[i] / mass, k / mass, c / mass, d, h)[2]
@@ -285,22 +323,26 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
         method, f"an immovable particle at {place}, velocity {velocity}, beside another"
     )
     about.cause = (
-        "An immovable particle stays where it is, whatever its velocity and acceleration are."
+        "An immovable particle must keep its position and its velocity, whatever its velocity "
+        "and acceleration are. Skip it, or use drift and kick, which do that for you."
     )
     ends = stepped(method, [still, other], (3.0, 0.5), 0.25, 2)
     expect_close(ends["positions"][0], place, then=": its position", tolerance=0.0)
     expect_close(ends["velocities"][0], velocity, then=": its velocity", tolerance=0.0)
-    about.cause = "The accumulator of an immovable particle must be empty after the step, too."
+    about.cause = (
+        "Forces have no effect on an immovable particle, but they must not pile up. Clear its "
+        "accumulator at the end of the step as well."
+    )
     expect_close(ends["forces"][0], ZERO, then=": its force_accumulator")
     x, v = 1.0, 0.0
     for _ in range(2):
         x, v, _ = one_step(method, x, v, 0.0, 1.5, 0.25, 1.0, 0.25)
     about.cause = (
-        "The step has stopped at the immovable particle. Skip only that one, so that the other "
-        "particles still move."
+        "Perhaps the step ends at the immovable particle. Skip only that one, so that the "
+        "particles after it still move."
     )
     got = ends["positions"][1][0]
-    expect_close(got, x, then=": the position of the other one, x", tolerance=1e-12)
+    expect_close(got, x, then=": the x of the other particle's position", tolerance=1e-12)
 
 
 @methods
@@ -308,10 +350,13 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
 def test_a_step_needs_a_duration(method: str) -> None:
     about.read = "the docstring of the module"
     body: Body = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), ZERO, 1.0, 1.0, ZERO)
-    refuse = "Refuse it with ValueError. positive() does that."
+    refuse = (
+        "The duration of a step must be positive and finite. Raise ValueError for any other "
+        "value, for example with positive()."
+    )
     late = (
-        "The step is refused only after something has changed. Check the duration before you "
-        "change anything."
+        "The duration was refused, but only after the particle had changed. Check the duration "
+        "before you change anything."
     )
     for bad in (0.0, -1.0, math.inf, math.nan):
         about(f"{method}([p], apply_forces, {bad})", cause=refuse)
@@ -331,11 +376,14 @@ def test_a_step_needs_a_duration(method: str) -> None:
             tolerance=0.0,
         )
         about.cause = (
-            "The forces were evaluated before the duration was refused. Check the duration first."
+            "apply_forces was called before the duration was refused. Check the duration first."
         )
         expect_exactly(after["asked"], [0], then=" was refused; how often apply_forces was called")
     about.call = f"{method}([], apply_forces, 0.5), and with one particle"
-    about.cause = "An empty list is not an error, and a single particle must move."
+    about.cause = (
+        "An empty list of particles is not an error, and the step has nothing to do then. A "
+        "single particle must move like any other."
+    )
     ends = stepped(method, [], (5.0, 0.0), 0.5, 1)
     expect_exactly(ends["positions"], [], then=": positions")
     ends = stepped(method, [body], (0.0, 0.0), 0.5, 1)

@@ -21,21 +21,22 @@ def test_a_watched_step_does_what_the_step_does(rng: Random) -> None:
     about.read = READ
     frames, limit = rng.randint(2, 5), positive_number(rng, 2.0, 90.0)
     about.call = f"{CALL.format(limit)}, {frames} times, h = 0.25, 1.25, ..."
-    about.cause = "Pass particles, apply_forces and duration on unchanged, once per call."
+    about.cause = (
+        "The watched step must make the same step as the integrator. Pass particles, "
+        "apply_forces and duration on unchanged, and call the integrator once in each call."
+    )
     speeds = [[0.5 * limit, 0.999 * limit, -0.999 * limit]] * frames
     calls, error = watching(limit, speeds)
     at_limit = (
-        "the speed is |v|, the root of the sum of the squares, and no speed here is over the "
+        "No speed here is above the limit. The speed is the magnitude of the velocity, which is "
+        "the square root of the sum of the squares of its components."
     )
-    at_limit += "limit"
-    expect_exactly(
-        error, None, then=", speeds at the limit and below: SimulationDiverged", cause=at_limit
-    )
+    expect_exactly(error, None, then="; the error that was raised, if any", cause=at_limit)
     wanted = [(3, 0.25 + i) for i in range(frames)]
     expect_exactly(
         [tuple(one) for one in calls],
         wanted,
-        then=": what the integrator gets, how many particles and which duration",
+        then=": the number of particles and the duration that the integrator gets in each call",
     )
 
 
@@ -48,8 +49,9 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         speeds = [[*calm] for _ in range(6)]
         speeds[number - 1][3] = 2.0 * limit
         speeds[number - 1][fast] = -1.25 * limit
-        about.call = f"{CALL.format(limit)}; particle {fast} has {1.25 * limit} m/s after step "
-        about.call += f"{number}"
+        about.call = (
+            f"{CALL.format(limit)}; particle {fast} moves at {1.25 * limit} m/s after step {number}"
+        )
         about.cause = (
             "Check every particle after each step, and raise SimulationDiverged(i, steps, speed, "
             "speed_limit) for the first one that is too fast. The first step has the number 1."
@@ -59,7 +61,8 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         got = (math.nan,) * 4 if error is None else tuple(error)
         size = 1.25 * limit
         slips = {
-            "The number of the step is one too small. The first step has the number 1.": (
+            "The number of the step is one too small. The first step has the number 1, so "
+            "increase the counter before you check the speeds.": (
                 fast,
                 number - 1,
                 size,
@@ -67,13 +70,15 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
             ),
             "The index of the particle is one too large. Number the particles from 0, as in the "
             "list.": (fast + 1, number, size, limit),
-            "The error reports the last particle that is too fast. Report the first one.": (
+            "The error reports the last particle that is too fast. Go through the list from the "
+            "start, and report the first one you find.": (
                 3,
                 number,
                 2.0 * limit,
                 limit,
             ),
-            "The speed and the limit are in the wrong order. The speed comes first.": (
+            "The speed and the limit are in the wrong order. SimulationDiverged takes the speed "
+            "first and then the limit.": (
                 fast,
                 number,
                 limit,
@@ -82,34 +87,40 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         }
         blame(got, slips)
         if error is None:
-            about.cause = f"Nothing was raised. {about.cause}"
+            about.cause = f"No error was raised. {about.cause}"
         elif got[1] > number:
             about.cause = (
-                "The error was raised in a later step. Check right after each step, and let each "
-                "watched integrator count its own steps, from 1."
+                "The error was raised in a later step. Check the speeds right after each step, "
+                "and let each watched integrator count its own steps from 1."
             )
         expect_close(
             got,
             wanted,
-            then=": (particle, step, speed, limit) of the error, nan where none is raised",
+            then=": (particle, step, speed, limit) of the error, nan if none was raised",
         )
-        about.cause = "Raise the error right after the step in which a particle is too fast."
-        expect_exactly(len(calls), number, then=": how many steps were made")
+        about.cause = (
+            "The error was raised too early or too late. Raise it right after the step in which "
+            "a particle becomes too fast, before any other step is made."
+        )
+        expect_exactly(len(calls), number, then=": the number of steps that were made")
 
 
 @pytest.mark.exercise("B6.10")
 def test_a_speed_at_the_limit_is_not_over_it() -> None:
     about("watched(integrator, 7.0); a velocity of (2, 3, 6), whose speed is 7: ", read=READ)
-    about.call += "SimulationDiverged"
+    about.call += "the error that was raised, if any"
     about.cause = (
-        "A speed equal to the limit is allowed. Write `not speed <= speed_limit` instead of `speed "
-        "> speed_limit`, so that NaN is refused too."
+        "A speed that equals the limit is still allowed. Write `not speed <= speed_limit`, which "
+        "refuses NaN as well, while `speed > speed_limit` does not."
     )
     _, error = watching(7.0, [[7.0]])
     expect_exactly(error, None)
     about.call = "watched(integrator, 1.0), 2 m/s after the first step: (particle, step) of the "
-    about.call += "error, nan where none is raised"
-    about.cause = "This limit is valid, so the steps must be watched."
+    about.call += "error, nan if none was raised"
+    about.cause = (
+        "A limit of 1 m/s is valid, so this integrator must be watched like any other. Check the "
+        "speeds after each step, whatever the limit is."
+    )
     _, error = watching(1.0, [[2.0]])
     got = (math.nan, math.nan) if error is None else tuple(error[:2])
     expect_close(got, (0.0, 1.0))
@@ -123,13 +134,13 @@ def test_a_speed_that_is_no_number_is_over_every_limit() -> None:
         about.call = f"{CALL.format(1e300)}; the velocity of particle 1 has {what} along y after "
         about.call += "step 2"
         about.cause = (
-            "Every comparison with NaN is False, so `speed > speed_limit` does not catch NaN. "
-            "Test `not speed <= speed_limit`."
+            "Every comparison with NaN is False, so `speed > speed_limit` does not notice NaN. "
+            "Write `not speed <= speed_limit` instead."
         )
         _, error = watching(1e300, [[1.0, 1.0], [1.0, speed], [1.0, 1.0]])
         got = (math.nan, math.nan) if error is None else tuple(error[:2])
         expect_close(
-            got, (1.0, 2.0), then=": (particle, step) of the error, nan where none is raised"
+            got, (1.0, 2.0), then=": (particle, step) of the error, nan if none was raised"
         )
 
 
@@ -141,8 +152,9 @@ def test_an_explosion_is_told_with_its_step(rng: Random) -> None:
         about.call = f"{CALL.format(limit)}; explicit Euler, k = 3600, 1 kg, h = 1/60, from 1 m: "
         about.call += "step and speed"
         about.cause = (
-            "Compare the speed after the step. Here k h^2 / m is 1, so each step rotates the state "
-            "by 45 degrees and multiplies it by the root of 2."
+            "Compare the speed after the step, not before it. Here k h^2 / m is 1, so each step "
+            "rotates the state (v, chi x) by 45 degrees and multiplies its length by the square "
+            "root of 2."
         )
         step, speed, told = exploding(limit)
         number, v, x = 0, 0.0, 1.0
@@ -156,28 +168,40 @@ def test_an_explosion_is_told_with_its_step(rng: Random) -> None:
 @pytest.mark.exercise("B6.10")
 def test_two_watches_count_for_themselves() -> None:
     about.read = READ
-    about.call = "two steps by watched(integrator, 5.0), one after the other; the second is too "
-    about.call += "fast at once"
-    about.cause = "Count the steps in the function that watched() returns, not in the module."
+    about.call = (
+        "two integrators made by watched(integrator, 5.0), one after the other; the second "
+        "one is too fast after its first step"
+    )
+    about.cause = (
+        "Each watched integrator must count its own steps. Keep the count in a variable of "
+        "watched() and not of the module, because the two integrators would share the latter."
+    )
     watching(5.0, [[1.0]] * 3)
     _, error = watching(5.0, [[9.0]])
     got = (math.nan, math.nan) if error is None else tuple(error[:2])
-    expect_close(got, (0.0, 1.0), then=": (particle, step) of the error, nan where none is raised")
-    about.call = "watched(integrator, 5.0), watched(integrator, 9.0): 7 m/s under the second one"
-    about.cause = "Each call of watched() has its own limit."
+    expect_close(got, (0.0, 1.0), then=": (particle, step) of the error, nan if none was raised")
+    about.call = (
+        "watched(integrator, 5.0), then watched(integrator, 9.0); a step of the second one, after "
+        "which a particle moves at 7 m/s"
+    )
+    about.cause = (
+        "The second integrator allows 9 m/s, although the first one has a limit of 5 m/s. Use "
+        "the speed_limit that was passed to the same call of watched()."
+    )
     _, error = watching(9.0, [[7.0]])
-    expect_exactly(error, None, then=": SimulationDiverged")
+    expect_exactly(error, None, then=": the error that was raised, if any")
 
 
 @pytest.mark.exercise("B6.10")
 def test_a_watch_goes_on_after_an_error(rng: Random) -> None:
     about.read = READ
-    limit = positive_number(rng, 5.0, 90.0)  # half of it is over its root
-    about.call = f"{CALL.format(limit)}; the first step raises ValueError, the third and the fifth "
-    about.call += "call end too fast; of each error its step, or -1 for the ValueError"
+    # Half of the limit is above its square root, so that a squared speed is noticed.
+    limit = positive_number(rng, 5.0, 90.0)
+    about.call = f"{CALL.format(limit)}; the first step raises ValueError, and after the third and "
+    about.call += "the fifth a particle is too fast: the step of each error, or -1 for ValueError"
     about.cause = (
-        "Pass on the exceptions of the integrator, and do not count a step that raised one. After "
-        "an alarm, continue to count."
+        "If the integrator raises an exception, let it through and do not count that step. After "
+        "a SimulationDiverged, the next call must continue to count and to check."
     )
     got = watching_on(limit)
     expect_close(got, (-1.0, 2.0, 4.0))
@@ -187,7 +211,10 @@ def test_a_watch_goes_on_after_an_error(rng: Random) -> None:
 @pytest.mark.robust
 def test_a_watch_needs_a_limit() -> None:
     about(
-        cause=("Refuse the limit with ValueError when watched() is called. positive() does that."),
+        cause=(
+            "A limit that is not positive and finite makes no sense. Raise ValueError as soon as "
+            "watched() is called, for example with positive()."
+        ),
         read=READ,
     )
     for bad in (0.0, -1.0, math.inf, math.nan):

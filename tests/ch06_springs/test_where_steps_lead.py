@@ -16,10 +16,11 @@ ZERO = (0.0, 0.0, 0.0)
 def test_explicit_euler_gains_energy_by_its_factor() -> None:
     about.read = "the docstring of explicit_euler, and E-17"
     about.call = "explicit_euler([p], apply_forces, h) with a spring of 100 N/m, 1 kg, h = 1/60, "
-    about.call += "600 steps: energy after / before"
+    about.call += "600 steps: the final energy / the initial energy"
     about.cause = (
-        "Each step multiplies the energy by 1 + k h^2 / m, because the position moves with the "
-        "old velocity."
+        "With explicit Euler, each step multiplies the energy of this spring by 1 + k h^2 / m, "
+        "because the position moves with the old velocity. Check that you move the particle "
+        "before you change its velocity."
     )
     wanted = (1.0 + 100.0 / 3600.0) ** 600
     got = energy_left("explicit_euler", 100.0, 1.0 / 60.0, 600)
@@ -31,17 +32,25 @@ def test_explicit_euler_gains_energy_by_its_factor() -> None:
 def test_semi_implicit_euler_keeps_energy_near_its_start() -> None:
     about.read = "the docstring of semi_implicit_euler"
     about.cause = (
-        "x^2 + v^2 / chi^2 - h x v is constant. So the energy oscillates by at most a fraction "
-        "chi h / 2 of itself."
+        "The quantity x^2 + v^2 / chi^2 - h x v must stay constant, so the energy may vary by a "
+        "fraction of at most about chi h / 2. Check that you change the velocity first and then "
+        "move with the new velocity."
     )
     for frames in (600, 6000):
         about.call = "semi_implicit_euler([p], apply_forces, h) with a spring of 100 N/m, 1 kg, h "
-        about.call += f"= 1/60, {frames} steps: energy after / before"
+        about.call += f"= 1/60, {frames} steps: the final energy / the initial energy"
         got = energy_left("semi_implicit_euler", 100.0, 1.0 / 60.0, frames)
         # chi h / 2 is 1/12; its square comes on top.
         expect_close(got, 1.0, tolerance=0.1)
-    about.call = "semi_implicit_euler([p], apply_forces, h) with the same spring, 1 step: energy"
-    about.cause = "From rest at 1 m, the step leads to 1 - k h^2 / m with the velocity -k h / m."
+    about.call = (
+        "semi_implicit_euler([p], apply_forces, h) with the same spring, 1 step: the final "
+        "energy / the initial energy"
+    )
+    about.cause = (
+        "The particle starts at rest at 1 m, so one step must lead to the velocity -k h / m and, "
+        "with this new velocity, to the position 1 - k h^2 / m. Compare your first step with "
+        "these values."
+    )
     kappa = 100.0 / 3600.0
     wanted = (1.0 - kappa) ** 2 + kappa
     got = energy_left("semi_implicit_euler", 100.0, 1.0 / 60.0, 1)
@@ -52,14 +61,15 @@ def test_semi_implicit_euler_keeps_energy_near_its_start() -> None:
 def test_leapfrog_swings_as_its_frequency_says() -> None:
     about.read = "the docstring of leapfrog"
     about.cause = (
-        "cos(w h) is 1 - k h^2 / (2 m), so the oscillation is slightly too fast, and its energy "
-        "returns to its start."
+        "With leapfrog the oscillation is slightly too fast, because its frequency w satisfies "
+        "cos(w h) = 1 - k h^2 / (2 m), but its energy returns to the initial value. Check the "
+        "order: half drift, kick, half drift."
     )
     h, k = 1.0 / 60.0, 100.0
     kappa = k * h * h
     for frames in (1, 600, 6000):
         about.call = "leapfrog([p], apply_forces, h) with a spring of 100 N/m, 1 kg, h = 1/60, "
-        about.call += f"from rest at 1 m, {frames} steps: energy after / before"
+        about.call += f"from rest at 1 m, {frames} steps: the final energy / the initial energy"
         angle = frames * 2.0 * math.asin(0.5 * math.sqrt(kappa))
         # From rest x is cos(n w h), and v / chi is -sin(n w h) / sqrt(1 - kappa / 4).
         wanted = math.cos(angle) ** 2 + math.sin(angle) ** 2 / (1.0 - kappa / 4.0)
@@ -77,10 +87,12 @@ def test_damping_saves_explicit_euler_up_to_a_stiffness() -> None:
     for share in (0.98, 1.02):
         k = share * limit
         about.call = f"explicit_euler([p], apply_forces, h) with a spring of {k:.4f} N/m, 1 kg, d "
-        about.call += "= 0.5, h = 1/60: the farthest in frames 1500 to 2000, over that in frames 0 "
-        about.call += "to 500"
+        about.call += "= 0.5, h = 1/60: the largest distance in frames 1500 to 2000, divided by "
+        about.call += "that in frames 0 to 500"
         about.cause = (
-            "A step multiplies the amplitude of an oscillation by the root of d^h (1 + k h^2 / m)."
+            "Each step multiplies the amplitude of the oscillation by the square root of d^h (1 "
+            "+ k h^2 / m). Check that you damp the velocity by d^h once per step, and that you "
+            "move the particle with the old velocity."
         )
         wanted = (keep * (1.0 + k * h * h)) ** 750
         near = growth("explicit_euler", k, d, h, 500)
@@ -111,8 +123,9 @@ def test_the_order_of_a_step(method: str) -> None:
         if method == "leapfrog" and forces[1]:
             order = 1  # it asks with the old velocity for forces that depend on it
         about.cause = (
-            f"With half the duration, the error must be {0.5**order:g} of the error before, "
-            f"because the method is of order {order}."
+            f"The method is of order {order}, so a step of half the length must reduce the error "
+            f"to {0.5**order:g} of what it was. Perhaps a force is evaluated at the wrong time, "
+            "or the position uses the wrong velocity."
         )
         about.call = f"{method}(particles, apply_forces, h); {what} for 1 s, in 80, 160 and "
         about.call += "320 steps"
@@ -123,7 +136,7 @@ def test_the_order_of_a_step(method: str) -> None:
         expect_close(
             got,
             float(order),
-            then=": log2 of the ratio of the differences of where it ends",
+            then=": log2 of the ratio of the differences between the final positions",
             tolerance=0.1,
         )
 
@@ -146,8 +159,10 @@ def test_a_step_fails_just_beyond_its_limit_and_not_before(method: str, limit: f
         about.call = f"{method}(particles, apply_forces, h) with a spring of {k} N/m, 1 kg, h = "
         about.call += f"1/60, from 1 m, {frames} steps"
         about.cause = (
-            f"The method is stable for k h^2 / m < {limit:g}, and here it is {share * limit:g}."
+            f"The method is stable as long as k h^2 / m is below {limit:g}, and here it is "
+            f"{share * limit:g}. If your step behaves differently, compare it with the formulas "
+            "of the docstring."
         )
         far = growth(method, k, 1.0, h, frames)
-        expect_exactly(far < 100.0, share < 1.0, then=": the farthest is below 100 m")
-        expect_exactly(far > 1e6, share > 1.0, then=": the farthest is beyond 1e6 m")
+        expect_exactly(far < 100.0, share < 1.0, then=": the largest distance is below 100 m")
+        expect_exactly(far > 1e6, share > 1.0, then=": the largest distance is above 1e6 m")

@@ -42,22 +42,21 @@ def test_restitution_is_a_root(rng: Random) -> None:
     h, c = positive_number(rng), rng.uniform(0.1, 0.9)
     for initial, bounce, wanted in ((1.0, 0.64, 0.8), (h, c * c * h, c), (2.0, 2.0, 1.0)):
         about.call = f"restitution_of_drop({initial}, {bounce})"
-        about.cause = "Speeds grow with the square root of the height. The restitution is "
-        about.cause += "sqrt(bounce_height / initial_height)."
+        about.cause = "The restitution is a ratio of speeds, and the speed grows with the square "
+        about.cause += "root of the height. Return sqrt(bounce_height / initial_height)."
         got = restitution_of_drop(initial, bounce)
         mistakes = [
             (wanted * wanted,
              "The result is the ratio of the heights. The height of a rise grows with the square "
              "of the speed, so take the square root of this ratio."),
-            (1.0 / wanted, "The ratio is inverted. The ball never bounces higher than it was "
-                           "dropped, so divide bounce_height by initial_height."),
+            (1.0 / wanted, "The ratio is inverted. A ball never bounces higher than it was "
+                           "dropped, so the restitution is at most 1. Divide bounce_height by "
+                           "initial_height."),
         ]  # fmt: skip
         blame(got, mistakes)
         expect_close(got, wanted)
-    cause = (
-        "This ball stays on the ground, because its bounce height is 0. Its restitution is 0, so "
-        "do not refuse it."
-    )
+    cause = "This ball does not bounce at all, so its bounce height is 0. That is a valid "
+    cause += "measurement, and its restitution is 0."
     about("restitution_of_drop(2.0, 0.0)", cause=cause)
     got = restitution_of_drop(2.0, 0.0)
     expect_close(got, 0.0)
@@ -95,7 +94,8 @@ def test_each_material_has_its_row(rng: Random) -> None:
     expect_exactly(names, ["Clay", "oak", "ash"], then=": materials")
     counts = [row[1] for row in got]
     expect_exactly(counts, [4, 2, 1], then=": drops")
-    about.cause = "Compute each drop's restitution with restitution_of_drop and take the mean."
+    about.cause = "Compute the restitution of each drop with restitution_of_drop, and then take "
+    about.cause += "the mean of these values."
     wanted = (math.fsum(a) / 4.0, math.fsum(b) / 2.0, 0.5)
     means = [row[2] for row in got]
     # Roots of the heights, a few roundings of 1.
@@ -106,7 +106,8 @@ def test_each_material_has_its_row(rng: Random) -> None:
     )
     blame(means, [(roots, name)])
     expect_close(means, wanted, then=": means", tolerance=1e-14)
-    about.cause = "The standard error is s / sqrt(n). statistics.stdev computes s with n - 1."
+    about.cause = "The standard error of the mean is s / sqrt(n). Compute the standard deviation s "
+    about.cause += "with statistics.stdev, which divides by n - 1."
     spread = math.fsum((c - wanted[0]) ** 2 for c in a)
     errors = (math.sqrt(spread / 3.0 / 4.0), abs(b[0] - b[1]) / 2.0)
     seen = [row[3] for row in got[:2]]
@@ -140,10 +141,8 @@ def test_a_table_refuses_what_a_drop_refuses() -> None:
     good = ("oak", 2.0, 1.0)
     for bad, error in ((("oak", 0.0, 0.0), ValueError), (("ash", 1.0, "2"), TypeError)):
         about.call = f"table_of_drops([{good}, {bad}])"
-        about.cause = (
-            "One of these drops is impossible. Call restitution_of_drop for every drop, and let "
-            "its error pass, so that the reader hears of the mistake."
-        )
+        about.cause = "One of these drops is impossible. Call restitution_of_drop for every drop, "
+        about.cause += "and do not catch its error, so that the reader learns about the mistake."
         expect_error(
             lambda bad=bad: table_of_drops([good, bad]),
             error,
@@ -154,9 +153,9 @@ def test_a_table_refuses_what_a_drop_refuses() -> None:
 @pytest.mark.exercise("7.1", weight=2)
 def test_bounces_were_measured() -> None:
     about("table_of_drops(the drops of your drops.csv): the drops in all rows", read=DATA)
-    about.cause = "Enter your own drops in drops.csv, one per line, as in drops_sample.csv: "
-    about.cause += "material,initial_height,bounce_height. Heights are in m, and no bounce is "
-    about.cause += "higher than its drop."
+    about.cause = "Enter your own drops in drops.csv, with one drop on each line as in "
+    about.cause += "drops_sample.csv. A line is material,initial_height,bounce_height, with "
+    about.cause += "heights in m, and a bounce is never higher than its drop."
     drops = entered_drops()
     got = sum(row[1] for row in table_of_drops(drops))
     expect_exactly(got, len(drops))
@@ -173,8 +172,9 @@ def test_bounces_were_measured() -> None:
 @pytest.mark.exercise("7.3")
 def test_the_upper_ball_flies_off(rng: Random) -> None:
     about("top_ball_speed(1.0, 9.0, 1.0, 0.5, 0.75)", read=TWO)
-    about.cause = "Both balls arrive at v = sqrt(20) m/s. The lower one leaves the ground with 0.5 "
-    about.cause += "v, and their impact gives the upper one 1.3625 v = 6.0933 m/s."
+    about.cause = "Both balls arrive at v = sqrt(20) m/s. The lower ball leaves the ground at 0.5 "
+    about.cause += "v, and after the impact of the two balls the upper one must rise at 1.3625 v "
+    about.cause += "= 6.0933 m/s."
     got = top_ball_speed(1.0, 9.0, 1.0, 0.5, 0.75)
     v = math.sqrt(20.0)
     mistakes = [
@@ -195,15 +195,19 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
     h, g, m = positive_number(rng), positive_number(rng), positive_number(rng)
     v = math.sqrt(2.0 * g * h)
     for lower, ground, pair, wanted, cause in (
-        (m, 1.0, 1.0, v, "Equal masses exchange their velocities at restitution 1."),
-        (m, 0.0, 1.0, 0.0, "The lower ball stays on the ground. The upper one hits it and, having "
-         "the same mass, stops."),
+        (m, 1.0, 1.0, v, "The masses are equal and no energy is lost, so the two balls exchange "
+                         "their velocities."),
+        (m, 0.0, 1.0, 0.0, "The restitution of the ground is 0, so the lower ball stays there. "
+                           "The upper ball has the same mass, so it gives all of its motion to "
+                           "the lower one and stops."),
         (3.0 * m, 1.0, 1.0, 2.0 * v,
-         "With three times the mass below and no loss, the upper ball leaves at twice its "
-         "speed."),
-        (m, 1.0, 0.0, 0.0, "The momenta cancel, and at restitution 0 the balls stick together."),
-        (3.0 * m, 0.0, 0.0, -0.25 * v, "At restitution 0 the balls stick together and move down "
-         "with the upper one's momentum."),
+         "The lower ball has three times the mass and no energy is lost, so the upper ball leaves "
+         "at twice the speed at which it arrived."),
+        (m, 1.0, 0.0, 0.0, "The momenta of the two balls cancel, and at a restitution of 0 the "
+                           "balls stick together. So both stop."),
+        (3.0 * m, 0.0, 0.0, -0.25 * v, "At a restitution of 0 the balls stick together. They "
+                                       "share the momentum of the upper ball, which was moving "
+                                       "down, so the result is negative."),
     ):  # fmt: skip
         about(f"top_ball_speed({h}, {lower}, {m}, {ground}, {pair}, {g})", cause=cause)
         got = top_ball_speed(h, lower, m, ground, pair, g)
@@ -229,8 +233,9 @@ def test_two_balls_part_by_their_restitution(rng: Random) -> None:
     lower, upper = positive_number(rng), positive_number(rng)
     ground, pair = (round(rng.uniform(0.1, 0.9), 3) for _ in range(2))
     about.call = f"top_ball_speed({h}, {lower}, {upper}, {ground}, {pair}, {g})"
-    about.cause = "The impact conserves momentum, and the balls separate at the pair's restitution "
-    about.cause += "times their closing speed, ground_restitution * v + v."
+    about.cause = "The impact of the two balls conserves momentum. They approach each other at "
+    about.cause += "ground_restitution * v + v, and they separate at the pair's restitution times "
+    about.cause += "this speed."
     got = top_ball_speed(h, lower, upper, ground, pair, g)
     v = math.sqrt(2.0 * g * h)
     momentum = (lower * ground - upper) * v
@@ -238,7 +243,7 @@ def test_two_balls_part_by_their_restitution(rng: Random) -> None:
     wanted = (momentum + lower * parting) / (lower + upper)
     expect_close(got, wanted, tolerance=1e-13)
     about.call = f"top_ball_speed({h}, {lower}, {upper}, {ground}, {pair})"
-    about.cause = "The default gravity is 10 m/s^2."
+    about.cause = "No gravity was passed here, so use the default value of 10 m/s^2."
     got = top_ball_speed(h, lower, upper, ground, pair)
     wanted *= math.sqrt(10.0 / g)
     expect_close(got, wanted, tolerance=1e-13)
@@ -247,11 +252,12 @@ def test_two_balls_part_by_their_restitution(rng: Random) -> None:
 @pytest.mark.exercise("7.3")
 def test_without_height_or_gravity_no_ball_flies_off() -> None:
     about("top_ball_speed(0.0, 2.0, 3.0, 0.5, 0.5, 10.0)", read=TWO)
-    about.cause = "Dropped from a height of 0, the balls have no speed."
+    about.cause = "The balls are dropped from a height of 0, so they have no speed. Return 0."
     got = top_ball_speed(0.0, 2.0, 3.0, 0.5, 0.5, 10.0)
     expect_close(got, 0.0)
     about.call = "top_ball_speed(1.0, 2.0, 3.0, 0.5, 0.5, 0.0)"
-    about.cause = "Without gravity, nothing falls. Return 0 instead of raising an error."
+    about.cause = "Without gravity the balls do not fall, so their speed is 0. Return 0 instead of "
+    about.cause += "raising an error."
     got = top_ball_speed(1.0, 2.0, 3.0, 0.5, 0.5, 0.0)
     expect_close(got, 0.0)
 
@@ -272,16 +278,14 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
     f, frame = components(rng), positive_number(rng, 0.1, 0.9)
     for share in (0.25, 1.0, 0.0):
         about.call = f"f = Vector3{f}; force_for_frame(f, {share * frame}, {frame})"
-        about.cause = "Keep the impulse, force times time, the same: scale the force by "
-        about.cause += "contact_time / frame."
+        about.cause = "The impulse is force times time, and it must stay the same. Multiply the "
+        about.cause += "force by contact_time / frame."
         force = Vector3(*f)
         got = expect_vector(force_for_frame(force, share * frame, frame))
         wanted = tuple(share * part for part in f)
         impulse = tuple(share * frame * part for part in f)
-        why = (
-            "The result is the impulse in N s. A force acts for the whole frame, so divide the "
-            "impulse by the duration of the frame."
-        )
+        why = "This is the impulse in N s, but the result must be a force. The force acts for the "
+        why += "whole frame, so divide the impulse by the duration of the frame."
         mistakes = [(impulse, why)]
         if share:
             longer = tuple(part / share for part in f)
@@ -292,7 +296,8 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
             mistakes.append((longer, name))
         why = cause_of(got, mistakes, about.cause)
         expect_close(got, wanted, cause=why, tolerance=1e-14)
-        kept = "*= changes the vector in place. Return force * number, a new vector."
+        kept = "The vector that was passed in has changed. Perhaps you used *=, which works in "
+        kept += "place. Return force * number instead, which is a new vector."
         expect_unchanged("f", xyz(force), f, cause=kept)
     about.call = f"f = Vector3{f}; force_for_frame(f, 1.0, 1.0).x += 1.0"
     about.cause = (
@@ -321,13 +326,14 @@ def test_a_push_is_not_longer_than_its_frame() -> None:
         ((0.5, "1.0"), TypeError),
     ):
         contact, frame = numbers
-        about.cause = "The contact time must be from 0 to the frame's duration."
+        about.cause = "The contact time must be at least 0 and at most the duration of the frame. "
+        about.cause += "Raise an error for any other value."
         if isinstance(contact, str) or isinstance(frame, str):
-            about.cause = "A string is not a number. Raise TypeError."
+            about.cause = "One of the two times is a string, which is not a number. Raise "
+            about.cause += "TypeError."
         elif not 0.0 < frame < math.inf:
-            about.cause = (
-                "Refuse a frame that is not positive and finite. Call positive from arguments.py."
-            )
+            about.cause = "The duration of the frame must be positive and finite. Call positive "
+            about.cause += "from arguments.py to check it."
         expect_error(
             lambda numbers=numbers: force_for_frame(Vector3(1.0, 2.0, 3.0), *numbers),
             error,
@@ -345,5 +351,6 @@ def test_a_push_is_not_longer_than_its_frame() -> None:
             error,
             call=f"force_for_frame({name}, 1.0, 2.0)",
             allowed=lambda: force_for_frame(Vector3(1.0, 2.0, 3.0), 1.0, 2.0),
-            cause="Check the force with finite_vector from arguments.py.",
+            cause="This argument is not a Vector3 of finite numbers. Check the force with "
+            "finite_vector from arguments.py.",
         )

@@ -96,10 +96,8 @@ def test_to_ask_for_it_changes_nothing(rng: Random) -> None:
     v, w, n, m = components(rng), components(rng), direction(rng), direction(rng)
     about.call = f"a with velocity {v}, b with {w}; c = Contact(a, b, Vector3{n}); "
     about.call += "c.separating_velocity()"
-    about.cause = (
-        "Asking for the separating velocity has changed a particle's velocity, because -= works "
-        "in place. Compute a - b, which creates a new vector."
-    )
+    about.cause = "Asking for the separating velocity must not change any vector. The operator -= "
+    about.cause += "works in place, so compute a - b instead, which creates a new vector."
     a, b = Particle(velocity=Vector3(*v)), Particle(velocity=Vector3(*w))
     c = Contact(a, b, Vector3(*n))
     c.separating_velocity()
@@ -110,7 +108,8 @@ def test_to_ask_for_it_changes_nothing(rng: Random) -> None:
     ):
         expect_unchanged(name, now, before)
     about.call += f"; c.normal = Vector3{m}; a.velocity = Vector3(); c.separating_velocity()"
-    about.cause = "Compute the result from the current velocities and normal on every call."
+    about.cause = "The velocity and the normal have changed since the first call. Do not store the "
+    about.cause += "result, but compute it from their current values on every call."
     c.normal = Vector3(*m)
     a.velocity = Vector3()
     got = c.separating_velocity()
@@ -279,10 +278,8 @@ def test_forces_build_up_as_well(rng: Random) -> None:
     about.call = f"a of {mass} kg with acceleration (0, -4, 0), a.add_force(Vector3(0, "
     about.call += f"{-5.0 * mass}, 0)); a.integrate({h}); a.velocity.y = -1; Contact(a, None, "
     about.call += f"Vector3(0, 1, 0), {c}).velocity_after({h})"
-    about.cause = (
-        "Both the constant acceleration and the forces move the particle. Use last_acceleration, "
-        "which is their sum, -9 m/s^2."
-    )
+    about.cause = "Both the constant acceleration and the forces accelerate the particle. Use "
+    about.cause += "last_acceleration, which combines them to -9 m/s^2."
     a = Particle(acceleration=Vector3(0.0, -4.0, 0.0), mass=mass)
     a.add_force(Vector3(0.0, -5.0 * mass, 0.0))
     a.integrate(h)
@@ -291,7 +288,8 @@ def test_forces_build_up_as_well(rng: Random) -> None:
     expect_close(got, c * (1.0 - 9.0 * h), tolerance=1e-12)
     about.call = f"b of {mass} kg, pushed up by {7.0 * mass} N; b.integrate({h}); b.velocity.y = "
     about.call += f"1; Contact(a, b, Vector3(0, 1, 0), {c}).velocity_after({h}), a at rest"
-    about.cause = "Forces on the other particle can also close the contact. Use (aa - ab) . n."
+    about.cause = "Forces on the other particle can close the contact as well. Use the relative "
+    about.cause += "acceleration along the normal, (aa - ab) . n."
     b = Particle(mass=mass)
     b.add_force(Vector3(0.0, 7.0 * mass, 0.0))
     b.integrate(h)
@@ -317,16 +315,15 @@ def test_two_that_fall_alike_build_up_nothing(rng: Random) -> None:
     about.read = REST
     pull, other = number(rng), positive_number(rng)
     c, h = round(rng.uniform(0.3, 0.9), 3), 0.02
-    immovable = (
-        "The other particle is immovable, so it does not accelerate, whatever its "
-        "last_acceleration says. Ignore it."
-    )
+    immovable = "The other particle is immovable, so it does not accelerate, whatever its "
+    immovable += "last_acceleration says. Leave its acceleration out."
     for pa, pb, mass_a, mass_b, wanted, cause in (
         (pull, pull, 1.0, 2.0, c * 3.0,
-         "Both particles have the same acceleration, so a does not accelerate relative to b. "
-         "Use (aa - ab) . n."),
-        (0.0, other, 1.0, 2.0, c * (3.0 - other * h), "Here b accelerates toward a, which closes "
-         "the contact. Use (aa - ab) . n."),
+         "Both particles have the same acceleration, so a does not accelerate relative to b. Use "
+         "the difference of the two accelerations, (aa - ab) . n."),
+        (0.0, other, 1.0, 2.0, c * (3.0 - other * h),
+         "Here b accelerates toward a, which closes the contact. Use the difference of the two "
+         "accelerations, (aa - ab) . n."),
         (0.0, other, 1.0, math.inf, c * 3.0, immovable),
         (-other, 0.0, 1.0, math.inf, c * (3.0 - other * h),
          "If the other particle is immovable, the whole acceleration of a counts."),
@@ -365,7 +362,8 @@ def test_to_say_how_it_bounces_changes_nothing(rng: Random) -> None:
     ):
         expect_unchanged(name, now, before)
     about.call += "; c.restitution = 0.25; c.velocity_after(0.0)"
-    about.cause = "Read the restitution and the velocities again on every call."
+    about.cause = "The restitution or a velocity has changed since the first call. Read both again "
+    about.cause += "on every call instead of storing the result."
     c.restitution = 0.25
     got = c.velocity_after(0.0)
     expect_close(got, -0.25 * v[1])
@@ -384,8 +382,8 @@ def test_a_bounce_needs_a_duration_that_means_something() -> None:
         ):
             about.call = f"Contact(a, None, Vector3(0, 1, 0)).velocity_after({duration!r}), a with "
             about.call += f"velocity (0, {velocity}, 0)"
-            about.cause = "Refuse a duration that is negative or not finite before anything else. "
-            about.cause += "Call not_negative from arguments.py."
+            about.cause = "A duration that is negative or not finite must be rejected before "
+            about.cause += "anything else happens. Call not_negative from arguments.py first."
             a = Particle(velocity=Vector3(0.0, velocity, 0.0))
             contact = Contact(a, None, Vector3(*UP))
             expect_error(

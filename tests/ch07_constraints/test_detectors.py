@@ -41,8 +41,17 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
         about.call = f"GroundPlane([p], {height}, {radius}, {c}).contacts()"
         # Eighths of a meter are exact beside a radius of a quarter.
         for above, depths, cause in (
-            (0.125, [], "Above the ground there is no contact."),
-            (1e-6, [], "Just above the ground there is no contact yet."),
+            (
+                0.125,
+                [],
+                "The sphere is above the ground and does not touch it, so there is no contact.",
+            ),
+            (
+                1e-6,
+                [],
+                "The sphere is just above the ground, but it does not touch it yet, so "
+                "there is no contact.",
+            ),
             (-0.5, [0.5], lowest),
             (-0.125, [0.125], lowest),
             (
@@ -51,7 +60,12 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
                 "This sphere just touches the ground. Return a contact with a "
                 "penetration of 0, so that a body at rest keeps its contact.",
             ),
-            (-80.0, [80.0], "Everything below the height is ground, however deep it is."),
+            (
+                -80.0,
+                [80.0],
+                "This sphere is far below the surface, but everything below the "
+                "height is ground. Return a contact, however deep the sphere is.",
+            ),
         ):
             about.cause = cause
             y = height + radius + above
@@ -79,7 +93,8 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
                 why = cause_of(depth, mistakes, about.cause)
                 expect_close(depth, wanted, call=shown, cause=why, tolerance=2e-14)
                 seen = (a, b, *normal, restitution)
-                why = "Return Contact(particle, None, Vector3(0, 1, 0), restitution, depth)."
+                why = "The contact itself is wrong. It needs the particle, None as its other, the "
+                why += "normal (0, 1, 0), the detector's restitution and the depth."
                 down = (0, -1, 0, -1, 0, c)
                 why = cause_of(
                     seen,
@@ -103,13 +118,16 @@ def test_the_ground_is_for_all_that_moves(rng: Random) -> None:
     heights = [number(rng) for _ in range(6)]
     about.call = f"particles at the heights {heights}; g = GroundPlane(particles); g.contacts(): "
     about.call += "the indices of the particles"
-    about.cause = "Return a contact for each particle at or below the height, in list order."
+    about.cause = "Return one contact for each particle that is at or below the height, in the "
+    about.cause += "order of the list."
     first, second, third = ground_of_a_list(heights)
     wanted = [i for i, y in enumerate(heights) if y <= 0.0]
     expect_exactly(first, wanted)
     about.call += "; all moved to -1, the second made immovable, one more appended; "
     about.call += "g.contacts(): the indices"
-    about.cause = "Skip immovable particles, and read the list again on every call."
+    about.cause = "Some particles have moved since the first call, one has become immovable, and "
+    about.cause += "one has joined the list. Read the list again on every call, and skip "
+    about.cause += "immovable particles."
     expect_exactly(second, [0, 2, 3, 4, 5, 6])
     about.call += "; g.height, g.radius changed to -2 and 0.5; g.contacts(): the indices"
     about.cause = (
@@ -138,11 +156,29 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
     about.read = PAIRS
     n, c = direction(rng), round(rng.uniform(0.1, 0.9), 3)
     q = components(rng)
-    cells = "This holds in any two cells, so use math.floor: int rounds toward 0."
+    cells = "If you use cells, compute their numbers with math.floor, because int rounds toward 0."
     for radius, distance, wanted, cause in (
-        (0.75, 1.500001, None, "Spheres whose centers are more than two radii apart do not touch."),
-        (0.75, 1.25, 0.25, f"The centers are 1.25 m apart, less than two radii (1.5 m). {cells}"),
-        (4.0, 0.5, 7.5, f"The centers are 0.5 m apart, less than two radii (8 m). {cells}"),
+        (
+            0.75,
+            1.500001,
+            None,
+            "The centers are more than two radii apart, so the spheres do not "
+            "touch. Return no contact.",
+        ),
+        (
+            0.75,
+            1.25,
+            0.25,
+            "The centers are 1.25 m apart, which is less than two radii (1.5 m), "
+            f"so the spheres touch. {cells}",
+        ),
+        (
+            4.0,
+            0.5,
+            7.5,
+            "The centers are 0.5 m apart, which is less than two radii (8 m), so the "
+            f"spheres touch. {cells}",
+        ),
     ):
         about.cause = cause
         p = tuple(x + distance * part for x, part in zip(q, n, strict=True))
@@ -151,25 +187,27 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
         got = told(ParticlePairs(pair, radius, c).contacts(), pair)
         expect_pairs(got, [] if wanted is None else [(0, 1, n, c, wanted)], 2 * radius)
     about.call = "a at (-2, 0, 0), b at (-1, 0, 0); ParticlePairs([a, b], 0.75).contacts()"
-    about.cause = f"The centers are 1 m apart, less than two radii (1.5 m). {cells}"
+    about.cause = "The centers are 1 m apart, which is less than two radii (1.5 m), so the spheres "
+    about.cause += f"touch. {cells}"
     pair = [Particle(Vector3(-2.0)), Particle(Vector3(-1.0))]
     got = told(ParticlePairs(pair, 0.75).contacts(), pair)
     expect_pairs(got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.5)], 1.5)
     about.call = "a at (3, 0, 0), b at (5, 0, 0); ParticlePairs([a, b], 1.0).contacts()"
-    about.cause = "Spheres exactly two radii apart touch. The penetration is 0."
+    about.cause = "The centers are exactly two radii apart, so the spheres just touch. Return a "
+    about.cause += "contact with a penetration of 0."
     pair = [Particle(Vector3(3.0)), Particle(Vector3(5.0))]
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
     expect_pairs(got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.0)])
     about.call = "a at (-1e-17, 0, 0), b at (2, 0, 0); ParticlePairs([a, b], 1.0).contacts()"
-    about.cause = "Within rounding these are two radii apart, so they touch. Make the cells a "
-    about.cause += "little larger than two radii, or an empty cell can lie between the spheres."
+    about.cause = "Up to rounding, the centers are two radii apart, so the spheres touch. If you "
+    about.cause += "use cells, make them a little larger than two radii, or an empty cell can lie "
+    about.cause += "between the spheres."
     pair = [Particle(Vector3(-1e-17)), Particle(Vector3(2.0))]
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
     expect_pairs(got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.0)])
     about.call = f"a and b at {q}; ParticlePairs([a, b], 1.0).contacts()"
-    about.cause = (
-        "The centers are at the same position, so there is no direction. Use +Y as the normal."
-    )
+    about.cause = "Both centers are at the same position, so there is no direction between them. "
+    about.cause += "Use +Y as the normal."
     pair = [Particle(Vector3(*q)), Particle(Vector3(*q))]
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
     expect_pairs(got, [(0, 1, UP, 0.0, 2.0)])
@@ -184,27 +222,26 @@ def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
     seen, pairs = ([(a, b) for a, b, *_ in contacts] for contacts in (got, wanted))
     found = {frozenset(pair) for pair in seen}
     if len(found) < len(seen):
-        about.cause = (
-            "The same pair was found twice, once from each of its particles or from each cell. "
-            "Return each pair once, or its impulse would act twice."
-        )
+        about.cause = "The same pair was returned twice, perhaps once for each of its particles or "
+        about.cause += "cells. Return each pair only once, because otherwise its impulse would "
+        about.cause += "act twice."
     elif missing := [pair for pair in pairs if frozenset(pair) not in found]:
-        about.cause = f"The pair {missing[0]} is missing. {about.cause}"
+        about.cause = f"The contact of the pair {missing[0]} is missing. {about.cause}"
     elif len(seen) > len(pairs):
         extra = [pair for pair in seen if pair not in pairs]
-        about.cause = f"The pair {extra[0]} should not be there. {about.cause}"
+        about.cause = f"The pair {extra[0]} has a contact, but it must not have one. {about.cause}"
     else:
-        about.cause = (
-            "Sort the pairs by the positions of their particles in the list, the earlier particle "
-            "first."
-        )
+        about.cause = "The right pairs were found, but in the wrong order. Sort them by the "
+        about.cause += "indices of their particles, with the smaller index first in each pair."
     expect_exactly(len(got), len(wanted), then=": number of pairs")
     expect_exactly(seen, pairs, then=": the pairs, by index")
     for (_, _, normal, restitution, depth), right in zip(got, wanted, strict=True):
-        about.cause = "The normal points from the second particle of the pair to the first."
+        about.cause = "The normal is wrong. It must point from the second particle of the pair to "
+        about.cause += "the first."
         # Differences of positions of up to 10 m, over a distance of half a meter or more.
         expect_close(normal, right[2], then=": normal", tolerance=1e-13)
-        about.cause = "Give each contact the restitution of the detector."
+        about.cause = "A contact has the wrong restitution. Pass the detector's restitution to "
+        about.cause += "each contact."
         expect_close(restitution, right[3], then=": restitution")
         apart = size - right[4]
         mistakes = [
@@ -218,7 +255,8 @@ def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
              "The penetration is the distance of the centers, which becomes smaller the deeper "
              "the overlap is. Subtract this distance from two radii."),
         ]  # fmt: skip
-        otherwise = "The penetration is two radii minus the distance of the centers."
+        otherwise = "The penetration is wrong. It is two radii minus the distance between the "
+        otherwise += "centers."
         about.cause = cause_of(depth, mistakes, otherwise)
         expect_close(depth, right[4], then=": penetration", tolerance=1e-13)
 
@@ -234,7 +272,8 @@ def test_every_pair_is_found_once(rng: Random) -> None:
         walls = {3, 4, 5, 6}
         about.call = f"{count} particles in a cube of {2 * size:g} m, numbers 3 to 6 immovable; "
         about.call += f"ParticlePairs(particles, {radius}).contacts()"
-        about.cause = "Every touching pair has a contact, unless both are immovable (3 to 6)."
+        about.cause = "Every pair of touching spheres needs a contact, unless both are immovable. "
+        about.cause += "Particles 3 to 6 are immovable here."
         particles = [
             Particle(Vector3(*place), mass=math.inf if i in walls else 1.0)
             for i, place in enumerate(places)
@@ -253,13 +292,14 @@ def test_every_pair_is_found_once(rng: Random) -> None:
 def test_not_every_pair_is_looked_at() -> None:
     about("400 spheres of radius 0.5 m in a cube of 40 m; ParticlePairs(spheres, ", read=PAIRS)
     about.call += "0.5).contacts(): accesses to positions"
-    about.cause = "Comparing all 79,800 pairs reads the positions more than 400,000 times. Compare "
-    about.cause += "only particles that are near each other, in a grid or sorted along an axis."
+    about.cause = "Comparing all 79,800 pairs reads the positions more than 400,000 times, which "
+    about.cause += "is too slow. Use a grid or sort the particles along an axis, and compare only "
+    about.cause += "those that are near each other."
     asked, found, wanted = looked(400, 40.0)
     # A grid asks about 1,400 times, a sweep along an axis some 33,000 times.
     expect_between(asked, 0, 100_000)
     name = "the same: number of touching pairs"
-    expect_exactly(found, wanted, call=name, cause="A pair of touching spheres is missing.")
+    expect_exactly(found, wanted, call=name, cause="A pair of touching spheres has no contact.")
 
 
 @pytest.mark.exercise("B7.9")
@@ -268,7 +308,8 @@ def test_pairs_are_those_of_now(rng: Random) -> None:
     radius = positive_number(rng, 0.5, 1.5)
     about.call = f"four particles in a row, three radii apart, radius {radius} m; p = "
     about.call += f"ParticlePairs(particles, {radius}); p.contacts(): the pairs, by index"
-    about.cause = "Spheres that are more than two radii apart do not touch."
+    about.cause = "The spheres are more than two radii apart, so they do not touch. Return no "
+    about.cause += "contact."
     first, second, third = pairs_of_a_list(radius)
     expect_exactly(first, [])
     about.call += "; the last one moved next to the first, and one more put between the two others"
@@ -278,7 +319,7 @@ def test_pairs_are_those_of_now(rng: Random) -> None:
     )
     expect_exactly(second, [0, 3, 1, 4, 2, 4])
     about.call += "; p.radius doubled"
-    about.cause = "Read the radius again on every call."
+    about.cause = "The radius has changed since the first call. Read it again on every call."
     expect_exactly(third, [0, 1, 0, 3, 1, 2, 1, 4, 2, 4])
 
 
@@ -286,8 +327,9 @@ def test_pairs_are_those_of_now(rng: Random) -> None:
 def test_a_grid_has_no_seams(rng: Random) -> None:
     about.read = PAIRS
     radius = positive_number(rng, 0.3, 0.9)
-    about.cause = "Touching spheres may be in any of the 26 cells around a cell, also at negative "
-    about.cause += "coordinates. Use math.floor for the cell, since int rounds toward 0."
+    about.cause = "A sphere can touch spheres in its own cell and in any of the 26 cells around "
+    about.cause += "it. Compute the cell with math.floor, because int rounds negative coordinates "
+    about.cause += "toward 0."
     for way in ((1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0), (1, -1, 0), (1, 1, 1), (-1, 1, 1)):
         length = math.hypot(*way)
         step = tuple(1.8 * radius * part / length for part in way)
@@ -306,7 +348,8 @@ def test_a_pile_of_six_holds() -> None:
     about.read = "book 7.3.1, and the docstring of ParticlePairs.contacts"
     about.call = "six spheres of 1 kg, radius 0.5 m, stacked on the ground; 15 semi-implicit steps "
     about.call += "of 1/60 s with ParticlePairs and a ContactResolver of 500 iterations"
-    about.cause = "In every step, each sphere has a contact with the sphere below it."
+    about.cause = "The spheres must not sink into each other. Check that each sphere has a contact "
+    about.cause += "with the sphere below it in every step."
     particles = [
         Particle(Vector3(0.0, i + 0.5, 0.0), acceleration=Vector3(0.0, -9.81, 0.0))
         for i in range(6)

@@ -1,4 +1,4 @@
-"""The contact resolver: fastest contact first, deepest contact first, B7.5 and B7.6."""
+"""The contact resolver changes velocities, fastest contact first, build task B7.5."""
 
 from __future__ import annotations
 
@@ -7,16 +7,14 @@ from random import Random
 
 import pytest
 
-from ch07_constraints.probes import resolved, stacked
+from ch07_constraints.probes import resolved
 from draw import Components, components, direction, dot, positive_number
-from expect import about, blame, cause_of, expect_between, expect_close, expect_exactly
+from expect import about, blame, expect_between, expect_close, expect_exactly
 
 ZERO = (0.0, 0.0, 0.0)
 RIGHT = (1.0, 0.0, 0.0)
-LEFT = (-1.0, 0.0, 0.0)
 UP = (0.0, 1.0, 0.0)
 FASTEST = "book 7.3.1, and the docstring of ContactResolver.resolve_velocities"
-DEEPEST = "book 7.3.1, E-8, and the docstring of ContactResolver.resolve_penetrations"
 Body = tuple[Components, Components, float]
 
 
@@ -37,7 +35,12 @@ def test_what_closes_fastest_is_first() -> None:
     about.call = "three balls of 1 kg in a row with 1, 0 and -3 m/s, restitution 0.5; "
     about.call += "resolve_velocities([left pair, right pair], limit, 0.5), limit"
     for limit, wanted, cause in (
-        (1, (1.0, -2.25, -0.75), "The right pair closes at 3 m/s, the left pair only at 1 m/s."),
+        (
+            1,
+            (1.0, -2.25, -0.75),
+            "The right pair must be resolved first, because it closes at 3 "
+            "m/s and the left pair only at 1 m/s.",
+        ),
         (
             2,
             (-1.4375, 0.1875, -0.75),
@@ -46,26 +49,30 @@ def test_what_closes_fastest_is_first() -> None:
         (
             9,
             (-1.4375, -0.515625, -0.046875),
-            "The right pair closes again, so resolve it once more.",
+            "After two resolutions the right pair closes again, so it must be resolved once more.",
         ),
     ):
-        about.cause = f"{cause} Compare all contacts again before each resolution."
+        about.cause = f"{cause} Compare the separating velocities of all contacts again before "
+        about.cause += "each resolution."
         used, bodies, _ = resolved(row(1.0, 0.0, -3.0), contacts, "resolve_velocities", limit)
         got = tuple(velocity[0] for _, velocity in bodies)
         mistakes = [
-            ((1.0, 0.0, -3.0), "Nothing was resolved. Contacts with a separating velocity below "
-             "-VELOCITY_TOLERANCE are closing."),
+            ((1.0, 0.0, -3.0), "No contact was resolved. A contact is closing if its separating "
+                               "velocity is below -VELOCITY_TOLERANCE, so check the sign in "
+                               "your comparison."),
             ((0.25, 0.75, -3.0),
-             "The first closing contact was resolved. Choose the one with the lowest "
-             "separating velocity."),
-            ((-1.4375, -0.515625, -0.046875), f"Three contacts were resolved. Stop at the limit, "
-             f"{limit}."),
-            ((-1.4375, 0.1875, -0.75), "The right pair closes again now. Keep resolving until none "
-             "closes or the limit is reached."),
+             "The first closing contact in the list was resolved. Choose the contact that closes "
+             "fastest, which has the lowest separating velocity."),
+            ((-1.4375, -0.515625, -0.046875), "Three contacts were resolved, but the limit is "
+                                              f"{limit}. Stop when the limit is reached."),
+            ((-1.4375, 0.1875, -0.75), "You stopped after two resolutions, but the right pair "
+                                       "closes again now. Keep resolving until no contact "
+                                       "closes or the limit is reached."),
         ]  # fmt: skip
         blame(got, mistakes)
         expect_close(got, wanted, then=f" {limit}: velocities")
-        about.cause = "Stop when nothing closes, and return the number of contacts you resolved."
+        about.cause = "Stop when no contact closes anymore or when the limit is reached, and "
+        about.cause += "return how many times you resolved a contact."
         expect_exactly(used, min(limit, 3), then=f" {limit}: returned")
 
 
@@ -83,26 +90,28 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
     about.call = f"a of 100 kg with (0, -2, 0) and b of 100 kg with ({side}, -1, {side}) hit the "
     about.call += "ground, restitution 1; c of 1 kg at rest, 0.25 m above a wall that moves with "
     about.call += "(0, 3, 0), restitution 0; resolve_velocities of the three contacts, limit 1"
-    about.cause = "Resolve the contact that closes fastest. It is c, at 3 m/s: compare the "
-    about.cause += "separating velocities, which include the velocity of an immovable other."
+    about.cause = "Resolve the contact that closes fastest. Here this is the contact of c, which "
+    about.cause += "closes at 3 m/s because the wall moves. The separating velocity includes the "
+    about.cause += "velocity of an immovable other."
     used, after, depths = resolved(bodies, contacts, "resolve_velocities", 1)
     got = tuple(velocity[1] for _, velocity in after[:3])
     mistakes = [
-        ((2.0, -1.0, 0.0), "The contact of a was resolved, but that of c closes faster. Compare "
-                           "only the separating velocities. Depth, restitution and immovable "
-                           "ends do not matter."),
-        ((-2.0, 1.0, 0.0), "The contact of b was resolved, which is the deepest and has the "
-                           "fastest particle along the ground. But that of c has the lowest "
-                           "separating velocity."),
+        ((2.0, -1.0, 0.0), "The contact of a was resolved, but the contact of c closes faster. "
+                           "Compare only the separating velocities. The depth, the restitution "
+                           "and an immovable end make no difference."),
+        ((-2.0, 1.0, 0.0), "The contact of b was resolved. It is the deepest, and b is the "
+                           "fastest particle, but neither matters here. The contact of c has "
+                           "the lowest separating velocity."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, (-2.0, -1.0, 3.0), then=": upward velocities")
-    why = "Return the number of contacts you resolved, here 1."
+    why = "One contact was resolved here. Return the number of contacts that you resolved."
     expect_exactly(used, 1, then="; returned", cause=why)
-    about.cause = "Do not reorder the list of contacts."
+    about.cause = "The order of the contacts has changed. The list belongs to the caller, so do "
+    about.cause += "not sort or reorder it."
     expect_close(depths, (0.5, 0.75, -0.25), then="; penetrations of the contacts")
     about.call = "resolve_velocities([], 9, 0.5)"
-    about.cause = "Without contacts there is nothing to resolve. Return 0."
+    about.cause = "The list of contacts is empty, so there is nothing to resolve. Return 0."
     used, _, _ = resolved([], [], "resolve_velocities", 9)
     expect_exactly(used, 0)
 
@@ -110,7 +119,8 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
 @pytest.mark.exercise("B7.5")
 def test_of_equal_ones_the_first_is_taken() -> None:
     about.read = FASTEST
-    about.cause = "Both pairs close at 2 m/s. Take the first in the list: compare with <, not <=."
+    about.cause = "Both pairs close at 2 m/s. In this case, resolve the contact that comes first "
+    about.cause += "in the list. Compare with < instead of <=."
     for order, wanted in (
         (((1, 0), (2, 1)), (0.0, 2.0, -2.0)),
         (((2, 1), (1, 0)), (2.0, -2.0, 0.0)),
@@ -121,7 +131,7 @@ def test_of_equal_ones_the_first_is_taken() -> None:
         used, bodies, _ = resolved(row(2.0, 0.0, -2.0), contacts, "resolve_velocities", 1)
         got = tuple(velocity[0] for _, velocity in bodies)
         expect_close(got, wanted)
-        why = "Return the number of contacts you resolved, here 1."
+        why = "One contact was resolved here. Return the number of contacts that you resolved."
         expect_exactly(used, 1, then="; returned", cause=why)
 
 
@@ -133,14 +143,23 @@ def test_a_push_goes_through_a_row(rng: Random) -> None:
     about.call = f"five balls of {mass} kg in a row, the first with {speed} m/s, restitution 1; "
     about.call += f"resolve_velocities of the pairs {pairs}, limit"
     for limit, leaves, cause in (
-        (2, 2, "Each resolution passes the whole motion on to the next ball. Stop at the limit."),
+        (
+            2,
+            2,
+            "Each resolution passes the whole velocity on to the next ball, so after two of "
+            "them the third ball moves. Stop at the limit.",
+        ),
         (
             4,
             4,
-            "At the end, the last ball must have all of the motion, and the others must be at "
-            "rest.",
+            "After four resolutions, the last ball must have the whole velocity, and all others "
+            "must be at rest.",
         ),
-        (50, 4, "After four resolutions nothing closes. Stop before the limit."),
+        (
+            50,
+            4,
+            "After four resolutions no contact is closing, so stop before you reach the limit.",
+        ),
     ):
         about.cause = cause
         bodies = row(speed, 0.0, 0.0, 0.0, 0.0, mass=mass)
@@ -157,14 +176,20 @@ def test_only_what_closes_is_resolved(rng: Random) -> None:
     about.read = FASTEST
     n = direction(rng)
     for closing, depth, wanted, cause in (
-        (1e-13, 0.0, 0, "A closing speed below VELOCITY_TOLERANCE is a rounding error. Ignore it."),
-        (1e-11, 0.0, 1, "This contact closes faster than VELOCITY_TOLERANCE. Resolve it."),
-        (0.5, -1.0, 1, "This contact is closing. Its penetration does not matter here."),
-        (-0.5, 1.0, 0, "This contact is separating. Ignore it, however deep it is."),
-        (0.0, 1.0, 0, "Deep contacts are left to resolve_penetrations, unlike in the book's "
-         "listing."),
-        (1e-13, 1.0, 0, "A closing speed below VELOCITY_TOLERANCE is a rounding error. Ignore it."),
-        (1e-11, 1.0, 1, "This contact closes faster than VELOCITY_TOLERANCE. Resolve it."),
+        (1e-13, 0.0, 0, "This closing speed is below VELOCITY_TOLERANCE, so it counts as a "
+                        "rounding error. Do not resolve this contact."),
+        (1e-11, 0.0, 1, "This contact closes slowly, but faster than VELOCITY_TOLERANCE, so it "
+                        "must be resolved."),
+        (0.5, -1.0, 1, "This contact is closing, so it must be resolved. Its penetration is "
+                       "negative, but that makes no difference in this phase."),
+        (-0.5, 1.0, 0, "This contact is separating already, so do not resolve it, however deep it "
+                       "is."),
+        (0.0, 1.0, 0, "This contact is deep but not closing, so do not resolve its velocity. "
+                      "Unlike the book's listing, leave deep contacts to resolve_penetrations."),
+        (1e-13, 1.0, 0, "This closing speed is below VELOCITY_TOLERANCE, so it counts as a "
+                        "rounding error. Do not resolve this contact."),
+        (1e-11, 1.0, 1, "This contact closes slowly, but faster than VELOCITY_TOLERANCE, so it "
+                        "must be resolved."),
     ):  # fmt: skip
         about.cause = cause
         u = components(rng)  # the velocity across the normal does not count
@@ -174,14 +199,15 @@ def test_only_what_closes_is_resolved(rng: Random) -> None:
         about.call = f"a with velocity {v}; resolve_velocities([Contact(a, None, Vector3{n}, 0, "
         about.call += f"{depth})], 9, 0.5)"
         bodies = [(ZERO, v, 2.0)]
-        about.cause += " Use the velocity along the contact's normal."
+        about.cause += " Use only the velocity along the contact's normal."
         used, after, depths = resolved(bodies, [(0, -1, n, 0.0, depth)], "resolve_velocities", 9)
         expect_exactly(used, wanted, then=": returned")
         got = -dot(after[0][1], n)
         left = 0.0 if wanted else closing
         # Some roundings of numbers up to 20.
         expect_close(got, left, then=": the closing speed", tolerance=5e-14)
-        about.cause = "Change velocities only. Positions and depths belong to the other phase."
+        about.cause = "A position or a penetration has changed. resolve_velocities changes "
+        about.cause += "velocities only, and resolve_penetrations changes the positions."
         expect_close(after[0][0], ZERO, then=": position")
         expect_close(depths[0], depth, then=": penetration")
 
@@ -200,20 +226,23 @@ def test_many_contacts_come_to_an_end(rng: Random) -> None:
         contacts.append((a, b, n, 0.5, 0.0))
     about.call = "9 particles, one of them immovable, with 11 closing contacts, restitution 0.5; "
     about.call += "resolve_velocities, limit 2000"
-    about.cause = "Keep resolving until no contact closes faster than VELOCITY_TOLERANCE."
+    about.cause = "At the end no contact may still be closing. Keep resolving until no contact "
+    about.cause += "closes faster than VELOCITY_TOLERANCE."
     used, after, _ = resolved(bodies, contacts, "resolve_velocities", 2000)
     got = max(dot(after[b][1], n) - dot(after[a][1], n) for a, b, n, _, _ in contacts)
     name = f"{about.call}: the largest closing speed left (negative when all separate)"
     # VELOCITY_TOLERANCE is 1e-12. Separating is fine, and nothing separates faster than 100 m/s.
     expect_between(got, -100.0, 2e-12, call=name)
     # One resolution changes two bodies, and no two bodies take part in all of the contacts.
-    about.cause = "Return the number of contacts you resolved: more than 1 and less than the limit."
+    about.cause = "The returned number is wrong. Return how many times you resolved a contact, "
+    about.cause += "which is more than once here and less often than the limit."
     expect_between(used, 2, 1998, then=": returned")
     before, now = (
         sum(0.5 * m * dot(v, v) for (_, _, m), v in zip(bodies[:8], velocities, strict=False))
         for velocities in ([v for _, v, _ in bodies], [v for _, v in after])
     )
-    about.cause = "Impulses at restitution 0.5 can only reduce the kinetic energy."
+    about.cause = "The kinetic energy has grown, but impulses at a restitution of 0.5 can only "
+    about.cause += "reduce it. Check the signs and the masses in Contact.resolve_velocity."
     name = f"{about.call}: ratio of the kinetic energy to its value before"
     expect_between(now / before, 0.0, 1.0, call=name)
 
@@ -223,8 +252,8 @@ def test_each_resolution_knows_the_duration() -> None:
     about.read = FASTEST
     about.call = "a and b with velocity (0, -4, 0), acceleration (0, -4, 0); resolve_velocities of "
     about.call += "their contacts with the ground, restitution 0.75, limit 9, duration"
-    about.cause = "Pass the duration on to Contact.resolve_velocity. Otherwise the velocity that "
-    about.cause += "the time step has built up bounces."
+    about.cause = "The velocity that the time step has added must not bounce. Pass the duration on "
+    about.cause += "to Contact.resolve_velocity, which takes care of this."
     for duration, wanted in ((0.25, 2.25), (0.5, 1.5), (1.0, 0.0)):
         contacts = [(0, -1, UP, 0.75, 0.0), (1, -1, UP, 0.75, 0.0)]
         bodies = [(ZERO, (0.0, -4.0, 0.0), 2.0), (ZERO, (0.0, -4.0, 0.0), 3.0)]
@@ -233,160 +262,3 @@ def test_each_resolution_knows_the_duration() -> None:
         name = f"{about.call} {duration}: upward velocities"
         got = (after[0][1][1], after[1][1][1])
         expect_close(got, (wanted, wanted), call=name)
-
-
-@pytest.mark.exercise("B7.6")
-def test_what_is_deepest_is_first() -> None:
-    about.read = DEEPEST
-    bodies = row(1.0, 0.0, -1.0)
-    about.call = "three balls of 1 kg in a row with 1, 0 and -1 m/s; the middle one overlaps the "
-    about.call += "left one by 0.5 m and the right one by 0.75 m; resolve_penetrations of both, "
-    about.call += "limit"
-    contacts = [(1, 0, RIGHT, 0.0, 0.5), (2, 1, RIGHT, 0.0, 0.75)]
-    for limit, wanted, depths, cause in (
-        (1, (0.0, 0.625, 2.375), (0.875, 0.0), "The right pair is deepest. Each of its balls moves "
-         "by half the depth."),
-        (2, (-0.4375, 1.0625, 2.375), (0.0, 0.4375), "The left pair comes next. The first move "
-                                                     "pushed the middle ball into the left one, "
-                                                     "so this pair is now 0.875 m deep."),
-        (3, (-0.4375, 0.84375, 2.59375), (0.21875, 0.0), "The right pair is the deepest again."),
-    ):  # fmt: skip
-        about.cause = cause
-        used, after, got_depths = resolved(bodies, contacts, "resolve_penetrations", limit)
-        got = tuple(place[0] for place, _ in after)
-        mistakes = [
-            ((-0.25, 1.25, 2.0), "The left pair was resolved, but the right pair is deeper.")
-        ]
-        if isinstance(used, int) and used > limit:
-            about.cause = f"{used} contacts were resolved. Stop at the limit, {limit}."
-        seen = cause_of(got, mistakes, about.cause)
-        expect_close(got, wanted, then=f" {limit}: positions", cause=seen)
-        about.cause += " Every move changes the depth of the middle ball's other contact (E-8)."
-        mistakes = [
-            ((0.5, 0.0), "The left contact kept its 0.5 m, although the middle ball moved 0.375 m "
-             "into it. Update the other contacts after each move, which the book's listing omits "
-             "(E-8)."),
-            ((0.125, 0.0), "The left contact became less deep, but the middle ball moved into it. "
-             "Check the sign."),
-            ((0.875, -0.75),
-             "The resolved contact was updated twice. resolve_penetration already sets it to "
-             "0, so skip it in your loop."),
-            ((0.0, 0.0), "The right contact is still 0. There the middle ball is contact.other: "
-                         "update contacts for that case too."),
-            ((0.0, -0.4375), "The sign is wrong for a contact's other. When contact.other moves "
-                             "along the normal, the contact gets deeper."),
-        ]  # fmt: skip
-        blame(got_depths, mistakes)
-        expect_close(got_depths, depths, then=f" {limit}: penetrations")
-        about.cause = "Return the number of contacts you resolved."
-        expect_exactly(used, limit, then=f" {limit}: returned")
-        got = tuple(velocity[0] for _, velocity in after)
-        about.cause = "Change positions only. Velocities belong to the other phase."
-        expect_close(got, (1.0, 0.0, -1.0), then=f" {limit}: velocities")
-    about.call = "the same with 0.5 m each, limit 1: penetrations"
-    for order in ((0, 1), (1, 0)):
-        equal = [(1, 0, RIGHT, 0.0, 0.5), (2, 1, RIGHT, 0.0, 0.5)]
-        about.cause = "Both contacts are 0.5 m deep. Take the first in the list."
-        _, _, got = resolved(bodies, [equal[i] for i in order], "resolve_penetrations", 1)
-        expect_close(got, (0.0, 0.75), then=f", order {order}")
-
-
-@pytest.mark.exercise("B7.6")
-def test_one_contact_is_resolved_once(rng: Random) -> None:
-    about.read = DEEPEST
-    n, mass, depth = direction(rng), positive_number(rng), positive_number(rng, 0.1, 0.9)
-    for deep, wanted, cause in (
-        (depth, 1, "After one resolution the particle only touches the ground, so stop. The "
-                   "book's listing moves it again (E-8)."),
-        (2e-9, 1, "This contact is deeper than DEPTH_TOLERANCE. Resolve it."),
-        (5e-10, 0, "A depth below DEPTH_TOLERANCE counts as touching. Ignore it."),
-        (-1.0, 0, "The particle is apart from the ground. Ignore it."),
-    ):  # fmt: skip
-        about.cause = cause
-        about.call = f"a of {mass} kg; resolve_penetrations([Contact(a, None, Vector3{n}, 0, "
-        about.call += f"{deep})], 9)"
-        used, after, depths = resolved(
-            [(ZERO, ZERO, mass)], [(0, -1, n, 0.0, deep)], "resolve_penetrations", 9
-        )
-        expect_exactly(used, wanted, then=": returned")
-        moved = tuple(wanted * deep * part for part in n)
-        got = after[0][0]
-        expect_close(got, moved, then=": position", tolerance=1e-15)
-        left = 0.0 if wanted else deep
-        expect_close(depths[0], left, then=": penetration")
-    about.call = "resolve_penetrations([], 9)"
-    about.cause = "Without contacts there is nothing to resolve. Return 0."
-    used, _, _ = resolved([], [], "resolve_penetrations", 9)
-    expect_exactly(used, 0)
-
-
-@pytest.mark.exercise("B7.6")
-def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
-    about.read = DEEPEST
-    n, ma, mb = direction(rng), positive_number(rng), positive_number(rng)
-    # a and b move; c and d touch them, e and f touch neither. e is at the position of a.
-    bodies = [(components(rng), ZERO, mass) for mass in (ma, mb, math.inf, 4.0, 5.0, 6.0)]
-    bodies[4] = (bodies[0][0], ZERO, 5.0)
-    normals = [direction(rng) for _ in range(9)]
-    ends = [(0, 2), (2, 0), (1, 3), (3, 1), (0, -1), (1, -1), (0, 1), (1, 0), (4, 5)]
-    others = [(p, q, m, 0.0, -5.0) for (p, q), m in zip(ends, normals, strict=True)]
-    others.append((4, -1, normals[0], 0.0, -5.0))
-    names = {-1: "the world", 0: "a", 1: "b", 2: "c", 3: "d", 4: "e", 5: "f"}
-    between_two = {0: 0.5 * mb / (ma + mb), 1: -0.5 * ma / (ma + mb)}
-    for end, moves in ((1, between_two), (-1, {0: 0.5})):
-        about.call = f"a of {ma} kg and {names[end]} (b has {mb} kg) overlap by 0.5 m, normal {n}; "
-        about.call += "resolve_penetrations, limit 1; the penetration, -5 before, of a second "
-        about.call += "contact between"
-        contacts = [others[0], (0, end, n, 0.0, 0.5), *others[1:]]
-        about.cause = "The resolved contact must have a penetration of 0."
-        _, _, depths = resolved(bodies, contacts, "resolve_penetrations", 1)
-        name = f"{about.call[: about.call.index('; the')]}; its penetration"
-        expect_close(depths[1], 0.0, call=name)
-        for (p, q, m, _, _), got in zip(others, [depths[0], *depths[2:]], strict=True):
-            wanted = -5.0 - (moves.get(p, 0.0) - moves.get(q, 0.0)) * dot(n, m)
-            about.cause = "For each contact, subtract the distance that contact.particle moved "
-            about.cause += "along the normal, and add the distance that contact.other moved. "
-            about.cause += "Compare particles with `is`. If contact.other is None, it is the "
-            about.cause += "world, which never moves."
-            name = f"{about.call} {names[p]} and {names[q]}"
-            expect_close(got, wanted, call=name, tolerance=1e-14)
-
-
-@pytest.mark.exercise("B7.6")
-def test_both_phases_have_their_own_limit() -> None:
-    about.read = "the docstring of ContactResolver"
-    bodies = [*row(2.0, 0.0, -2.0), ((9.0, 0.0, 0.0), RIGHT, math.inf)]
-    pairs = [(1, 0, RIGHT, 0.0, 0.5), (2, 1, RIGHT, 0.0, 0.5), (3, -1, LEFT, 0.0, 9.0)]
-    about.call = "three balls of 1 kg in a row with 2, 0 and -2 m/s, both pairs 0.5 m deep, "
-    about.call += "restitution 0; an immovable one deep in the ground; "
-    own = "Each phase has its own limit, which is `iterations`."
-    default = "Without iterations, each phase may resolve twice as many contacts as can move."
-    for iterations, wanted, cause in ((None, 8, default), (3, 6, own), (1, 2, own)):
-        about.cause = cause
-        name = f"{about.call}ContactResolver({iterations}).resolve_contacts; iterations_used"
-        used, after, _ = resolved(bodies, pairs, "resolve_contacts", iterations or 0)
-        expect_exactly(used, wanted, call=name)
-        about.cause = "The final positions must be those of resolve_penetrations."
-        got = math.fsum(place[0] for place, _ in after[:3])
-        name = f"{about.call}ContactResolver({iterations}).resolve_contacts; sum of the positions"
-        expect_close(got, 3.0, call=name, tolerance=1e-14)
-    name = f"{about.call}the balls at rest and apart; iterations_used"
-    pairs = [(1, 0, RIGHT, 0.0, 0.0), (2, 1, RIGHT, 0.0, -0.5)]
-    about.cause = "No contact is closing and none is deep, so no iteration is used."
-    used, after, _ = resolved(row(0.0, 0.0, 0.0), pairs, "resolve_contacts", 0)
-    expect_exactly(used, 0, call=name)
-    got = tuple(place[0] for place, _ in after)
-    expect_close(got, (0.0, 1.0, 2.0), then="the balls at rest: positions")
-
-
-@pytest.mark.exercise("B7.6")
-def test_a_stack_of_three_settles() -> None:
-    about.read = "book 7.3.1, and the docstring of ContactResolver"
-    about.call = "three spheres of 1 kg, radius 0.5 m, stacked on the ground; 5 s of semi-implicit "
-    about.call += "steps of 1/60 s with ContactResolver()"
-    about.cause = "Two iterations per contact are enough for three spheres. If the stack sinks, "
-    about.cause += "one of the two phases stops too early."
-    heights, overlap = stacked(3, 0.5, None, 300, 1.0 / 60.0)
-    # Measured: at most 0.015 m of overlap, which is what two iterations per contact leave.
-    expect_close(heights, (0.5, 1.5, 2.5), then=": heights", tolerance=0.02)
-    expect_between(overlap, -0.02, 0.02, then=": the largest overlap after a step, m")

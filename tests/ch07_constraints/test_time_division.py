@@ -36,15 +36,17 @@ def test_without_an_impact_the_flight_is_exact(rng: Random) -> None:
     about.read = READ
     v, h = (positive_number(rng), positive_number(rng), -positive_number(rng)), 0.5
     about.call = f"p at (0, 9, 0), velocity {v}, acceleration {DOWN}; one step of {h} s; its "
-    about.cause = "Between impacts the motion is exact: p + v t + a t^2 / 2 and v + a t."
+    about.cause = "Between two impacts the acceleration is constant, so the motion can be computed "
+    about.cause += "exactly. The new position is p + v t + a t^2 / 2, and the new velocity is v + "
+    about.cause += "a t."
     after, _, _, _ = flown([((0.0, 9.0, 0.0), v, 2.0)], DOWN, 0.0, (0.5, None), h, 1)
     place, velocity = after[0][0]
     wanted = (v[0] * h, 9.0 + v[1] * h - 5.0 * h * h, v[2] * h)
     without = (wanted[0], 9.0 + v[1] * h, wanted[2])
     mistakes = [
         ((0.0, 9.0, 0.0),
-         "The particle has not moved. If no impact is left in the step, let every particle fly to "
-         "the end of the step."),
+         "The particle has not moved. When there are no more impacts in the step, move every "
+         "particle to the end of the step."),
         (without, "The term a t^2 / 2 is missing, as in explicit Euler. Use p + v t + a t^2 / 2."),
         ((wanted[0], 9.0 + v[1] * h - 10.0 * h * h, wanted[2]),
          "The step adds a t^2 to the position. The velocity grows from v to v + a t, so on "
@@ -55,9 +57,8 @@ def test_without_an_impact_the_flight_is_exact(rng: Random) -> None:
     wanted = (v[0], v[1] - 10.0 * h, v[2])
     expect_close(velocity, wanted, then="velocity")
     about.call = "an immovable particle with velocity (1, 2, 3); one step: position, velocity"
-    about.cause = (
-        "An immovable particle was moved. It stays where it is, so leave it out of the flight."
-    )
+    about.cause = "An immovable particle stays where it is, whatever its velocity says. Leave it "
+    about.cause += "out when you move the particles."
     body = (ZERO, (1.0, 2.0, 3.0), math.inf)
     seen, _, _, _ = flown([body], DOWN, 0.0, (0.5, None), h, 1)
     expect_close(sum(seen[0][0], ()), (*ZERO, 1.0, 2.0, 3.0))
@@ -74,8 +75,9 @@ def test_a_ball_bounces_when_it_is_due(rng: Random) -> None:
         while t <= 3.0:
             times.append(t)
             t += 2.0 * e ** len(times)
-        about.cause = "Fly to each impact, resolve its velocity, and ask for the next impact in "
-        about.cause += "the rest of the step."
+        about.cause = "A step can contain several impacts. Move the particles to each impact, "
+        about.cause += "resolve its velocity, and ask for the next impact in the rest of the "
+        about.cause += "step."
         seen, found, asked, _ = flown(
             [((0.0, 5.0, 0.0), ZERO, 2.0)], DOWN, 0.0, (e, None), h, frames
         )
@@ -94,18 +96,18 @@ def test_a_ball_bounces_when_it_is_due(rng: Random) -> None:
         speed = 10.0 * e**bounces
         wanted = (speed * left - 5.0 * left * left, speed - 10.0 * left)
         place, velocity = seen[-1][0]
-        about.cause = "Resolve each velocity at the time of its impact, with a duration of 0: no "
-        about.cause += "time step has built up any of it."
+        about.cause = "Resolve each velocity at the time of its impact. Use a duration of 0, "
+        about.cause += "because no part of the velocity may be left out of the bounce."
         # Some 200 flights, each with a few roundings of 10 m.
         name = f"{about.call}height and speed"
         expect_close((place[1], velocity[1]), wanted, call=name, tolerance=1e-11)
-        about.cause = (
-            "Call next_impact first for the whole step, and then for the rest of the step."
-        )
+        about.cause = "The first call of next_impact must be for the whole step. Each later call "
+        about.cause += "must be for the time that is left in the step."
         name = f"{about.call}the longest duration that next_impact got"
         expect_close(max(asked), h, call=name)
         name = f"{about.call}number of calls of next_impact"
-        about.cause = "Call next_impact once per step, and once more after each impact."
+        about.cause = "next_impact was called too often or not often enough. Call it once at the "
+        about.cause += "start of the step and once more after each impact."
         expect_exactly(len(asked), frames + bounces, call=name)
 
 
@@ -114,14 +116,16 @@ def test_nothing_is_lost_at_restitution_one() -> None:
     about.read = READ
     about.call = "a ball falls 2 m, g = 10, restitution 1; 20 s of steps of 1/60 s: the lowest and "
     about.call += "highest energy, divided by m g, in m"
-    about.cause = "Steps that stop at each impact lose no energy. The ball always rises to 2 m."
+    about.cause = "The flights are exact, and a bounce at restitution 1 loses no energy. So the "
+    about.cause += "energy must stay the same, and the ball must always rise to 2 m."
     seen, found, _, _ = flown([((0.0, 2.0, 0.0), ZERO, 1.0)], DOWN, 0.0, (1.0, None), FRAME, 1200)
     heights = [place[1] + velocity[1] ** 2 / 20.0 for ((place, velocity),) in seen]
     got = (min(heights), max(heights))
     # 1200 steps, each with a few roundings of 2 m.
     expect_close(got, (2.0, 2.0), tolerance=1e-11)
     name = "the same: number of impacts"
-    about.cause = "The first impact is after sqrt(0.4) s, then one follows every 2 sqrt(0.4) s."
+    about.cause = "The first impact must be after sqrt(0.4) s, and after that another one must "
+    about.cause += "follow every 2 sqrt(0.4) s."
     expect_exactly(len(found), 16, call=name)
 
 
@@ -129,8 +133,9 @@ def test_nothing_is_lost_at_restitution_one() -> None:
 def test_rest_is_told_with_its_time() -> None:
     about.read = "the docstring of TooManyImpacts"
     about.call = "a ball falls 2 m, g = 10, restitution 0.5; steps of 1/60 s until TooManyImpacts: "
-    about.cause = "The bounces get lower and end after sqrt(2 h / g) (1 + e) / (1 - e) s. Then the "
-    about.cause += "ball rests and the impacts never end: raise TooManyImpacts."
+    about.cause = "The bounces get lower and end after sqrt(2 h / g) (1 + e) / (1 - e) s. After "
+    about.cause += "that the ball is at rest and has impacts without end, so raise "
+    about.cause += "TooManyImpacts."
     seen, _, _, ended = flown([((0.0, 2.0, 0.0), ZERO, 1.0)], DOWN, 0.0, (0.5, None), FRAME, 200)
     expect_exactly(ended is not None, True, then="was it raised?")
     impacts, time = ended or (0, 0.0)
@@ -138,47 +143,47 @@ def test_rest_is_told_with_its_time() -> None:
     # The last bounces that floats can distinguish are 1e-9 s apart.
     ends = 1.8973666
     early = int(ends / FRAME) * FRAME
-    name = "The error reports the time left in the step. Pass the time since the start of the step."
+    name = "This is the time that is left in the step. Pass the time since the start of the step "
+    name += "to the error."
     mistakes = [(2.0 * early + FRAME - ends, name)]
     blame(got, mistakes, tolerance=1e-7)
     expect_close(got, ends, then="its time, s", tolerance=1e-7)
-    about.cause = "Resolve max_impacts impacts. If another one follows, raise; do not resolve it."
+    about.cause = "Resolve at most max_impacts impacts in a step. If another one follows, raise "
+    about.cause += "TooManyImpacts without resolving it."
     expect_exactly(impacts, 1000, then="error.impacts")
     about.call = "a particle lies on the ground, g = 10, restitution 0.5; one step: error.impacts "
     about.call += "and error.time"
-    about.cause = "A particle at rest has impacts at time 0 without end. Raise TooManyImpacts."
+    about.cause = "A particle that lies on the ground has one impact after another at time 0, "
+    about.cause += "without end. Raise TooManyImpacts."
     _, _, _, ended = flown([(ZERO, ZERO, 1.0)], DOWN, 0.0, (0.5, None), FRAME, 1)
     expect_close(ended or (0, -1.0), (1000, 0.0))
     about.call = "a ball falls 5 m, g = 10, restitution 0.5; one step of 2.6 s, max_impacts 3: was "
     about.call += "TooManyImpacts raised?"
-    about.cause = (
-        "The ball bounces after 1, 2 and 2.5 s. Three impacts are allowed, so do not raise an "
-        "error."
-    )
+    about.cause = "The ball bounces three times, after 1, 2 and 2.5 s. Three impacts are allowed, "
+    about.cause += "so do not raise an error."
     body = ((0.0, 5.0, 0.0), ZERO, 1.0)
     _, _, _, ended = flown([body], DOWN, 0.0, (0.5, None), 2.6, 1, 3)
     expect_exactly(ended is not None, False)
     for most in (3, 1):
         about.call = "a ball of damping 0.5 falls 5 m, g = 10, restitution 0.5; one step of 9 s, "
         about.call += "max_impacts "
-        about.cause = "Resolve max_impacts impacts. If another one follows, raise; do not resolve "
-        about.cause += "it."
+        about.cause = "Resolve at most max_impacts impacts in a step. If another one follows, "
+        about.cause += "raise TooManyImpacts without resolving it."
         seen, _, _, ended = flown([body], DOWN, 0.0, (0.5, None), 9.0, 1, most, 0.5)
         impacts, time = ended or (0, 0.0)
         times = [1.0, 2.0, 2.5, 2.75]
         expect_exactly(impacts, most, then=f"{most}: error.impacts")
-        about.cause = "The impacts are at 1, 2, 2.5 and 2.75 s. They come too early if you damp at "
-        about.cause += "each impact; damp once, at the end of the step."
+        about.cause = "The impacts are at 1, 2, 2.5 and 2.75 s. They come too early if the "
+        about.cause += "velocity is damped at each impact. Apply the damping once, at the end of "
+        about.cause += "the step."
         name = f"{about.call}{most}: error.time"
         expect_close(time, times[most], call=name, tolerance=1e-12)
         place, velocity = seen[0][0]
         speed = -10.0 * 0.5**most
-        about.cause = "When you raise, the particles are at the time of the next impact, before it "
-        about.cause += "is resolved, and not yet damped."
-        early = (
-            "The particles are just after the last allowed impact. Fly to the next impact, and "
-            "then raise the error."
-        )
+        about.cause = "When TooManyImpacts is raised, the particles must be at the time of the "
+        about.cause += "next impact. Do not resolve this impact and do not apply the damping."
+        early = "The particles are still where the last allowed impact left them. Move them to the "
+        early += "time of the next impact, and then raise the error."
         blame((place[1], velocity[1]), [((0.0, -speed), early)])
         name = f"{about.call}{most}: height and velocity then"
         expect_close((place[1], velocity[1]), (0.0, speed), call=name, tolerance=1e-12)
@@ -195,8 +200,9 @@ def test_a_cradle_passes_its_motion_on(rng: Random) -> None:
         about.call = f"five spheres of radius 1, mass 2, restitution 1; the first {count} arrive "
         about.call += f"at {speed} m/s after 0.75 s, the others touch; 2 s in steps of 0.5 s: "
         about.call += "velocities"
-        about.cause = "Each impact passes the motion on to the next sphere at the same time, so as "
-        about.cause += "many spheres leave as arrived."
+        about.cause = "Each impact passes the velocity on to the next sphere at once, so as many "
+        about.cause += "spheres must leave as have arrived. Resolve one impact after another, "
+        about.cause += "even if they are at the same time."
         bodies = [((x, 0.0, 0.0), (v, 0.0, 0.0), 2.0) for x, v in zip(places, speeds, strict=True)]
         seen, found, _, _ = flown(bodies, ZERO, 1.0, (None, 1.0), 0.5, 4)
         got = tuple(velocity[0] for _, velocity in seen[-1])
@@ -218,8 +224,8 @@ def test_impacts_come_in_their_order(rng: Random) -> None:
     ]
     about.call = f"spheres of radius 1, of 3, 1 and 3 kg, at -3, 0 and {3.0 + late}, with 1, 0 and "
     about.call += "-1 m/s, restitution 1; a step of 5 s: "
-    about.cause = "The left sphere hits first, after 1 s. Its impact changes the time of the next "
-    about.cause += "one, so ask the detector again."
+    about.cause = "The left sphere hits first, after 1 s. This impact changes the time of the next "
+    about.cause += "one, so call next_impact again after each impact."
     seen, found, _, _ = flown(bodies, ZERO, 1.0, (None, 1.0), 5.0, 1)
     # After the first impact: 3 kg at 0.5, 1 kg at 1.5 m/s, which meets the right one at 2.5 m/s.
     wanted_times = (1.0, late / 2.5)
@@ -229,14 +235,16 @@ def test_impacts_come_in_their_order(rng: Random) -> None:
     name = f"{about.call}their pairs, by index"
     pairs = [number for a, b, _ in found[:2] for number in (a, b)]
     expect_exactly(pairs, [0, 1, 1, 2], call=name)
-    about.cause = "Impacts at restitution 1 conserve momentum and kinetic energy."
+    about.cause = "Impacts at a restitution of 1 conserve momentum and kinetic energy. Check that "
+    about.cause += "each impact is resolved only once."
     momentum = math.fsum(m * v[0] for (_, _, m), (_, v) in zip(bodies, seen[0], strict=True))
     energy = math.fsum(
         0.5 * m * v[0] ** 2 for (_, _, m), (_, v) in zip(bodies, seen[0], strict=True)
     )
     name = f"{about.call}momentum and kinetic energy"
     expect_close((momentum, energy), (0.0, 3.0), call=name, tolerance=1e-13)
-    about.cause = "Spheres must not pass through each other."
+    about.cause = "Two spheres have passed through each other, so an impact was missed. Call "
+    about.cause += "next_impact again after each impact."
     gaps = [right[0][0] - left[0][0] - 2.0 for left, right in pairwise(seen[0])]
     got = min(0.0, *gaps)
     expect_close(got, 0.0, then="overlap", tolerance=1e-13)
@@ -261,51 +269,51 @@ def test_a_frame_uses_the_forces_up(rng: Random) -> None:
     speed, rest = 0.5 * (4.0 - a * fall), h - fall
     height = speed * rest + 0.5 * a * rest * rest
     end = 0.5 * (speed + a * rest)
-    about.cause = "The acceleration is the constant one plus f / m. It stays the same throughout "
-    about.cause += "the step, also after an impact."
+    about.cause = "The acceleration is the constant acceleration plus f / m. It must stay the same "
+    about.cause += "for the whole step, even after an impact."
     bouncing, falling, fixed = pushed(pushes, d, h)
     # Some roundings of 5 m/s.
     name = f"{about.call}position"
     wanted = (3.0 * h, height, 0.0)
     expect_close(bouncing[0], wanted, call=name, tolerance=1e-13)
-    about.cause = (
-        "Damping must act once for the whole step. Multiply the velocity by damping ** duration at "
-        "the end of the step."
-    )
+    about.cause = "The damping must be applied once for the whole step. Multiply the velocity by "
+    about.cause += "damping ** duration at the end of the step."
     name = f"{about.call}velocity"
     mistakes = [
         ((3.0, 2.0 * end, 0.0), "Damping is missing, so nothing slows the particle down. Multiply "
                                 "the velocity by damping ** duration at the end of the step."),
         ((0.75, 0.5 * end, 0.0),
-         "The velocity is damped for a whole second. Multiply by damping ** duration."),
+         "The velocity was multiplied by the damping of a whole second. The step is shorter, so "
+         "multiply by damping ** duration."),
     ]  # fmt: skip
     blame(bouncing[1], mistakes)
     expect_close(bouncing[1], (1.5, end, 0.0), call=name, tolerance=1e-13)
-    about.cause = "A step uses up the forces. particle.kick(0.0) does that without changing the "
-    about.cause += "velocity, and afterwards last_acceleration includes them."
+    about.cause = "Forces act for one step and are then cleared. particle.kick(0.0) clears them "
+    about.cause += "without changing the velocity, and afterward last_acceleration includes them."
     wanted = (0.0, a, 0.0)
     name = f"{about.call}p.last_acceleration"
     expect_close(bouncing[2], wanted, call=name, tolerance=1e-14)
     expect_close(bouncing[3], ZERO, then="p.force_accumulator")
-    about.cause = "Each particle has its own forces. For this one a = f / m = 8 N / 2 kg."
+    about.cause = "Each particle has its own forces. For this particle the acceleration is f / m, "
+    about.cause += "which is 8 N / 2 kg = 4 m/s^2."
     got = falling[0] + falling[1]
     name = "the second of three particles: 2 kg, damping 0.25, at rest at (9, 90, 0), with a force "
     name += f"of (8, 0, 0); a step of {h} s without an impact: position, velocity"
     wanted = (9.5, 90.0, 0.0, 1.0, 0.0, 0.0)
-    still = (
-        "Only the first particle's forces acted. This particle has its own forces, 8 N along x, "
-    )
-    still += "which had no effect. Call kick(0.0) of every particle at the start of the step."
+    still = "This particle has not moved, although a force of 8 N along X acts on it. Call "
+    still += "kick(0.0) on every particle at the start of the step, not only on the first one."
     blame(got, [((9.0, 90.0, 0.0, 0.0, 0.0, 0.0), still)])
     expect_close(got, wanted, call=name, tolerance=1e-13)
-    about.cause = "An immovable particle keeps its position and velocity. Its forces are used up."
+    about.cause = "An immovable particle must keep its position and velocity, but its forces must "
+    about.cause += "be cleared like those of all other particles."
     got = fixed[0] + fixed[1] + fixed[3]
     name = "an immovable particle at (9, 9, 9), velocity (1, 2, 3), with a force of (1, 2, 3); a "
     name += f"step of {h} s: position, velocity, force"
     wanted = (9.0, 9.0, 9.0, 1.0, 2.0, 3.0, 0.0, 0.0, 0.0)
     expect_close(got, wanted, call=name)
     about.call += "a second step; "
-    about.cause = "In the next step, the force no longer acts."
+    about.cause = "In the second step the force must not act anymore. Forces act for one step "
+    about.cause += "only."
     wanted = (2.25, height + end * h + 0.125 * a * h * h, 0.0)
     name = f"{about.call}position"
     expect_close(bouncing[4], wanted, call=name, tolerance=1e-13)
@@ -316,19 +324,16 @@ def test_depths_are_not_looked_at() -> None:
     about.read = READ
     about.call = "a particle 1 m below the ground, velocity (0, 3, 0); a step of 0.5 s: position, "
     about.call += "velocity"
-    about.cause = (
-        "The particle is on its way out, so there is no impact. Never resolve penetrations here."
-    )
+    about.cause = "The particle is below the ground but on its way out, so there is no impact. "
+    about.cause += "This step must not resolve penetrations, so do not move the particle up."
     body = ((0.0, -1.0, 0.0), (0.0, 3.0, 0.0), 2.0)
     seen, _, _, _ = flown([body], ZERO, 0.0, (0.5, None), 0.5, 1)
     got = seen[0][0][0] + seen[0][0][1]
     expect_close(got, (0.0, 0.5, 0.0, 0.0, 3.0, 0.0))
     about.call = "the same with velocity (0, -3, 0), restitution 0.5: position, velocity"
     body = ((0.0, -1.0, 0.0), (0.0, -3.0, 0.0), 2.0)
-    about.cause = (
-        "The particle bounces at once and is not moved first. Call resolve_velocity and nothing "
-        "else."
-    )
+    about.cause = "The particle must bounce at once, without being moved out of the ground first. "
+    about.cause += "Call resolve_velocity only."
     seen, _, _, _ = flown([body], ZERO, 0.0, (0.5, None), 0.5, 1)
     got = seen[0][0][0] + seen[0][0][1]
     expect_close(got, (0.0, -0.25, 0.0, 0.0, 1.5, 0.0))
@@ -348,13 +353,14 @@ def test_a_frame_needs_numbers_that_mean_something() -> None:
     for numbers, error in bad:
         about.call = "p with velocity (1, 2, 3) and a force of 1 N; time_division_step([p], "
         about.call += f"ground, {numbers[0]!r}, {numbers[1]!r})"
-        about.cause = f"max_impacts may not be {numbers[1]!r}. Call whole from arguments.py first."
+        about.cause = f"max_impacts must not be {numbers[1]!r}. Call whole from arguments.py at "
+        about.cause += "the start to check it."
         if numbers[1] is True:
-            about.cause = "max_impacts may not be True, although Python counts it as an int. "
-            about.cause += "Call whole from arguments.py, which refuses it."
+            about.cause = "max_impacts must not be True, although Python treats it as an int. Call "
+            about.cause += "whole from arguments.py, which rejects it."
         elif numbers[1] == 10:
-            about.cause = f"The duration may not be {numbers[0]!r}. Call positive from "
-            about.cause += "arguments.py first."
+            about.cause = f"The duration must not be {numbers[0]!r}. Call positive from "
+            about.cause += "arguments.py at the start to check it."
         expect_error(
             lambda numbers=numbers: time_division_step([p], GroundPlane([p]), *numbers),
             error,
@@ -365,8 +371,6 @@ def test_a_frame_needs_numbers_that_mean_something() -> None:
         got = (*xyz(p.position), *xyz(p.velocity), *xyz(p.force_accumulator))
         before = (0.0, 5.0, 0.0, 1.0, 2.0, 3.0, 1.0, 0.0, 0.0)
         name = "position, velocity and force"
-        late = (
-            "The step is refused, but only after something has changed. Check both arguments "
-            "before anything moves."
-        )
+        late = "The step raised an error, but only after it had changed the particle. Check both "
+        late += "arguments before you change anything."
         expect_unchanged(name, got, before, cause=late)

@@ -8,9 +8,9 @@ from typing import Any
 import pytest
 
 from lab.catalog import entries, load
+from lab.drawing.pen import COLORS, Pen
 from lab.host import Host
 from lab.parameters import Choice, Slider
-from lab.pen import COLORS, Pen
 from lab.scene import Scene, parameters_of
 
 SCENES = [entry.name for entry in entries()]

@@ -64,7 +64,7 @@ def test_the_page_and_its_files_are_served(address: str) -> None:
     assert page.code == 200
     assert b"<title>The lab</title>" in page.body
     assert "default-src 'self'" in page.headers["Content-Security-Policy"]
-    for file in ("main.js", "style.css", "vendor/uPlot.iife.min.js", "scenes.json"):
+    for file in ("main.js", "styles/style.css", "vendor/uPlot.iife.min.js", "scenes.json"):
         assert get(address + file).code == 200, file
 
 

@@ -30,7 +30,10 @@ NAN = (
     "arguments.py."
 )
 UNCHANGED = "The call changed a value that it should only read. Work on a copy or on plain numbers."
-LOST = "v did not change. Assign to self.x, self.y and self.z, because a new vector would be lost."
+LOST = (
+    "v did not change. Assign to self.x, self.y and self.z, because a new vector would be lost "
+    "when the method returns."
+)
 
 
 class NoVector:
@@ -189,13 +192,19 @@ def expect_finite_numbers(
     pairs of an argument's index and a number.
     """
     __tracebackhide__ = True
-    cause = "Raise ValueError for this value. Each function in arguments.py checks one argument."
+    cause = (
+        "The function must refuse this value with ValueError. Each function in arguments.py checks "
+        "one argument."
+    )
     numbers = [(i, n) for i in range(len(good)) for n in (math.nan, math.inf, -math.inf)]
     refused = [(place, n, ValueError) for place, n in (*numbers, *bad)]
     refused += [(place, "1.0", TypeError) for place in range(len(good))]
     for place, value, error in refused:
         if error is TypeError:
-            cause = "A string is not a number, even if it contains digits. Raise TypeError."
+            cause = (
+                "A string is not a number, even if it contains digits. The function must raise "
+                "TypeError for it."
+            )
         arguments = [*good]
         arguments[place] = value
         expect_error(
@@ -304,15 +313,15 @@ def _complain(
     other = ""
     if got == "None":
         nothing = (
-            "The call returned None. Is a return statement missing, or does this method work in "
-            "place?"
+            "The call returned None. Perhaps a return statement is missing, or you used the "
+            "result of a method that works in place."
         )
         cause, other = nothing, cause
     if re.search(r"\bNotImplemented\b(?!Error)", got):
         cause, other = NOT_IMPLEMENTED, ""
     if "bound method" in got:
         cause, other = (
-            ("The result is a method that was not called. Add parentheses after its name."),
+            ("The result is a method, because it was not called. Add parentheses after its name."),
             "",
         )
     raise ExpectationError(

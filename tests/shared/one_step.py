@@ -69,15 +69,18 @@ def wrong_steps(
     if method == "semi_implicit_euler":
         new = (v + first * h) * keep
         return {
-            "The position moves twice here, once by v h and once by v' h. Move it only once.": (
+            "Your position moves twice, once by v h and once by v' h. Move it only once, with the "
+            "new velocity.": (
                 x + (v + new) * h,
                 new,
             ),
-            "The position moves with the mean of v and v'. Move it with one of the two.": (
+            "Your position moves with the mean of v and v'. Semi-implicit Euler moves it with the "
+            "new velocity v' alone.": (
                 x + 0.5 * (v + new) * h,
                 new,
             ),
-            "The position moves with v' before v' is damped. Damp the velocity first.": (
+            "Your position moves with the velocity before it is damped. Apply the damping first, "
+            "and then move the position.": (
                 x + (v + first * h) * h,
                 new,
             ),
@@ -90,12 +93,15 @@ def wrong_steps(
         return {
             "The forces are those at the start of the step. Evaluate them after the half drift "
             "instead.": (x + 0.5 * h * (v + early), early),
-            "The code drifts for h after the kick. It should drift for h / 2.": (
+            "Your code drifts for h after the kick. The first drift already covered h / 2, so "
+            "drift only for h / 2 here.": (
                 middle + h * new,
                 new,
             ),
-            "The second half drift is missing.": (middle, new),
-            "The code kicks for h / 2. It should kick for the whole step, h.": (
+            "The second half drift is missing. After the kick, move the position by the new "
+            "velocity times h / 2.": (middle, new),
+            "Your code kicks for h / 2. Leapfrog has only one kick, so it must last for the whole "
+            "step h.": (
                 middle + 0.5 * h * halved,
                 halved,
             ),
@@ -104,15 +110,17 @@ def wrong_steps(
         half, whole = x + v * h + 0.5 * first * h * h, x + v * h + first * h * h
         second, later = force(half, v + first * h), force(whole, v + first * h)
         return {
-            "This adds a h^2 to the position in place of a h^2 / 2.": (
+            "Your position contains a h^2 instead of a h^2 / 2. Halve that term.": (
                 whole,
                 (v + 0.5 * (first + later) * h) * keep,
             ),
-            "This computes v' = v + b h. Use the mean of a and b instead of b alone.": (
+            "Your velocity is v' = v + b h, which uses only the acceleration at the end. Use the "
+            "mean of a and b.": (
                 half,
                 (v + second * h) * keep,
             ),
-            "The velocity changes by the sum of the forces. Use their mean.": (
+            "Your velocity changes by the sum of the forces from both evaluations. Use their "
+            "mean.": (
                 half,
                 (v + (first + second - a) * h) * keep,
             ),
@@ -121,7 +129,8 @@ def wrong_steps(
                 half,
                 (v + 0.5 * (first + second + first - acceleration) * h) * keep,
             ),
-            "This evaluates b with the old velocity, not v + a h.": (
+            "This evaluates b with the old velocity. Change the velocity to v + a h before you "
+            "evaluate the forces again.": (
                 half,
                 (v + 0.5 * (first + force(half, v)) * h) * keep,
             ),
@@ -132,14 +141,11 @@ def wrong_steps(
             "All rates count the same here. The two in the middle must count double.": mean_of(
                 (1.0, 1.0, 1.0, 1.0), parts
             ),
-            "The first and the last rate count double. Only the two in the middle should.": mean_of(
-                (2.0, 1.0, 1.0, 2.0), parts
-            ),
-            "The third rate is from the end of the step. Evaluate it in the middle.": mean_of(
-                (1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 1.0, 1.0)
-            ),
-            "The last rate is from the middle of the step. Evaluate it at the end.": mean_of(
-                (1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 0.5, 0.5)
-            ),
+            "In your mean the first and the last rate count double. Only the two in the middle "
+            "should.": mean_of((2.0, 1.0, 1.0, 2.0), parts),
+            "Your third rate is evaluated at the end of the step. Evaluate it in the middle, with "
+            "the second rate.": mean_of((1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 1.0, 1.0)),
+            "Your last rate is evaluated in the middle of the step. Evaluate it at the end, with "
+            "the third rate.": mean_of((1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 0.5, 0.5)),
         }
     return {}

@@ -11,7 +11,7 @@ import pytest
 
 from autograder.manifest import ROOT
 from autograder.stubs import make_stubs
-from lab.pen import ARROWS, COLORS, Pen
+from lab.drawing.pen import ARROWS, COLORS, Pen
 from web import __main__ as site
 from web import node
 from web.course import course

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from ch02_vectors.vector import Vector3
-from lab.camera import TOWARD, flat
-from lab.pen import Pen
+from lab.drawing.camera import TOWARD, flat
+from lab.drawing.pen import Pen
 
 COLORS = ("blue", "orange", "green")  # of the faces perpendicular to X, Y and Z
 VIEWER = Vector3(*TOWARD, 1.0)

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from ch02_vectors.vector import Vector3
 from ch07_constraints.contacts import Contact, ContactResolver
-from lab.pen import Pen
+from lab.drawing.pen import Pen
 
 
 class ContactView(ContactResolver):

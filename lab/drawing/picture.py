@@ -11,10 +11,10 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
-from lab.pen import Item, Pen
+from lab.drawing.pen import Item, Pen
 from lab.scene import Scene
 
-# The colors of the light page (page/colors.css).
+# The colors of the light page (page/styles/colors.css).
 PAINT = {
     "blue": "#0072b2",
     "orange": "#d08a00",

@@ -10,7 +10,7 @@ from matplotlib import pyplot
 from PIL import Image, ImageColor, ImageSequence
 
 from autograder.manifest import ROOT, Chapter, load_chapters
-from lab.picture import PAINT
+from lab.drawing.picture import PAINT
 from lab.plots import ch02_vectors as plots
 from studies import figures
 from studies.drawing import BLUE, ORANGE

@@ -1,0 +1,1 @@
+"""Draw scenes: pens and cameras, and the shapes and contacts that scenes share."""

@@ -1,0 +1,161 @@
+"""Vector3: multiples and division by a number, build task B2.3."""
+
+from __future__ import annotations
+
+from random import Random
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from draw import Components, components, number
+from expect import (
+    about,
+    cause_of,
+    expect_close,
+    expect_error,
+    expect_same_object,
+    expect_unchanged,
+    xyz,
+)
+
+
+def scaled(a: Components, scale: float) -> Components:
+    return a[0] * scale, a[1] * scale, a[2] * scale
+
+
+@pytest.mark.exercise("B2.3")
+def test_a_vector_times_a_number_on_either_side(rng: Random) -> None:
+    a, scale = components(rng), number(rng)
+    v = Vector3(*a)
+    about.cause = (
+        "Multiply each component by the number and return the products as a new vector. The number "
+        "may be an int or a float."
+    )
+    about.read = "book 2.1.3"
+    for factor in (scale, 2):
+        wanted = scaled(a, factor)
+        about.call = f"v = Vector3{a}; v * {factor}"
+        expect_close(xyz(v * factor), wanted)
+        reads = f"v * {factor} must return a new vector and leave v unchanged. Only v *= changes v."
+        expect_unchanged("v", xyz(v), a, cause=reads)
+        about.call = f"v = Vector3{a}; {factor} * v"
+        expect_close(xyz(factor * v), wanted)
+
+
+@pytest.mark.exercise("B2.3")
+def test_times_equals_changes_the_vector_itself(rng: Random) -> None:
+    a, scale = components(rng), number(rng)
+    v = before = Vector3(*a)
+    made, step = f"v = Vector3{a}", f"v *= {scale}"
+    about.call = f"{made}; {step}"
+    about.cause = (
+        "Multiply each component of self by the number and end the method with return self, "
+        "because Python assigns the returned value to v."
+    )
+    about.read = "book 2.1.3, and the docstring of Vector3.__imul__"
+    v *= scale
+    expect_close(xyz(v), scaled(a, scale))
+    expect_same_object(made, step, v, before)
+
+
+@pytest.mark.exercise("B2.3")
+def test_division_by_a_number(rng: Random) -> None:
+    a, divisor = components(rng), number(rng)
+    v = Vector3(*a)
+    w = before = Vector3(*a)
+    wanted = (a[0] / divisor, a[1] / divisor, a[2] / divisor)
+    mistakes = [
+        (
+            tuple(n // divisor for n in a),
+            "The operator // rounds down to a whole number. Divide with / instead.",
+        ),
+        (
+            scaled(a, divisor),
+            "The result is v times the number. This operator must divide each "
+            "component by the number.",
+        ),
+    ]
+    made, step = f"v = Vector3{a}", f"v /= {divisor}"
+    about(
+        f"{made}; v / {divisor}",
+        cause="Divide each component by the number and return the results as a new vector.",
+    )
+    about.read = "the docstring of Vector3.__truediv__"
+    got = xyz(v / divisor)
+    expect_close(got, wanted, cause=cause_of(got, mistakes, about.cause))
+    reads = f"v / {divisor} must return a new vector and leave v unchanged. Only v /= changes v."
+    expect_unchanged("v", xyz(v), a, cause=reads)
+    about.call = f"{made}; {step}"
+    about.cause = (
+        "Divide each component of self by the number and end the method with return self, because "
+        "Python assigns the returned value to v."
+    )
+    about.read = "the docstring of Vector3.__itruediv__"
+    w /= divisor
+    got = xyz(w)
+    expect_close(got, wanted, cause=cause_of(got, mistakes, about.cause))
+    expect_same_object(made, step, w, before)
+
+
+def divide_in_place(a: Components, divisor: object) -> object:
+    v = Vector3(*a)
+    v /= divisor
+    return v
+
+
+@pytest.mark.exercise("B2.3")
+@pytest.mark.robust
+def test_division_by_zero_is_an_error(rng: Random) -> None:
+    a = components(rng)
+    v = Vector3(*a)
+    about.cause = (
+        "Division by zero has no meaningful result, so the caller needs to see Python's "
+        "ZeroDivisionError. Do not catch it."
+    )
+    about.read = "the docstring of Vector3.__truediv__"
+    for call, attempt, allowed in (
+        (f"v = Vector3{a}; v / 0.0", lambda: v / 0.0, lambda: v / 2.0),
+        (
+            f"v = Vector3{a}; v /= 0.0",
+            lambda: divide_in_place(a, 0.0),
+            lambda: divide_in_place(a, 2.0),
+        ),
+    ):
+        about.call = call
+        expect_error(attempt, ZeroDivisionError, allowed=allowed)
+
+
+@pytest.mark.exercise("B2.3")
+@pytest.mark.robust
+def test_a_vector_times_a_vector_is_refused(rng: Random) -> None:
+    a, b = components(rng), components(rng)
+    v, w = Vector3(*a), Vector3(*b)
+
+    def times_equals(factor: object) -> object:
+        changed = Vector3(*a)
+        changed *= factor
+        return changed
+
+    asked = "Check isinstance(..., Vector3) first, and raise TypeError if it is true."
+    product = (
+        "The expression v * w could mean three different products, so * accepts only numbers. "
+        f"{asked}"
+    )
+    about.read = "the docstring of Vector3.__mul__"
+    for call, attempt, allowed, cause in (
+        (f"Vector3{a} * Vector3{b}", lambda: v * w, lambda: v * 2.0, product),
+        (
+            f"v = Vector3{a}; v *= Vector3{b}",
+            lambda: times_equals(w),
+            lambda: times_equals(2.0),
+            product,
+        ),
+        (
+            f"Vector3{a} / Vector3{b}",
+            lambda: v / w,
+            lambda: v / 2.0,
+            f"A vector cannot be divided by a vector. {asked}",
+        ),
+    ):
+        about(call, cause=cause)
+        expect_error(attempt, TypeError, allowed=allowed)

@@ -1,0 +1,120 @@
+"""All sparks of a burst without steps, build task B4.9."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch04_particle_engine import closed_form, probes
+from draw import number
+from expect import about, blame, expect_close, expect_error, expect_unchanged
+
+BURST = "the docstring of burst_positions"
+
+
+@pytest.mark.exercise("B4.9")
+def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
+    start, a = number(rng), number(rng)
+    speeds = [number(rng) for _ in range(5)]
+    about.cause = (
+        "The position of each spark is start + speed x gone + acceleration x fallen. Return the "
+        "positions in the order of the speeds."
+    )
+    about.read = BURST
+    t = round(rng.uniform(1.0, 3.0), 3)
+    about.call = f"burst_positions({start}, {speeds}, {a}, 1.0, {t})"
+    got = closed_form.burst_positions(start, speeds, a, 1.0, t)
+    wanted = [start + speed * t + a * t * t / 2.0 for speed in speeds]
+    mistakes = [
+        (
+            [number - start for number in wanted],
+            "The start position is missing from the results. Add it to each of them.",
+        ),
+        (
+            [start + speed * t for speed in speeds],
+            "The results do not include the acceleration. Add acceleration x fallen to each of "
+            "them.",
+        ),
+        (
+            sorted(wanted),
+            "The positions were sorted. Return them in the order of the speeds instead.",
+        ),
+    ]
+    blame(got, mistakes)
+    expect_close(got, wanted, tolerance=1e-12)
+    given = probes.speeds_after(start, list(speeds), a, 0.5, t)
+    about.cause = "The list of speeds belongs to the caller, so the function must not change it."
+    expect_unchanged("the list of speeds", given, speeds)
+    about.cause = (
+        "The position of each spark is start + speed x gone + acceleration x fallen. Return the "
+        "positions in the order of the speeds."
+    )
+    damping = round(rng.uniform(0.2, 0.8), 3)
+    k = -math.log(damping)
+    gone = -math.expm1(-k * t) / k
+    about.call = f"burst_positions({start}, {speeds}, {a}, {damping}, {t})"
+    got = closed_form.burst_positions(start, speeds, a, damping, t)
+    without = [start + speed * t + a * t * t / 2.0 for speed in speeds]
+    blame(
+        got,
+        [
+            (
+                without,
+                "The positions are those without drag, so the damping was ignored. Use "
+                "the factors gone and fallen that drag_factors returns.",
+            )
+        ],
+    )
+    wanted = [start + speed * gone + a * (t - gone) / k for speed in speeds]
+    expect_close(got, wanted, tolerance=1e-11)
+
+
+@pytest.mark.exercise("B4.9")
+def test_the_factors_are_worked_out_once_for_all_sparks() -> None:
+    about.call = "burst_positions(1, [2.0] * 50, -10, 0.5, 1); calls of drag_factors"
+    about.cause = (
+        "The factors are the same for all sparks, because they do not depend on the speed. Call "
+        "drag_factors once, before the loop."
+    )
+    about.read = BURST
+    positions, calls = probes.calls_of_drag_factors(1.0, [2.0] * 50, -10.0, 0.5, 1.0)
+    expect_close(max(0, calls - 1), 0, then=" beyond one")
+    about.cause = "There are 50 speeds, so return a list of 50 positions."
+    name = "len(burst_positions(1, [2.0] * 50, -10, 0.5, 1))"
+    expect_close(len(positions), 50, call=name)
+
+
+@pytest.mark.exercise("B4.9")
+def test_a_burst_begins_at_its_start_and_may_be_empty(rng: Random) -> None:
+    start = number(rng)
+    about(f"burst_positions({start}, [3.0, -4.0], -10.0, 0.5, 0.0)", read=BURST)
+    about.cause = "At time 0 no spark has moved yet, so every spark must be at the start position."
+    got = closed_form.burst_positions(start, [3.0, -4.0], -10.0, 0.5, 0.0)
+    expect_close(got, [start, start])
+    about.call = f"len(burst_positions({start}, [], -10.0, 0.5, 1.0))"
+    about.cause = "Without any speeds there are no sparks, so return an empty list."
+    got = len(closed_form.burst_positions(start, [], -10.0, 0.5, 1.0))
+    expect_close(got, 0)
+
+
+@pytest.mark.exercise("B4.9")
+@pytest.mark.robust
+@pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
+def test_a_burst_starts_somewhere(bad: float) -> None:
+    about.cause = (
+        "All arguments must be finite. Check start and acceleration with finite from arguments.py. "
+        "drag_factors checks the damping and the time."
+    )
+    about.read = BURST
+    good = (1.0, [2.0], -10.0, 0.5, 1.0)
+    empty = (1.0, [], -10.0, 0.5, 1.0)
+    for i, of in ((0, good), (2, good), (3, good), (4, good), (0, empty)):
+        data = (*of[:i], bad, *of[i + 1 :])
+        about.call = f"burst_positions{data}"
+        expect_error(
+            lambda data=data: closed_form.burst_positions(*data),
+            ValueError,
+            allowed=lambda: closed_form.burst_positions(*good),
+        )

@@ -1,0 +1,263 @@
+"""The slots of a show, and what happens when they are full, build task B4.5."""
+
+from __future__ import annotations
+
+from random import Random
+from typing import Any
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch03_laws_of_motion.particle import Particle
+from ch04_particle_engine import probes
+from draw import components
+from expect import about, expect_close, expect_error, expect_exactly
+
+# The book's first rule, without its payload.
+FIRST: probes.RuleData = (
+    1, 0.5, 1.4, (-5.0, 25.0, -5.0), (5.0, 28.0, 5.0), 0.1, ()
+)  # fmt: skip
+
+
+def simple(type: int, *payloads: tuple[int, int]) -> probes.RuleData:
+    """Return a rule without randomness: 2 s, straight up."""
+    return (type, 2.0, 2.0, (0.0, 9.0, 0.0), (0.0, 9.0, 0.0), 1.0, payloads)
+
+
+def show(capacity: int, when_full: str, types: int = 4) -> Any:
+    """Return a show with rules of the types 1 to 4 without payloads."""
+    rules = [simple(type) for type in range(1, types + 1)]
+    return probes.show_of(rules, capacity, when_full, 1)
+
+
+def burning(a_show: Any) -> list[int]:
+    """Return the types that burn, oldest first."""
+    return [firework.type for firework in a_show.fireworks]
+
+
+@pytest.mark.exercise("B4.5")
+def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
+    type = rng.randrange(1, 5)
+    about.call = f"show.launch({type}); the types of show.fireworks"
+    about(
+        cause="launch must light one firework of the given type. Call light with one birth of that "
+        "type, with count 1 and without a parent.",
+        read="the docstring of launch",
+    )
+    a_show = show(9, "keep_old")
+    a_show.launch(type)
+    expect_exactly(burning(a_show), [type])
+    about.call = f"show.launch({type}) 80 times; the different (x, y) at the start"
+    about.cause = (
+        "Without a parent, make_firework must choose one of three places on the ground for each "
+        "firework."
+    )
+    places = probes.places_of_launches(simple(type), type, 80)
+    if len(places) == 1:
+        about.cause = (
+            "All fireworks start at the same position. Do not pass a parent to make_firework, and "
+            "pass self.random instead of creating a new Random in each call."
+        )
+    wanted = [(-5.0, 0.0), (0.0, 0.0), (5.0, 0.0)]
+    expect_exactly(places, wanted)
+
+
+@pytest.mark.exercise("B4.5")
+def test_launched_fireworks_burn_in_the_order_of_their_launches(rng: Random) -> None:
+    order = rng.sample([1, 2, 3, 4], 4)
+    about.call = f"launch {', '.join(map(str, order))}; the types of show.fireworks"
+    about.cause = (
+        "Append each new firework at the end of the list, so that the oldest one comes first."
+    )
+    about.read = "the docstrings of FireworksShow and launch"
+    for when_full in ("keep_old", "drop_oldest"):
+        a_show = show(9, when_full)
+        for type in order:
+            a_show.launch(type)
+        expect_exactly(burning(a_show), order)
+        nobody = "Every firework found a slot here, so dropped must stay 0."
+        expect_exactly(a_show.dropped, 0, then="; show.dropped", cause=nobody)
+
+
+@pytest.mark.exercise("B4.5")
+def test_keep_old_lights_none_when_all_slots_are_taken() -> None:
+    about.call = 'capacity 3, "keep_old"; launch 1, 2, 3, 4, 1; the types of show.fireworks'
+    about.cause = (
+        "With keep_old, the fireworks that already burn keep their slots, as in the book's text "
+        "(E-20). Do not light a new firework if all slots are taken."
+    )
+    about.read = "the docstring of FireworksShow; errata.md"
+    a_show = show(3, "keep_old")
+    for type in (1, 2, 3, 4, 1):
+        a_show.launch(type)
+    lit = burning(a_show)
+    if len(lit) == 3 and 4 in lit:
+        about.cause = (
+            "The oldest fireworks were removed, as in the book's listing. With keep_old, they must "
+            "keep their slots (E-20)."
+        )
+    expect_exactly(lit, [1, 2, 3])
+    about.cause = (
+        "Two fireworks could not be lit, because all slots were taken. Add their number to dropped."
+    )
+    expect_exactly(a_show.dropped, 2, then="; show.dropped")
+
+
+@pytest.mark.exercise("B4.5")
+def test_drop_oldest_puts_out_the_oldest() -> None:
+    about.call = 'capacity 3, "drop_oldest"; launch 1, 2, 3, 4, 1; the types of show.fireworks'
+    about.cause = (
+        "With drop_oldest, each new firework takes the slot of the oldest one if all slots are "
+        "taken, as in the book's listing (E-20)."
+    )
+    about.read = "the docstring of FireworksShow; errata.md"
+    a_show = show(3, "drop_oldest")
+    for type in (1, 2, 3, 4, 1):
+        a_show.launch(type)
+    expect_exactly(burning(a_show), [3, 4, 1])
+    about.cause = "Two fireworks had to be put out to make room. Add their number to dropped."
+    expect_exactly(a_show.dropped, 2, then="; show.dropped")
+
+
+@pytest.mark.exercise("B4.5")
+@pytest.mark.parametrize(
+    ("when_full", "wanted", "cause"),
+    [
+        (
+            "keep_old",
+            [1, 2, 2, 3],
+            "One firework burns, so there is room for the first three new ones.",
+        ),
+        ("drop_oldest", [3, 3, 3, 4], "Put out the older fireworks, so that the last four burn."),
+    ],
+)
+def test_more_births_than_there_is_room_for(when_full: str, wanted: list[int], cause: str) -> None:
+    about.cause = cause
+    births = [(2, 2, None), (3, 4, None), (4, 1, None)]
+    about.call = f'capacity 4, "{when_full}"; launch 1; show.light({births}); the types'
+    about.read = "the docstring of light"
+    a_show = show(4, when_full)
+    a_show.launch(1)
+    a_show.light(births)
+    expect_exactly(burning(a_show), wanted)
+    about.cause = (
+        "Of these 8 fireworks, only 4 burn at the end. Add the other 4 to dropped, whether or not "
+        "they were lit before."
+    )
+    expect_exactly(a_show.dropped, 4, then="; show.dropped")
+
+
+@pytest.mark.exercise("B4.5")
+def test_births_have_their_own_parents(rng: Random) -> None:
+    x, v = components(rng), components(rng)
+    about.call = f"show.light([(1, 2, Particle(Vector3{x}, Vector3{v})), (2, 1, None)]); positions"
+    about(
+        cause="Each birth can have a different parent. Pass the parent of each birth to "
+        "make_firework.",
+        read="the docstring of light",
+    )
+    a_show = show(9, "keep_old")
+    a_show.light([(1, 2, Particle(Vector3(*x), Vector3(*v))), (2, 1, None)])
+    expect_exactly(burning(a_show), [1, 1, 2], then=": types")
+    lit = a_show.fireworks
+    places = [lit[i].particle.position for i in (0, 1, 2)]
+    got = [place.x for place in places[:2]] + [place.y for place in places]
+    wanted = [x[0], x[0], x[1], x[1], 0.0]
+    expect_close(got, wanted, then=": x of two and y of three")
+    places[0].x = 99.0
+    about.cause = (
+        "Both entries of the list are the same firework. Call make_firework once for each firework "
+        "instead of adding the same one several times."
+    )
+    expect_close(places[1].x, x[0], then="; the first one's x = 99; x of the second one")
+    about.call = "births = [(1, 2, None), (2, 3, None)]; show.light(births); births"
+    about.cause = "The list of births belongs to the caller, so light must not change it."
+    for when_full in ("keep_old", "drop_oldest"):
+        left = probes.births_after(simple(1), simple(2), when_full)
+        expect_exactly(left, [(1, 2), (2, 3)])
+
+
+@pytest.mark.exercise("B4.5")
+@pytest.mark.parametrize("when_full", ["keep_old", "drop_oldest"])
+def test_a_thousand_million_sparks_cost_no_more_than_the_capacity(when_full: str) -> None:
+    about.call = (
+        f'capacity 2000, "{when_full}"; show.light() with 1000 births of 50 fireworks each; how '
+        "many fireworks were created"
+    )
+    about.cause = (
+        "Too many fireworks were created. First compute how many of them will have a slot at the "
+        "end, and then create only this number."
+    )
+    about.read = "the docstring of light"
+    _, _, made = probes.many_births(simple(1), simple(2), 2000, when_full, 1000, 50)
+    expect_exactly(max(0, made - 2000), 0, then=", beyond 2000")
+    about.call = (
+        f'capacity 2000, "{when_full}"; show.light() with 1000 births of 10**9 fireworks each'
+    )
+    lit, dropped, _ = probes.many_births(simple(1), simple(2), 2000, when_full, 1000, 10**9)
+    wanted = [2000, 0] if when_full == "keep_old" else [0, 2000]
+    expect_exactly(
+        lit, wanted, then=", the first half of type 1, the rest of type 2; how many of each burn"
+    )
+    about.cause = (
+        "Most of these fireworks had no room. Add all fireworks without a slot to dropped, "
+        "including those of births that were skipped completely."
+    )
+    expect_exactly(dropped, 1000 * 10**9 - 2000, then="; show.dropped")
+
+
+@pytest.mark.exercise("B4.5")
+def test_the_same_seed_launches_the_same(rng: Random) -> None:
+    seed = rng.randrange(10**6)
+    rules = [FIRST]
+    about.call = f"two shows with the seed {seed}: launch 1 three times"
+    about.cause = (
+        "Two shows with the same seed must launch the same fireworks. Draw from self.random, which "
+        "was created from the seed."
+    )
+    about.read = "the docstring of FireworksShow"
+    runs = [probes.show_after(rules, [1, 1, 1], s, 0.01, 0) for s in (seed, seed, seed + 1)]
+    expect_exactly(len(runs[0]), 3, then=", how many burn")
+    differ = sum(a != b for a, b in zip(runs[0], runs[1], strict=True))
+    expect_exactly(differ, 0, then=": how many fireworks differ")
+    about.cause = (
+        "Shows with different seeds must be different. Create self.random from the seed of the "
+        "show."
+    )
+    same = sum(a == b for a, b in zip(runs[0], runs[2], strict=True))
+    about.call = f"shows with the seeds {seed} and {seed + 1}: how many fireworks are equal"
+    expect_exactly(same, 0)
+
+
+@pytest.mark.exercise("B4.5")
+@pytest.mark.robust
+def test_births_that_mean_nothing_are_refused() -> None:
+    about.call = "show.launch(7), rules for 1 to 4"
+    about.cause = (
+        "There is no rule for this type, so the firework cannot be made. Raise a ValueError that "
+        "names the type."
+    )
+    about.read = "the docstring of launch"
+    a_show = show(9, "keep_old")
+    expect_error(
+        lambda: a_show.launch(7), ValueError, allowed=lambda: show(9, "keep_old").launch(4)
+    )
+    expect_exactly(len(a_show.fireworks), 0, then="; how many burn")
+    about.cause = (
+        "One of these births is not valid, so none of them may be lit. Check all births before you "
+        "light the first one."
+    )
+    for bad, births in (
+        ("a type without a rule", [(1, 2, None), (7, 1, None)]),
+        ("a negative count", [(1, 2, None), (2, -3, None)]),
+        ("a negative count", [(1, 2, None), (2, -1, None)]),
+    ):
+        about.call = f"show.light({births}), {bad}"
+        expect_error(
+            lambda births=births: a_show.light(births),
+            ValueError,
+            allowed=lambda: show(9, "keep_old").light([(4, 0, None), (4, 1, None)]),
+            read="the docstring of light",
+        )
+        now = (len(a_show.fireworks), a_show.dropped)
+        expect_exactly(now, (0, 0), then="; burning and dropped")

@@ -1,0 +1,220 @@
+"""The penetration of a single contact, build task B7.4."""
+
+from __future__ import annotations
+
+import math
+from random import Random
+
+import pytest
+
+from ch02_vectors.vector import Vector3
+from ch05_forces.particle import Particle
+from ch07_constraints.contacts import Contact
+from ch07_constraints.probes import lying
+from draw import components, direction, positive_number
+from expect import (
+    about,
+    cause_of,
+    expect_between,
+    expect_close,
+    expect_exactly,
+    expect_unchanged,
+    xyz,
+)
+
+ZERO = (0.0, 0.0, 0.0)
+UP = (0.0, 1.0, 0.0)
+MOVE = "book 7.2.2, E-8, and the docstring of Contact.resolve_penetration"
+
+
+@pytest.mark.exercise("B7.4")
+def test_the_lighter_one_moves_more(rng: Random) -> None:
+    about.read = MOVE
+    p, q, n = components(rng), components(rng), direction(rng)
+    ma, mb, depth = positive_number(rng), positive_number(rng), positive_number(rng, 0.1, 0.9)
+    wall = math.inf
+    share_of_a = "The two particles move by the penetration depth in total, and the lighter one "
+    share_of_a += "moves farther. a moves by mb / (ma + mb) of the depth."
+    whole_a = "Only a can move here, so it moves by the whole depth, whatever its mass is."
+    simple, drawn = ((0.0, 2.0, 0.0), UP, 0.5), (p, n, depth)
+    small = (p, n, 1e-10)  # only the resolver has a tolerance; a contact resolves any depth
+    for (p, n, depth), first, second, share, cause in (
+        (simple, 1.0, 3.0, 0.75, share_of_a),
+        (drawn, ma, mb, mb / (ma + mb), share_of_a),
+        (drawn, ma, wall, 1.0, whole_a),
+        (small, wall, mb, 0.0, "a is immovable, so b must move by the whole depth."),
+        (small, ma, None, 1.0, whole_a),
+    ):
+        about(f"a of {first} kg at {p}, b ", cause=cause)
+        about.call += f"{'None' if second is None else f'of {second} kg'}; moves = Contact(a, b, "
+        about.call += f"Vector3{n}, 0.5, {depth}).resolve_penetration()"
+        a = Particle(Vector3(*p), mass=first)
+        b = None if second is None else Particle(Vector3(*q), mass=second)
+        contact = Contact(a, b, Vector3(*n), 0.5, depth)
+        moves = contact.resolve_penetration()
+        got = xyz(contact.normal)
+        whole = "The contact's normal has changed. Perhaps you used *= or normalize, which work in "
+        whole += "place. Compute a new vector with * instead."
+        expect_unchanged("the normal", got, n, cause=whole)
+        move = tuple(share * depth * part for part in n)
+        back = tuple((share - 1.0) * depth * part for part in n)
+        wanted = tuple(x + m for x, m in zip(p, move, strict=True))
+        got = xyz(a.position)
+        mistakes = [
+            ((1.0 - share) * depth, "The masses are swapped. The lighter particle must move "
+                                    "farther, so a moves by mb / (ma + mb) of the depth."),
+            (0.5 * depth,
+             "Both particles moved by half of the depth, which is right only for equal masses. "
+             "The lighter one must move farther."),
+            (depth, "a moved by the whole depth, but b can move as well. Divide the depth between "
+                    "them in proportion to their inverse masses."),
+            (-share * depth, "The move of a has the wrong sign, so the particles overlap even "
+                             "more. The normal points from b to a, so a must move along +n."),
+            (0.0, "The position of a did not change. Add the move of a to its position."),
+        ]  # fmt: skip
+        both = first != wall and second not in (wall, None)
+        moved = [(tuple(x + s * y for x, y in zip(p, n, strict=True)), why) for s, why in mistakes]
+        seen = cause_of(got, moved, about.cause) if both else about.cause
+        # A few roundings of numbers up to 10.
+        expect_close(got, wanted, then="; a.position", cause=seen, tolerance=1e-14 * 8)
+        got = xyz(moves[0])
+        expect_close(got, move, then="; moves[0]", tolerance=1e-15)
+        about.cause = "b moves in the direction of -n, by the part of the depth that a does not "
+        about.cause += "cover."
+        got = xyz(moves[1])
+        turned = tuple(-part for part in back)
+        why = "The move of b has the wrong sign. The normal points from b to a, so b must move "
+        why += "along -n, away from a."
+        seen = cause_of(got, [(turned, why)], about.cause)
+        expect_close(got, back, then="; moves[1]", cause=seen, tolerance=1e-15)
+        if b is not None:
+            wanted = tuple(x + m for x, m in zip(q, back, strict=True))
+            got = xyz(b.position)
+            expect_close(got, wanted, then="; b.position", tolerance=1e-14 * 8)
+        about.cause = "After the move, the particles only touch. Set the contact's penetration to "
+        about.cause += "0, which the book's listing does not do (E-8)."
+        got = contact.penetration
+        expect_close(got, 0.0, then="; penetration")
+
+
+@pytest.mark.exercise("B7.4")
+def test_what_is_not_in_each_other_is_not_moved(rng: Random) -> None:
+    about.read = "E-27, and the docstring of Contact.resolve_penetration"
+    p, q, n = components(rng), components(rng), direction(rng)
+    gap = "A negative penetration means that there is a gap between the particles. Do not move "
+    gap += "them, however small the gap is."
+    for depth, mass, cause in (
+        (0.0, 2.0, "The two particles only touch, so neither of them may be moved."),
+        (-positive_number(rng), 2.0, gap),
+        (-0.125, 2.0, gap),
+        (-1e-10, 2.0, gap),
+        (1.0, math.inf, "Both particles are immovable, so the sum of their inverse masses is 0. "
+                        "Return two zero vectors before you divide by this sum."),
+    ):  # fmt: skip
+        about.cause = cause
+        about.call = f"a and b of {mass} kg; c = Contact(a, b, Vector3{n}, 0.5, {depth}); moves = "
+        about.call += "c.resolve_penetration()"
+        a, b = Particle(Vector3(*p), mass=mass), Particle(Vector3(*q), mass=mass)
+        c = Contact(a, b, Vector3(*n), 0.5, depth)
+        moves = c.resolve_penetration()
+        none = "The result is None. Return two moves in every case, and make both of them zero "
+        none += "vectors if nothing moves."
+        expect_exactly(moves is None, False, then="; moves is None", cause=none)
+        for name, now, before in (
+            ("a.position", xyz(a.position), p),
+            ("b.position", xyz(b.position), q),
+            ("moves[0]", xyz(moves[0]), ZERO),
+            ("moves[1]", xyz(moves[1]), ZERO),
+        ):
+            expect_close(now, before, then=f"; {name}", tolerance=0.0)
+        got = c.penetration
+        about.cause = "No particle moved, so the penetration is still the same. Change it only "
+        about.cause += "after you have moved something."
+        expect_close(got, depth, then="; c.penetration")
+        moves[0].x += 1.0
+        about.cause = "Both moves are the same Vector3 object, so changing one changes the other "
+        about.cause += "as well. Return two separate vectors."
+        got = xyz(moves[1])
+        expect_close(got, ZERO, then="; moves[0].x += 1; moves[1]")
+    about.call = f"a and b of 2 kg; c = Contact(a, b, Vector3{n}, 0.5, 0.5); "
+    about.call += "c.resolve_penetration()"
+    a, b = Particle(Vector3(*p), mass=2.0), Particle(Vector3(*q), mass=2.0)
+    c = Contact(a, b, Vector3(*n), 0.5, 0.5)
+    c.resolve_penetration()
+    about.cause = "The penetration is still there after the move. Set it to 0, because otherwise "
+    about.cause += "the next call moves the particles again (E-8)."
+    got = c.penetration
+    expect_close(got, 0.0, then="; c.penetration")
+    about.call += "; moves = c.resolve_penetration()"
+    about.cause = "This call moved nothing, so both moves must be zero vectors. Do not return the "
+    about.cause += "moves of an earlier call, because they are outdated (E-27)."
+    moves = c.resolve_penetration()
+    got = (*xyz(moves[0]), *xyz(moves[1]))
+    expect_close(got, ZERO + ZERO, then="; both moves")
+
+
+@pytest.mark.exercise("B7.4")
+def test_the_moves_are_vectors_of_their_own(rng: Random) -> None:
+    about.read = MOVE
+    p, q, n = components(rng), components(rng), direction(rng)
+    about.call = f"a at {p}; c = Contact(a, None, Vector3{n}, 0.5, 1.0); moves = "
+    about.call += "c.resolve_penetration(); moves[0].x += 1; moves[1].x += 1"
+    separate = "The caller may change the returned moves. Return new vectors, and never the "
+    separate += "contact's normal or a particle's position itself, and do not change the normal."
+    about.cause = separate
+    a = Particle(Vector3(*p))
+    c = Contact(a, None, Vector3(*n), 0.5, 1.0)
+    moves = c.resolve_penetration()
+    moves[0].x += 1.0
+    moves[1].x += 1.0
+    got = xyz(c.normal)
+    expect_unchanged("c.normal", got, n)
+    got = xyz(a.position)
+    wanted = tuple(x + part for x, part in zip(p, n, strict=True))
+    shown = f"{about.call}; a.position"
+    expect_close(got, wanted, call=shown, tolerance=1e-14 * 8)
+    about.call = f"a at {p}, b at {q}; c = Contact(a, b, Vector3{n}, 0.5, 0.5); moves = "
+    about.call += "c.resolve_penetration(); moves[0].x += 1; moves[1].x += 1"
+    about.cause = separate
+    a, b = Particle(Vector3(*p)), Particle(Vector3(*q))
+    c = Contact(a, b, Vector3(*n), 0.5, 0.5)
+    moves = c.resolve_penetration()
+    moves[0].x += 1.0
+    moves[1].x += 1.0
+    got = xyz(c.normal)
+    expect_unchanged("c.normal", got, n)
+    for name, particle, place, sign in (("a", a, p, 0.25), ("b", b, q, -0.25)):
+        wanted = tuple(x + sign * part for x, part in zip(place, n, strict=True))
+        got = xyz(particle.position)
+        shown = f"{about.call}; {name}.position"
+        expect_close(got, wanted, call=shown, tolerance=1e-14 * 8)
+        got = xyz(particle.velocity)
+        shown = f"{about.call}; {name}.velocity"
+        about.cause = "A velocity has changed. resolve_penetration changes positions only, and "
+        about.cause += "resolve_velocity changes the velocities."
+        expect_close(got, ZERO, call=shown)
+
+
+@pytest.mark.exercise("B7.4")
+def test_what_lies_on_the_ground_stays_there() -> None:
+    about.read = "book 7.2.3, E-26, and the docstring of Contact.resolve"
+    for restitution, generated in ((0.0, False), (0.5, True), (0.9, False), (0.9, True)):
+        gravity = "a force added in every step" if generated else "its own acceleration"
+        about.call = f"a body of restitution {restitution} lies on the ground, gravity is "
+        about.call += f"{gravity}; 15 s of semi-implicit steps of 1/60 s, each with "
+        about.call += "Contact.resolve(1/60)"
+        sinks = "The body sinks into the ground. Contact.resolve must call resolve_penetration as "
+        sinks += "well as resolve_velocity."
+        jumps = "The body jumps, although it should lie still. In resolve_velocity, leave out of "
+        jumps += "the bounce the velocity that gravity has added in this time step."
+        about.cause = sinks
+        heights, fastest = lying(restitution, generated, 900, 1.0 / 60.0)
+        # Up to a millimeter counts as rest; rounding leaves some 1e-15 m.
+        name = ": the lowest height, m"
+        expect_between(min(heights), -1e-3, 1e-3, then=name, cause=sinks)
+        name = ": the largest height, m"
+        expect_between(max(heights), -1e-3, 1e-3, then=name, cause=jumps)
+        # Without the rule it is at 0.08 m/s, at a restitution of 0.5, and more.
+        name = ": the largest speed after a step, m/s"
+        expect_between(fastest, -1e-6, 1e-6, then=name, cause=jumps)
+        expect_exactly(len(heights), 900, then=": the number of steps")

@@ -8,6 +8,7 @@ nothing.
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NoReturn
 
@@ -16,6 +17,7 @@ from autograder.checks.faults import CheckEnded
 from autograder.checks.missing import MissingName
 from autograder.clean import clean
 from autograder.isolation.exceptions import exception_of, known_name, text_of_worker
+from autograder.isolation.patience import Patience
 from autograder.isolation.wire import BrokenProtocolError, Wire, pack, unpack
 from autograder.message import Kind, Message
 
@@ -39,12 +41,14 @@ class Session:
         on_hang: Callable[[], NoReturn],
         how_it_ended: Callable[[], str],
         broken: Mapping[str, Message] | None = None,
+        patience: Patience | None = None,
     ) -> None:
         self.wire = wire
         self.deadline = deadline
         self.on_hang = on_hang
         self.how_it_ended = how_it_ended
         self.broken = broken or {}
+        self.patience = patience
         self.dead = Message()  # once the worker is gone, this is the reason
         self._last = 0
         self._callbacks: list[Callable[..., Any]] = []
@@ -72,7 +76,7 @@ class Session:
         """Send a request, handle the callbacks that it causes, and return the reply."""
         try:
             self.wire.send(message, self.deadline)
-            while "callback" in (reply := self.wire.receive(self.deadline)):
+            while "callback" in (reply := self._receive()):
                 self.wire.send(self._call_back(reply), self.deadline)
         except TimeoutError:
             self.on_hang()
@@ -82,6 +86,21 @@ class Session:
         if reply.get("id") != message["id"]:
             raise BrokenProtocolError("an answer to another request")
         return reply
+
+    def _receive(self) -> dict[str, Any]:
+        """Return the worker's next message, and wait longer if the machine was busy.
+
+        Raises:
+            TimeoutError: There is no message in time.
+        """
+        try:
+            return self.wire.receive(self.deadline)
+        except TimeoutError:
+            more = self.patience.more() if self.patience else 0.0
+            if not more:
+                raise
+            self.deadline = time.monotonic() + more
+            return self.wire.receive(self.deadline)
 
     def _answer(self, reply: dict[str, Any]) -> Any:
         if "value" in reply:

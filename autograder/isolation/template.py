@@ -22,6 +22,7 @@ from typing import BinaryIO, NoReturn
 from autograder.checks.apart import how_it_ended
 from autograder.checks.faults import GraderFault
 from autograder.isolation.handles import Session
+from autograder.isolation.patience import Patience
 from autograder.isolation.sandbox import Level
 from autograder.isolation.wire import Wire
 from autograder.manifest import ROOT
@@ -104,7 +105,8 @@ class Template:
         except (OSError, EOFError, ValueError) as error:
             raise TemplateError(f"a worker did not start: {self.printed() or error!r}") from error
         deadline = time.monotonic() + self.seconds
-        return Session(wire, deadline, on_hang, self.how_it_ended, broken)
+        patience = Patience(0 if self.level.bubblewrap else self._worker.number, self.seconds)
+        return Session(wire, deadline, on_hang, self.how_it_ended, broken, patience)
 
     def warm_up(self) -> None:
         """Order the next worker, unless it is already ordered, but do not wait for it."""

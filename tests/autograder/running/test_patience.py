@@ -1,0 +1,58 @@
+"""A worker gets more time if the machine was busy, once, and only then."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import threading
+import time
+from pathlib import Path
+from typing import NoReturn
+
+import pytest
+
+from autograder.isolation.patience import Patience, processor_time
+from autograder.isolation.probe import best_level
+from autograder.isolation.template import Template
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="only Linux has /proc")
+
+
+def hang() -> NoReturn:
+    raise TimeoutError("hangs")
+
+
+def test_a_worker_that_did_not_get_the_processor_gets_more_time_once(
+    tmp_path: Path,
+) -> None:
+    """A stopped worker is one that a busy machine leaves no time for."""
+    level = best_level()
+    if level.bubblewrap:
+        pytest.skip("its process number is not known outside")
+    for folder in ("engine", "probes", "own"):
+        (tmp_path / folder).mkdir()
+    folders = [str(tmp_path / "engine")], str(tmp_path / "probes"), tmp_path / "own"
+    template = Template(level, *folders, seconds=1.0)
+    session = template.start_worker(hang)
+    assert session.ask("length", [1, 2]) == 2
+    assert template._worker is not None
+    worker = template._worker.number
+    os.kill(worker, signal.SIGSTOP)
+    threading.Timer(1.3 * template.seconds, os.kill, (worker, signal.SIGCONT)).start()
+    assert session.ask("length", [1, 2, 3]) == 3
+    os.kill(worker, signal.SIGSTOP)
+    with pytest.raises(TimeoutError):
+        session.ask("length", [])
+    template.close()
+
+
+def test_a_worker_that_had_the_processor_gets_no_more_time() -> None:
+    begun = time.process_time()
+    while time.process_time() - begun < 0.3:
+        pass
+    used = processor_time(os.getpid())
+    assert used == pytest.approx(sum(os.times()[:2]), abs=0.1)
+    assert Patience(os.getpid(), 1.9 * used).more() == 0.0
+    assert Patience(os.getpid(), 3.0 * used).more() == pytest.approx(2.0 * used, abs=0.1)
+    assert Patience(0, 1.0).more() == 0.0

@@ -124,6 +124,9 @@ def test_a_frame_lasts_as_long_as_it_is_told(rng: Random) -> None:
     gained = (0.25 * 5.0, -2.0, 0.0)
     wanted = tuple(v[i] + (gained[i] - 0.75 * v[i]) * h for i in range(3))
     got = xyz(bullet.velocity)
+    windy = tuple(v[i] + (gained[i] - 0.25 * v[i]) * h for i in range(3))
+    only = "Only the wind has acted on the bullet. Call update_forces of the registry, so that the "
+    blame(got, [(windy, f"{only}Drag that was added here acts as well.")])
     expect_close(got, wanted, then="; the velocity")
 
 

@@ -64,7 +64,7 @@ def test_a_connection_serves_both_ends(rng: Random) -> None:
             "Your force uses the sum of the two velocities. The rate at which the length changes "
             "depends on their difference, so subtract "
             "b's velocity from a's.": tension(here, both, there, ZERO, numbers),
-            "Your offset is b's position minus a's, so both forces have the wrong direction. Use "
+            "Your offset is b's position minus a's, so the spring pulls where it should push. Use "
             "a's position minus b's.": tension(there, v, here, w, numbers),
             (
                 "This is the force on b. The force on a does not depend on the particle that "

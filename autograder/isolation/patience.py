@@ -15,8 +15,9 @@ ENOUGH = 0.5  # fraction of the time limit that a worker must have had on a proc
 class Patience:
     """The additional time that a worker may get once.
 
-    ``process`` is the number of its process. It is 0 if the processor time that the process has used
-    is unknown, as it is in a bubblewrap sandbox, where processes have other numbers. ``seconds`` is the time limit.
+    ``process`` is the number of its process. It is 0 if the processor time that the process has
+    used is unknown, as it is in a bubblewrap sandbox, where processes have other numbers.
+    ``seconds`` is the time limit.
     """
 
     def __init__(self, process: int, seconds: float) -> None:

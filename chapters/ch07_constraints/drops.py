@@ -48,7 +48,9 @@ def read_drops(path: Path) -> list[tuple[str, float, float]]:
 
 
 def find_drops(name: str = "drops.csv") -> Path:
-    """Return the path of a file of this chapter, or of the student's own version if there is one.
+    """Return the path of the student's version of the file, or of the chapter's if there is none.
+
+    ``name`` is the name of the file.
 
     Raises:
         FileNotFoundError: if no folder of the engine has the file.

@@ -112,8 +112,7 @@ class Net:
         return [p.inverse_mass for p in self.particles] + [0.0] * len(self.anchors)
 
     def places(self) -> tuple[list[float], list[float], list[float]]:
-        """Return the positions as three lists of x, y and z: first all particles, then the anchors.
-        """
+        """Return three lists with the x, y and z of all particles and then of the anchors."""
         points = [particle.position for particle in self.particles] + self.anchors
         return [p.x for p in points], [p.y for p in points], [p.z for p in points]
 

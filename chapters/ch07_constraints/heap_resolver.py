@@ -34,7 +34,7 @@ class HeapResolver(ContactResolver):
     """A ContactResolver whose cost grows with n log n instead of n^2, with the same results.
 
     The resolver contains a copy of Contact's formulas and does not call its methods. If a subclass
-    of Contact overrides these methods, the resolver ignores them and treats it as a plain Contact.
+    of Contact overrides these methods, the overrides have no effect here.
     """
 
     def resolve_velocities(self, contacts: list[Contact], limit: int, duration: float) -> int:

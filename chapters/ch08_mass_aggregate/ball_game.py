@@ -109,7 +109,7 @@ class BallGame:
     def start_ball(self) -> None:
         """Place the ball at rest above the first row.
 
-        Its x is the current x of the row's first plank, and its height is ``HEIGHT + DROP``.
+        Its x is the current x of the first row, and its height is ``HEIGHT + DROP``.
         """
         self.ball.position = Vector3(self.rows[0][0].position.x, HEIGHT + DROP)
         self.ball.velocity = Vector3()

@@ -77,8 +77,8 @@ class SleepingWorld(ParticleWorld):
         """Wake ``particle``, its neighbors, their neighbors, and so on.
 
         Particles that fell asleep together therefore wake together. Each of them gets its mass
-        back, unless you have given it another finite mass in the meantime. Each one's count of slow
-        steps restarts at 0. The count of ``particle`` restarts even if it was already awake.
+        back, unless you have given it another finite mass in the meantime. Their counts of slow
+        steps restart at 0, and so does the count of ``particle`` if it was already awake.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 

@@ -62,10 +62,10 @@ class Design:
 class Throw:
     """The result of a throw: its range, and the share of the energy that reached the projectile.
 
-    The range is in m, measured from the pivot. The share is a ratio of two energies. The first is
-    the kinetic and potential energy that the projectile has gained when it is released. The second
-    is the potential energy that the counterweight has lost by then. If the projectile was never
-    released, both numbers are 0.
+    The range is in m, measured from the pivot. The share is the energy that the projectile has
+    gained, divided by the energy that the counterweight has lost, both from the start to the
+    release. The projectile gains kinetic and potential energy, and the counterweight loses
+    potential energy. If the projectile was never released, both numbers are 0.
     """
 
     range: float

@@ -114,9 +114,9 @@ class TiltingPlatform:
 
         ``mass`` is in kg. ``x`` is the position along the platform in m, from ``LEFT`` to
         ``RIGHT``. There is no particle at this position, so the two ends of the platform carry the
-        weight. Divide the weight between them so that the torque about the pivot stays the same.
-        Each end consists of two particles. Each particle carries half of the part at its end, in
-        addition to its own ``MASS``.
+        weight. Divide the mass between the ends so that their torque about the pivot equals the
+        torque of the weight at ``x``. Each end consists of two particles. Each of these particles
+        carries half of the mass at its end, in addition to its own ``MASS``.
 
         Raises:
             ValueError: if the mass is negative or not finite, or x is not between the ends. In that

@@ -1,9 +1,8 @@
 """Check arguments, and reject invalid values with an error that names the argument.
 
-If the value is valid, each function returns it as a float or a copy. Otherwise it raises
-ValueError, or TypeError for a wrong type. The message contains the argument's name and its value.
-Every comparison with NaN is False, so each function tests for valid values and rejects everything
-else.
+If the value is valid, each function returns it as a float or a copy. If not, it raises ValueError,
+or TypeError for a wrong type. The message contains the argument's name and its value. Every
+comparison with NaN is False, so each function tests for valid values and rejects everything else.
 
 This file is complete, and you do not hand it in. If you need more functions, write them in the
 files that you edit.
@@ -24,35 +23,35 @@ LARGEST = sys.float_info.max  # a larger int does not fit in a float
 
 
 def finite(name: str, value: float) -> float:
-    """Return a number that is neither infinite nor NaN."""
+    """Return ``value`` as a float. It must be neither infinite nor NaN."""
     if not (isinstance(value, (int, float)) and -LARGEST <= value <= LARGEST):
         raise _refusal(name, value, "finite")
     return float(value)
 
 
 def not_negative(name: str, value: float) -> float:
-    """Return a finite number that is at least zero."""
+    """Return ``value`` as a float. It must be finite and at least 0."""
     if not (isinstance(value, (int, float)) and 0.0 <= value <= LARGEST):
         raise _refusal(name, value, "finite and not negative")
     return float(value)
 
 
 def positive(name: str, value: float) -> float:
-    """Return a finite number above zero."""
+    """Return ``value`` as a float. It must be finite and greater than 0."""
     if not (isinstance(value, (int, float)) and 0.0 < value <= LARGEST):
         raise _refusal(name, value, "positive and finite")
     return float(value)
 
 
 def positive_or_infinite(name: str, value: float) -> float:
-    """Return a number above zero. ``math.inf`` is allowed, for an infinite mass."""
+    """Return ``value`` as a float. It must be greater than 0. An infinite mass is allowed."""
     if not (isinstance(value, (int, float)) and (0.0 < value <= LARGEST or value == math.inf)):
         raise _refusal(name, value, "positive")
     return float(value)
 
 
 def whole(name: str, value: int) -> int:
-    """Return a whole number that is at least 1. True and False are rejected."""
+    """Return ``value``. It must be a whole number of at least 1. True and False are rejected."""
     if not isinstance(value, int) or isinstance(value, bool):
         raise TypeError(f"{name} must be a whole number, got {value!r}")
     if value < 1:
@@ -61,7 +60,7 @@ def whole(name: str, value: int) -> int:
 
 
 def finite_vector(name: str, v: Vector3) -> Vector3:
-    """Return a copy of a vector whose components are all finite."""
+    """Return a copy of ``v``. All of its components must be finite."""
     if not all(hasattr(v, component) for component in ("x", "y", "z")):
         raise TypeError(f"{name} must be a Vector3, got {v!r}")
     if not (math.isfinite(v.x) and math.isfinite(v.y) and math.isfinite(v.z)):
@@ -70,7 +69,7 @@ def finite_vector(name: str, v: Vector3) -> Vector3:
 
 
 def instance_of(name: str, value: Value, kind: type) -> Value:
-    """Return ``value`` if it is an object of the class ``kind``, such as Particle."""
+    """Return ``value``. It must be an object of the class ``kind``, such as Particle."""
     if not isinstance(value, kind):
         raise TypeError(f"{name} must be a {kind.__name__}, got {value!r}")
     return value

@@ -1,6 +1,6 @@
 """The exercises of the book's chapter 2, and exercise B2.11, each as a function.
 
-None of these functions changes the vectors that it is given. Angles are in radians.
+None of these functions changes its arguments. Angles are in radians.
 """
 
 from __future__ import annotations
@@ -9,9 +9,10 @@ from ch02_vectors.vector import Vector3
 
 
 def split(v: Vector3) -> tuple[float, Vector3]:
-    """Exercise 2.1: return the magnitude of v and its direction, a new unit vector.
+    """Exercise 2.1: return the magnitude and the direction of ``v``.
 
-    For the zero vector, the magnitude is 0 and the direction is the zero vector.
+    The direction is a new unit vector. For the zero vector, the magnitude is 0 and the direction is
+    the zero vector.
 
     >>> magnitude, direction = split(Vector3(2, -2, -2))
     >>> round(magnitude, 6), [round(component, 6) for component in direction]
@@ -23,10 +24,10 @@ def split(v: Vector3) -> tuple[float, Vector3]:
 def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
     """Exercise 2.2a: return a . b, and the kind of angle between ``a`` and ``b``.
 
-    The second result is "acute" (less than a right angle), "right", or "obtuse" (more than a right
-    angle). The sign of the product is enough to decide, so no angle needs to be computed. The
-    numbers in the example differ from the book's. Raises ValueError if the product is NaN, because
-    NaN has no sign.
+    The kind is "acute" (less than a right angle), "right", or "obtuse" (more than a right angle).
+    You do not have to compute the angle, because the sign of the product is enough to decide.
+    Raises ValueError if the product is NaN, because NaN has no sign. The numbers in this example
+    differ from the book's.
 
     >>> scalar_product_and_angle(Vector3(1, 2, 3), Vector3(4, -5, 1))
     (-3.0, 'obtuse')
@@ -37,8 +38,7 @@ def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
 def make_perpendicular(a: Vector3, x: float, y: float) -> float:
     """Exercise 2.4: return the z that makes (x, y, z) perpendicular to ``a``.
 
-    Raises ValueError if ``a.z`` is zero. In that case either every z is a solution or there is
-    none.
+    Raises ValueError if ``a.z`` is zero. In that case either every z is a solution, or no z is.
 
     >>> make_perpendicular(Vector3(1, 2, 3), 7, -2)
     -1.0
@@ -47,10 +47,10 @@ def make_perpendicular(a: Vector3, x: float, y: float) -> float:
 
 
 def angle_by_scalar_product(a: Vector3, b: Vector3) -> float:
-    """Exercise 2.5: return the angle between ``a`` and ``b``, from their scalar product.
+    """Exercise 2.5: compute the angle between ``a`` and ``b`` from their scalar product.
 
-    The angle is between 0 and pi. If a component is NaN, the angle is NaN. Raises ValueError if
-    ``a`` or ``b`` is zero, because a zero vector has no direction.
+    The angle is from 0 to pi. If a component is NaN, the angle is NaN. Raises ValueError if ``a``
+    or ``b`` is zero, because a zero vector has no direction.
 
     >>> round(angle_by_scalar_product(Vector3(0, 1, 1), Vector3(0, -1, 0)), 6)  # 135 degrees
     2.356194
@@ -59,7 +59,7 @@ def angle_by_scalar_product(a: Vector3, b: Vector3) -> float:
 
 
 def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
-    """Exercise 2.5: return the two possible angles for |a x b|, the smaller one first.
+    """Exercise 2.5: return the two angles that fit the length |a x b|, the smaller one first.
 
     Two angles that add up to pi have the same sine, so the length of the vector product cannot
     distinguish them. If a component is NaN, both angles are NaN. Raises ValueError if ``a`` or
@@ -75,8 +75,8 @@ def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
 def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
     """Exercise 2.6: return c = a . b, d = b - c a, and the angle between ``a`` and d.
 
-    ``a`` and ``b`` must be unit vectors. c a is the projection of ``b`` onto ``a``, so d is ``b``
-    without its component along ``a``. The numbers in the example differ from the book's.
+    ``a`` and ``b`` must be unit vectors. The vector c a is the projection of ``b`` onto ``a``, so d
+    is ``b`` without its component along ``a``. The numbers in the example differ from the book's.
 
     Raises:
         ValueError: if the length of ``a`` or ``b`` differs from 1 by more than 1e-6 or is NaN, or
@@ -90,11 +90,11 @@ def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
 
 
 def checked_duration(duration: float) -> float:
-    """Exercise B2.11: return a duration in s as a float, or reject it if no step can use it.
+    """Exercise B2.11: return ``duration`` as a float, or raise an error if it is invalid.
 
-    A time step needs a duration that is positive and finite. Check it before you compute anything,
-    so that a rejected call changes nothing. The error message names the argument, says what it must
-    be, and shows the value: ``duration must be positive and finite, got -1.5``.
+    A time step needs a duration in s that is positive and finite. Call this function before you
+    compute anything, so that a rejected call changes nothing. The error message names the argument,
+    says what it must be, and shows the value: ``duration must be positive and finite, got -1.5``.
 
     Raises:
         ValueError: for zero, a negative number, an infinity or NaN.
@@ -109,7 +109,7 @@ def checked_duration(duration: float) -> float:
 def position_after(position: Vector3, velocity: Vector3, duration: float) -> Vector3:
     """Exercise 2.7: return the position after moving with a constant velocity (Eq. 2.7).
 
-    The position is in m, the velocity in m/s and the duration in s. The start position in the
+    ``position`` is in m, ``velocity`` in m/s and ``duration`` in s. The start position in the
     example differs from the book's. Raises ValueError if the duration is not positive and finite.
 
     >>> position_after(Vector3(3, 5, -4), Vector3(1, -1, 2), 10)

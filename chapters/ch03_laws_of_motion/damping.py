@@ -1,10 +1,10 @@
 """The two equations for damping that the book compares. The engine's own form is in particle.py.
 
-Both functions return the velocity after a step as a new vector and change nothing. The velocity is
-in m/s, the acceleration in m/s^2 and the duration in s. The damping d is the fraction of the
-velocity that is kept. In Eq. 3.5, each step keeps this fraction, however long the step is. In Eq.
-3.6, each second of simulated time keeps this fraction, so the motion does not depend on the frame
-rate. Both functions raise TypeError for a damping or a duration that is not a number.
+Both functions return the velocity after a step as a new vector, and do not change their arguments.
+The velocity is in m/s, the acceleration in m/s^2 and the duration in s. The damping d is the
+fraction of the velocity that is kept. In Eq. 3.5 each step keeps this fraction, however long the
+step is. In Eq. 3.6 each second of simulated time keeps this fraction, so the motion does not depend
+on the frame rate. Both functions raise TypeError for a damping or a duration that is not a number.
 """
 
 from __future__ import annotations

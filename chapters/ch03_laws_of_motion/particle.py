@@ -14,15 +14,15 @@ from ch02_vectors.vector import Vector3
 class Particle:
     """A point mass with a position, a velocity and a constant acceleration, such as gravity.
 
-    ``position``, ``velocity`` and ``acceleration`` are vectors, which are zero by default. If you
-    assign a vector to one of them, the particle stores a copy, so two particles never share a
-    vector. Assigning a vector that is not finite raises ValueError, and assigning anything else
-    raises TypeError. You may also change single components, as in ``particle.velocity.y = 3.0``.
-    Such changes are not checked, so make sure that the components stay finite.
+    ``position``, ``velocity`` and ``acceleration`` are vectors, and are zero by default. If you
+    assign a vector to one of these attributes, the particle stores a copy, so two particles never
+    share a vector. Assigning a vector that is not finite raises ValueError, and assigning anything
+    else raises TypeError. You may also change single components, as in ``particle.velocity.y =
+    3.0``. Such changes are not checked, so make sure that the components stay finite.
 
     ``damping`` is the fraction of the velocity that is kept per second. A damping of 1 keeps all of
-    it, 0 stops the particle, and a number above 1 speeds it up. A particle is immovable if its mass
-    is ``math.inf``, which is the same as an inverse mass of 0.
+    it, a damping of 0 stops the particle, and a damping above 1 speeds it up. A particle is
+    immovable if its mass is ``math.inf``, which is the same as an inverse mass of 0.
 
     The engine stores 1 / mass in ``_inverse_mass`` and the damping in ``_damping``. A particle can
     have only the attributes that are listed in ``__slots__``, so if your code stores something
@@ -51,7 +51,7 @@ class Particle:
         self.damping = damping
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Set an attribute. The three vectors are checked and copied first."""
+        """Set an attribute. Check and copy the value first if it is one of the three vectors."""
         if name in ("position", "velocity", "acceleration"):
             value = finite_vector(name, value)
         object.__setattr__(self, name, value)
@@ -119,7 +119,7 @@ class Particle:
         raise NotImplementedError("Exercise B3.4: The step")
 
     def drift(self, duration: float) -> None:
-        """Move the particle with its velocity for a duration in s: p' = p + v h (Eq. 2.7).
+        """Move the particle with its velocity: p' = p + v h (Eq. 2.7). ``duration`` is h in s.
 
         The velocity does not change, and an immovable particle does not move. The duration may be 0
         or negative, because integrators drift for parts of a step, and a few of them drift back.
@@ -130,7 +130,7 @@ class Particle:
         raise NotImplementedError("Exercise B3.4: The step")
 
     def kick(self, duration: float) -> None:
-        """Change the velocity by the acceleration for a duration in s: v' = (v + a h) d^h.
+        """Change the velocity by the acceleration: v' = (v + a h) d^h. ``duration`` is h in s.
 
         The acceleration is applied first, and the damping then acts on the result, as in the book's
         listing. The book's Eq. 3.6 is v d^h + a h instead (E-16). The position does not change, and
@@ -140,12 +140,12 @@ class Particle:
         raise NotImplementedError("Exercise B3.4: The step")
 
     def integrate(self, duration: float) -> None:
-        """Make the book's step for a duration in s: drift, then kick. This is explicit Euler.
+        """Make the book's time step: drift, then kick. This is explicit Euler.
 
-        The position moves with the velocity from before the step. The term a h^2 / 2 is left out on
-        purpose (3.3.2). The book gives this method another name (E-17). The particle of chapter 5
-        overrides ``kick`` to add forces, so this method must call ``self.kick(duration)``. An
-        immovable particle does not change.
+        ``duration`` is in s. The position moves with the velocity from before the step. The term a
+        h^2 / 2 is left out on purpose (3.3.2). The book gives this method another name (E-17). The
+        particle of chapter 5 overrides ``kick`` to add forces, so this method must call
+        ``self.kick(duration)``. An immovable particle does not change.
 
         Raises:
             ValueError: if the duration is not positive and finite. The particle does not change.

@@ -1,9 +1,9 @@
 """Going further, complete: a time step that is exact.
 
-An animation of a flight needs the position in every frame. If all frames are equally long, the
-three factors of the exact solution are the same in each of them, so they are computed only once.
-After that, a frame takes only a few additions and multiplications of plain numbers. No other step
-costs less, and the only error of this step is rounding.
+An animation of a flight needs the position in every frame. If all frames are equally long, they all
+use the same three factors of the exact solution, so the factors are computed only once. After that,
+a frame takes only a few additions and multiplications of plain numbers. No other step costs less,
+and the only error of this step is rounding.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from ch04_particle_engine.closed_form import drag_factors
 
 
 def places_in_frames(particle: Particle, frame: float, frames: int) -> list[tuple[float, float]]:
-    """Return a particle's (x, y) in m at the end of each of ``frames`` frames of ``frame`` s.
+    """Return the position (x, y) of ``particle`` in m at the end of each frame.
 
-    The particle has its constant acceleration, and its damping acts as a drag that is linear in the
-    velocity. The particle itself does not change. An immovable particle has the same position in
-    every frame.
+    There are ``frames`` frames of ``frame`` s each. The particle has its constant acceleration, and
+    its damping acts as a drag that is linear in the velocity. The particle itself does not change.
+    An immovable particle has the same position in every frame.
 
     Raises ValueError if ``frame`` is not positive and finite, or ``frames`` is less than 1. Raises
     TypeError if ``frames`` is not a whole number.

@@ -37,10 +37,11 @@ FIREWORK_TYPES = (
 def own_types() -> list[FireworkRule]:
     """Mini-project 4.2: return the rules of two firework types of your own, 10 and 11.
 
-    The two rules must differ from each other and from the nine rules above in more than their type.
-    At least one of them must have payloads, of types 1 to 11. So that every show ends, none of the
-    eleven types may lead back to itself. Each of the two types must burn for at least 0.1 s. At
-    most 40 s after a firework of these types was lit, everything that came from it must have burnt
-    out.
+    - The two rules must differ from each other, and from the nine rules above, in more than their
+      type.
+    - At least one of them must have payloads, of types 1 to 11.
+    - None of the eleven types may lead back to itself, so that every show ends.
+    - Each of the two types must burn for at least 0.1 s. At most 40 s after a firework of these
+      types was lit, everything that came from it must have burnt out.
     """
     raise NotImplementedError("Exercise 4.2: Two types of your own")

@@ -9,7 +9,7 @@ Point = tuple[float, float]
 
 
 def screen_angle(start: float, rate: float, time: float) -> float:
-    """Going further: return the angle after a time in s, in radians, from -pi to pi.
+    """Going further: return the angle after ``time`` s, in radians, from -pi to pi.
 
     The angle is ``start`` at time 0 and grows by ``rate`` per second. Whole turns are removed.
 
@@ -25,8 +25,8 @@ def screen_corners(center: Point, size: float, angle: float) -> list[Point]:
     """Going further: return the four corners of a square on the screen, in order.
 
     At angle 0 the sides, of length ``size``, are horizontal and vertical. A positive angle rotates
-    the square from X toward Y. The first corner is the one that is at the upper right at angle 0,
-    and the others follow in the direction of rotation.
+    the square from X toward Y. Start with the corner that is at the upper right at angle 0, and
+    continue in the direction of rotation.
 
     Raises ValueError if a coordinate or the angle is not finite, or if the size is not positive.
 

@@ -1,7 +1,7 @@
 """Target blocks for the ballistic range (mini-project 4.3), and a test of whether a shot hits them.
 
-A shot moves more than half a meter in a step. If you test only its position at the end of each
-step, it passes through thin blocks. So test its path during the step instead.
+A shot moves more than half a meter in a step. If you tested only its position at the end of each
+step, it would pass through thin blocks. So test its path during the step instead.
 """
 
 from __future__ import annotations
@@ -14,12 +14,12 @@ from ch03_laws_of_motion.particle import Particle
 
 
 class TargetBlock:
-    """A box with sides parallel to the axes that stands on the ground or on a post, and can slide.
+    """A box that stands on the ground or on a post, and can slide. Its sides are along the axes.
 
     ``particle`` is at the center of the box. If its mass is ``math.inf``, the block cannot be
     moved. ``size`` contains the lengths of the sides along X, Y and Z in m. ``damping`` imitates
-    friction, so that the block comes to rest after it was hit. ``hits`` counts the shots that have
-    hit the block.
+    friction, so that the block comes to rest after a hit. ``hits`` counts the shots that have hit
+    the block.
 
     Raises ValueError if a side or the mass is not positive, or if the damping is negative or not
     finite.
@@ -39,7 +39,7 @@ class TargetBlock:
 
 
 def hit_fraction(start: Vector3, end: Vector3, block: TargetBlock) -> float | None:
-    """Exercise 4.3b: return where the straight path from ``start`` to ``end`` first hits a block.
+    """Exercise 4.3b: return where the straight path from ``start`` to ``end`` first hits ``block``.
 
     The result is a fraction of the path: 0 at the start, 0.25 after a quarter of the path, and 1 at
     the end. It is 0 if the path starts inside the block, and None if the path misses the block. A
@@ -59,11 +59,9 @@ def strike_first(
 ) -> TargetBlock | None:
     """Exercise 4.3c: let a shot hit the first target on its path, and return that target.
 
-    Return None if the shot misses every target.
-
-    In this step the shot has moved from ``start`` to the position of ``particle``. The target takes
-    over the particle's momentum along X and Z, and its ``hits`` grows by 1. The momentum along Y
-    goes into the ground. If the shot touches two targets at once, it hits the one that comes first
-    in the list.
+    In this step the shot has moved from ``start`` to the position of ``particle``. If it hits a
+    target, the target takes over the particle's momentum along X and Z, and its ``hits`` grows by
+    1. The momentum along Y goes into the ground. If the shot touches two targets at once, it hits
+    the target that comes first in the list. Return None if the shot misses every target.
     """
     raise NotImplementedError("Exercise 4.3c: Blocks of several masses")

@@ -18,30 +18,33 @@ from ch05_forces.particle import Particle
 class ForceGenerator(Protocol):
     """The interface of a force generator: any object with this method is a generator.
 
-    Its class need not inherit from this class.
+    Its class does not have to inherit from this class.
     """
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add this generator's force to a particle, for a time step of a duration in s (5.2.1)."""
+        """Add this generator's force to ``particle`` (5.2.1).
+
+        ``duration`` is the length of the time step in s.
+        """
 
 
 class ForceRegistry:
-    """A list of pairs: a particle, and a generator that acts on it in every step.
+    """Stores pairs of a particle and a force generator that acts on it in every step.
 
-    The constructor sets ``_pairs`` to an empty list, for tuples (particle, generator) in the order
-    in which they were added. You may store the pairs in another way, but then change ``pairs`` to
-    match.
+    The constructor sets ``_pairs`` to an empty list. The list holds tuples (particle, generator) in
+    the order in which they were added. You may store the pairs in another way, but then change
+    ``pairs`` to match.
     """
 
     def __init__(self) -> None:
         self._pairs: list[tuple[Particle, ForceGenerator]] = []
 
     def pairs(self) -> list[tuple[Particle, ForceGenerator]]:
-        """Return the pairs in order, in a new list. Later chapters use this method."""
+        """Return a new list of the pairs, in order. Later chapters use this method."""
         return [*self._pairs]
 
     def add(self, particle: Particle, generator: ForceGenerator) -> None:
-        """Let a generator act on a particle in every later step (5.2.2).
+        """Let ``generator`` act on ``particle`` in every later step (5.2.2).
 
         If you add the same pair twice, the force acts twice.
 
@@ -52,7 +55,7 @@ class ForceRegistry:
         raise NotImplementedError("Exercise B5.3: The force registry")
 
     def remove(self, particle: Particle, generator: ForceGenerator) -> None:
-        """Undo one call of ``add`` for this particle and this generator.
+        """Undo one call of ``add`` for ``particle`` and ``generator``.
 
         Find the pair by identity, because two different objects can be equal. If there is no such
         pair, do nothing.
@@ -60,11 +63,11 @@ class ForceRegistry:
         raise NotImplementedError("Exercise B5.3: The force registry")
 
     def clear(self) -> None:
-        """Undo all calls of ``add``. The particles and generators do not change."""
+        """Remove all pairs. The particles and generators themselves do not change."""
         raise NotImplementedError("Exercise B5.3: The force registry")
 
     def update_forces(self, duration: float) -> None:
-        """Let every generator add its force to its particle, for a time step of a duration in s.
+        """Let every generator add its force to its particle. ``duration`` is the time step in s.
 
         Immovable particles are skipped. A generator may add and remove pairs during the call, and
         the change takes effect in the next call. If a generator raises an exception, the exception
@@ -78,7 +81,7 @@ class ForceRegistry:
 
 
 class Gravity:
-    """The weight of a particle, m g (Eq. 3.4). The acceleration g is a vector in m/s^2.
+    """The weight of a particle, m g (Eq. 3.4). ``acceleration`` is g, a vector in m/s^2.
 
     If g is the same everywhere and at all times, set ``Particle.acceleration`` instead. It has the
     same effect at a lower cost (5.3).
@@ -88,15 +91,15 @@ class Gravity:
         self.acceleration = finite_vector("acceleration", acceleration)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the force m g. Skip an immovable particle: its weight would be infinite (5.2.3)."""
+        """Add the force m g. Skip an immovable particle, whose weight would be infinite (5.2.3)."""
         raise NotImplementedError("Exercise B5.4: Gravity as a force")
 
 
 class Drag:
-    """Drag, a force against the motion that grows with the speed and with its square (Eq. 5.1).
+    """Drag: a force against the motion that depends on the speed and its square (Eq. 5.1).
 
-    The coefficient of the speed is k1 in N s/m, and the coefficient of its square is k2 in N
-    s^2/m^2.
+    ``k1``, in N s/m, is the coefficient of the speed. ``k2``, in N s^2/m^2, is the coefficient of
+    its square.
 
     Raises:
         ValueError: if a coefficient is negative or not finite.
@@ -112,10 +115,10 @@ class Drag:
 
 
 def drag_force(velocity: Vector3, k1: float, k2: float) -> Vector3:
-    """Return the drag in N at a velocity in m/s as a new vector (Eq. 5.1).
+    """Return the drag in N at ``velocity`` in m/s as a new vector (Eq. 5.1).
 
-    The drag is -v^ (k1 |v| + k2 |v|^2), where v^ is the unit vector along the velocity. At rest
-    there is no drag. k1 is in N s/m and k2 in N s^2/m^2.
+    The drag is -v^ (k1 |v| + k2 |v|^2), where v^ is the unit vector along the velocity. It is zero
+    if the velocity is zero. ``k1`` is in N s/m and ``k2`` in N s^2/m^2.
     """
     raise NotImplementedError("Exercise B5.5: Drag")
 
@@ -145,9 +148,9 @@ class Uplift:
 
 
 class Airbrake:
-    """Exercise 5.2: a large drag, -k v with k in N s/m, that can be switched on and off.
+    """Exercise 5.2: strong drag that can be switched on and off. The force is -k v.
 
-    The attribute ``on`` is the switch. A new brake is off.
+    ``k`` is in N s/m. The attribute ``on`` is the switch. A new brake is off.
 
     Raises:
         ValueError: if k is negative or not finite.
@@ -163,8 +166,8 @@ class Airbrake:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Exercise 5.2: if the brake is on, add -k v, but never so much that the motion reverses.
 
-        In a time step of h s, a force f changes the velocity by f h / m. If k or the step is large,
-        a force of -k v would therefore reverse the motion. Limit the force so that the brake alone
+        In a time step of h s, a force f changes the velocity by f h / m. If k or h is large, a
+        force of -k v would therefore reverse the motion. Limit the force so that the brake alone
         removes at most the fraction ``FULL`` of the velocity. For an immovable particle, do nothing
         and raise no error.
 
@@ -175,9 +178,9 @@ class Airbrake:
 
 
 class PointGravity:
-    """Exercise 5.3: gravity toward a point, with the same strength in m/s^2 at every distance.
+    """Exercise 5.3: gravity toward a point, with the same strength at every distance.
 
-    A negative strength pushes particles away from the point.
+    ``strength`` is in m/s^2. A negative strength pushes particles away from the point.
 
     Raises:
         ValueError: if the strength is not finite.
@@ -188,7 +191,7 @@ class PointGravity:
         self.strength = finite("strength", strength)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 5.3: add a force of m times the strength, toward the center.
+        """Exercise 5.3: add a force of m times ``strength`` toward the center.
 
         At the center the force has no direction, so it is zero. Skip an immovable particle.
         """

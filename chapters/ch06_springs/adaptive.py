@@ -1,10 +1,10 @@
 """Going further: an integrator that takes a tolerance instead of a step size.
 
-A fixed step must be short enough for the fastest moment of a motion, and it is then too short for
-the rest. A comet needs short steps while it passes the sun, but long steps are enough for the rest
-of its orbit. `adaptive` chooses the steps by itself. It estimates the error of every step and
-repeats a step that was too long. If a step was more accurate than necessary, the next step is
-longer.
+A fixed step must be short enough for the fastest part of a motion, and then it is shorter than
+necessary for the rest. A comet needs short steps while it passes the sun, but long steps are enough
+for the rest of its orbit. `adaptive` chooses the steps by itself. It estimates the error of every
+step and repeats a step that was too long. If a step was more accurate than necessary, the next step
+is longer.
 """
 
 from __future__ import annotations
@@ -41,13 +41,14 @@ Numbers = list[float]
 
 
 def adaptive(tolerance: float) -> AdaptiveStep:
-    """Return an integrator that chooses its own steps, so that each meets the tolerance.
+    """Return an integrator that chooses its own steps, so that each step meets the tolerance.
 
     ``tolerance`` is the largest estimated error that one step may make, in m for every coordinate
     of a position and in m/s for every component of a velocity. It is an absolute error, so choose
     it to suit the size of your scene. The errors of the steps add up, and an orbit or an
     oscillation amplifies them. The final error is therefore often ten to a few hundred times as
-    large as the tolerance, but it shrinks in proportion to the tolerance.
+    large as the tolerance. If you make the tolerance smaller, the final error shrinks in
+    proportion.
 
     Raises ValueError if the tolerance is not positive and finite, and TypeError if it is not a
     number.
@@ -56,26 +57,25 @@ def adaptive(tolerance: float) -> AdaptiveStep:
 
 
 class AdaptiveStep:
-    """An integrator ``(particles, apply_forces, duration)`` made by `adaptive`.
+    """An integrator ``(particles, apply_forces, duration)``. Create it with `adaptive`.
 
     A call moves the particles by exactly ``duration``, in as many steps as necessary. Each step
-    evaluates the forces six times, and each call evaluates them once more at its start.
-    ``evaluations`` counts all evaluations, and you may set it back to 0.
+    evaluates the forces six times. Each call also evaluates them once at its start, so you may
+    change particles and forces between calls. ``evaluations`` counts all evaluations, and you may
+    reset it to 0.
 
-    Every call evaluates the forces anew at its start, so you may change particles and forces
-    between calls. The integrator remembers only the length of its last good step. That length is
-    only a first guess for the next call, so one integrator may also move several groups of
-    particles in turn.
+    The integrator remembers only the length of its last good step, and uses it as a first guess for
+    the next call. So you can use the same integrator for several groups of particles in turn.
 
     As in the other integrators, forces that were added by hand act for the whole call, and damping
     multiplies the velocity once per call. Every evaluation passes the duration of the whole call to
     ``apply_forces``.
 
     The method has order 5, even if forces depend on the velocity, and is not symplectic. A stiff
-    spring is stable, because its steps become short, but it needs at least as many of them as a
-    fixed integrator does. Source: Dormand and Prince, Journal of Computational and Applied
-    Mathematics 6 (1980), 19. The rule for the length of the next step is that of Hairer, Nørsett
-    and Wanner, Solving Ordinary Differential Equations I, II.4.
+    spring is stable because its steps become short, but it needs at least as many steps as with a
+    fixed integrator. Source: Dormand and Prince, Journal of Computational and Applied Mathematics 6
+    (1980), 19. The rule for the length of the next step comes from Hairer, Nørsett and Wanner,
+    Solving Ordinary Differential Equations I, II.4.
     """
 
     def __init__(self, tolerance: float) -> None:
@@ -89,13 +89,13 @@ class AdaptiveStep:
     def __call__(
         self, particles: Sequence[Particle], apply_forces: ApplyForces, duration: float
     ) -> None:
-        """Move the particles by a duration in s.
+        """Move the particles by ``duration`` s.
 
         A step that is too long can take particles to positions where a force cannot be computed. So
         if ``apply_forces`` raises ArithmeticError or ValueError, the step is repeated with a tenth
-        of its length. This does not help in the first evaluation of the call, so there the error is
-        passed on. All other errors are always passed on, and leave the particles in the middle of
-        the call.
+        of its length. If the first evaluation of the call raises it, a shorter step does not help,
+        so the error is passed on. All other errors are always passed on, and leave the particles in
+        the middle of the call.
 
         Raises ArithmeticError if a step becomes too short to continue, as at a singularity, or if a
         call needs more than ``MOST_STEPS`` steps. The particles then keep the state after the last
@@ -157,8 +157,8 @@ class AdaptiveStep:
 class _Moving:
     """The particles that can move, with their state as a list of numbers.
 
-    A state lists the position and velocity of one particle after the other, six numbers each. Its
-    rates list their velocities and accelerations in the same order.
+    The state lists six numbers for each particle: its position and its velocity. The rates of the
+    state list its velocity and its acceleration in the same order.
     """
 
     def __init__(self, particles: Sequence[Particle]) -> None:
@@ -176,7 +176,7 @@ class _Moving:
         return [number for vector in vectors for number in vector]
 
     def put(self, state: Numbers) -> None:
-        """Set the particles to a state, with only the forces that were added by hand."""
+        """Set the particles to ``state``, with only the forces that were added by hand."""
         first = 0
         for _, _, _, p, v in self.bodies:
             p.x, p.y, p.z, v.x, v.y, v.z = state[first : first + 6]
@@ -196,7 +196,8 @@ class _Moving:
     def finish(self, start: Numbers, duration: float) -> None:
         """Kick the particles once from their initial velocities, with the mean force of the call.
 
-        This damps the velocity as the other integrators do, and last_acceleration is the mean.
+        The velocity is then damped as in the other integrators, and last_acceleration is the mean
+        acceleration of the call.
         """
         self._clear()
         for i, (particle, m, a, _, v) in enumerate(self.bodies):
@@ -208,7 +209,7 @@ class _Moving:
             particle.kick(duration)
 
     def stop(self, state: Numbers) -> None:
-        """Set the particles to a state, and empty their accumulators."""
+        """Set the particles to ``state``, and empty their accumulators."""
         self.put(state)
         self._clear()
 
@@ -246,7 +247,7 @@ def _attempt(
 
 
 def _ahead(state: Numbers, rates: list[Numbers], weights: Sequence[float], step: float) -> Numbers:
-    """Return state + step * sum(weight * rate), the state to which the rates lead in a step."""
+    """Return state + step * sum(weight * rate), the state after moving at the weighted rates."""
     a, b, c, d, e, f, g = weights
     return [
         y + step * (a * r1 + b * r2 + c * r3 + d * r4 + e * r5 + f * r6 + g * r7)

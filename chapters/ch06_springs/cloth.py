@@ -18,7 +18,7 @@ G = 9.81  # m/s^2
 
 
 def neighbors() -> list[tuple[int, int]]:
-    """Return the pairs of knots that a spring joins: 180 pairs for 10 by 10 knots."""
+    """Return the pairs of knots that a spring joins. There are 180 pairs for 10 by 10 knots."""
     along = [(i, i + 1) for i in range(KNOTS * KNOTS) if (i + 1) % KNOTS]
     across = [(i, i + KNOTS) for i in range(KNOTS * (KNOTS - 1))]
     return along + across
@@ -27,8 +27,8 @@ def neighbors() -> list[tuple[int, int]]:
 def make_cloth(damping: float) -> tuple[list[Particle], ForceRegistry]:
     """Return the knots of a horizontal cloth, row by row, and the registry with its springs.
 
-    The springs have this ``damping`` in N s/m. The two corners at the ends of the first row are
-    held, and the rest of the cloth falls.
+    ``damping`` is the damping of each spring in N s/m. The two corners at the ends of the first row
+    are immovable, and the rest of the cloth falls.
     """
     knots = [
         Particle(

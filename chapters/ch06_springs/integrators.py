@@ -1,15 +1,15 @@
 """Integrators: methods that move particles forward by a time step, with their order and limits.
 
-The first five take ``(particles, apply_forces, duration)``. Each particle is in the list once.
+The first five take ``(particles, apply_forces, duration)``. ``particles`` lists each particle once.
 ``apply_forces(duration)`` adds the current forces to the accumulators of these particles only, as
 ``ForceRegistry.update_forces`` does. An integrator calls it once or several times. Before each
 call, the accumulators contain only the forces that were added by hand before the step. At the end
 they are empty, and ``Particle.last_acceleration`` is the mean acceleration of the step.
 
-A particle's own damping d multiplies its velocity by d^h, once, at the end of the step. The orders
-below hold for d = 1, and for any other d the order is 1. Immovable particles do not move. The
-stability limits are those of a spring without damping at d = 1, with steps of h s. The number k h^2
-/ m measures how stiff the spring is for such a step.
+A particle's own damping d multiplies its velocity by d^h once, at the end of a step of h s. The
+orders below hold for d = 1. For any other d the order is 1. The stability limits are for a spring
+without damping and d = 1. They use the number k h^2 / m, which measures how stiff a spring is for a
+step of h s. Immovable particles do not move.
 
 Each integrator raises ValueError if the duration is not positive and finite, and TypeError if it is
 not a number. In that case nothing changes. If ``apply_forces`` raises an exception, the exception
@@ -34,7 +34,7 @@ def explicit_euler(
 
     The method has order 1, is not symplectic, and evaluates the forces once. At d = 1 every spring
     is unstable. For d < 1 springs below ``max_stable_stiffness`` are stable. A spring with a damper
-    c is stable for k h < c, if c h / m < 2. The book uses another name (3.3.2, E-17).
+    c is stable if k h < c and c h / m < 2. The book uses another name (3.3.2, E-17).
     """
     raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
 
@@ -44,11 +44,11 @@ def semi_implicit_euler(
 ) -> None:
     """Accelerate first, then move: v' = (v + a h) d^h, and then p' = p + v' h.
 
-    The method has order 1 and evaluates the forces once. It is symplectic at d = 1 if no force
-    depends on the velocity, so the energy does not drift. It is stable for k h^2 / m < 4. With
-    damping d the condition is k h^2 / m < 2 (1 + d^h) / d^h, and with a damper c in the spring it
-    is k h^2 / m + 2 c h / m < 4. Source: Hairer, Lubich and Wanner, Geometric Numerical
-    Integration, I.1.2.
+    The method has order 1 and evaluates the forces once. If d = 1 and no force depends on the
+    velocity, it is symplectic, so the energy does not drift. It is stable for k h^2 / m < 4. With
+    damping d the condition is k h^2 / m < 2 (1 + d^h) / d^h. With a damper c in the spring it is k
+    h^2 / m + 2 c h / m < 4. Source: Hairer, Lubich and Wanner, Geometric Numerical Integration,
+    I.1.2.
     """
     raise NotImplementedError("Exercise B6.6: Explicit and semi-implicit Euler")
 
@@ -56,16 +56,16 @@ def semi_implicit_euler(
 def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
     """Drift for half of the step, kick for all of it, and drift for the other half.
 
-    p1 = p + v h / 2, then v' = (v + a h) d^h with the forces at p1, and p' = p1 + v' h / 2. The
-    forces are evaluated once, in the middle of the step, and damping acts once.
+    First p1 = p + v h / 2, then v' = (v + a h) d^h with the forces at p1, and then p' = p1 + v' h /
+    2. The forces are evaluated once, in the middle of the step, and damping acts once.
 
-    The order is 2 if no force depends on the velocity. In that case, and at d = 1, the method is
-    symplectic. If a force does depend on the velocity, the order is 1, because that force is
-    evaluated with the old velocity.
+    If no force depends on the velocity, the order is 2, and the method is symplectic at d = 1. If a
+    force does depend on the velocity, the order is 1, because that force is evaluated with the old
+    velocity.
 
-    It is stable for k h^2 / m < 4. With damping d, and a damper c in the spring, the condition is k
+    It is stable for k h^2 / m < 4. With damping d and a damper c in the spring, the condition is k
     h^2 / m + 2 c h / m < 2 (1 + d^h) / d^h. Semi-implicit Euler has the same limits, because
-    leapfrog, after its first half drift, also kicks and drifts in turn. Source: Hairer, Lubich and
+    leapfrog also alternates kicks and drifts after its first half drift. Source: Hairer, Lubich and
     Wanner, Acta Numerica 12 (2003), 399.
     """
     raise NotImplementedError("Exercise B6.6b: Leapfrog")
@@ -76,10 +76,10 @@ def velocity_verlet(
 ) -> None:
     """Step with the accelerations a at the start and b at the new position.
 
-    p' = p + v h + a h^2 / 2, and v' = (v + (a + b) h / 2) d^h. For b, forces that depend on the
-    velocity are evaluated with v + a h.
+    First p' = p + v h + a h^2 / 2, and then v' = (v + (a + b) h / 2) d^h. To compute b, evaluate
+    forces that depend on the velocity with v + a h.
 
-    The method has order 2 and evaluates the forces twice. It is symplectic at d = 1 if no force
+    The method has order 2 and evaluates the forces twice. It is symplectic if d = 1 and no force
     depends on the velocity. It is stable for k h^2 / m < 4, also if d < 1. A damper in the spring
     lowers this limit. Source: Swope and others, Journal of Chemical Physics 76 (1982), 637.
     """
@@ -91,13 +91,13 @@ def runge_kutta_4(
 ) -> None:
     """Step with the weighted mean of four rates: at the start, twice in the middle, and at the end.
 
-    The first rate is that of the starting state. For each of the others, go from the start at the
-    previous rate, for half the step, half the step again, and the whole step, and evaluate the rate
-    of the state there. The second and third rates count double.
+    The first rate belongs to the starting state. For each later rate, move from the start at the
+    previous rate, and evaluate the rate of the state that you reach: after half the step, half the
+    step again, and the whole step. The second and third rates count double.
 
     The method has order 4 and evaluates the forces four times. It is not symplectic, but its energy
-    drifts very slowly if the steps are short. It is stable for k h^2 / m < 8, and for more if d <
-    1. Source: Kutta, Zeitschrift für Mathematik und Physik 46 (1901), 435.
+    drifts very slowly if the steps are short. It is stable for k h^2 / m < 8, or more if d < 1.
+    Source: Kutta, Zeitschrift für Mathematik und Physik 46 (1901), 435.
     """
     raise NotImplementedError("Exercise B6.8: Runge-Kutta of order 4")
 
@@ -105,11 +105,11 @@ def runge_kutta_4(
 def backward_euler(
     x: float, v: float, stiffness: float, damping: float, mass: float, duration: float
 ) -> tuple[float, float]:
-    """Return position in m and velocity in m/s of one linear spring after a time step.
+    """Return the position in m and velocity in m/s of one linear spring after one time step.
 
     Solve x' = x + v' h and v' = v + a' h, where the acceleration uses the new values: m a' = -(k x'
-    + c v'). The rest position of the spring is 0. k is in N/m, c in N s/m, the mass in kg and the
-    duration in s.
+    + c v'). The spring is at rest at x = 0. ``stiffness`` is k in N/m, ``damping`` is c in N s/m,
+    ``mass`` is in kg and ``duration`` in s.
 
     The method has order 1, is not symplectic, and evaluates no forces. It is stable for every
     stiffness, but the stiffer the spring, the more energy it loses. Source: Hairer and Wanner,
@@ -124,10 +124,10 @@ def backward_euler(
 def trapezoidal(
     x: float, v: float, stiffness: float, damping: float, mass: float, duration: float
 ) -> tuple[float, float]:
-    """Return position in m and velocity in m/s of one linear spring after a time step.
+    """Return the position in m and velocity in m/s of one linear spring after one time step.
 
     Solve x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, which use the means of old and new
-    values, with m a = -k x - c v. The arguments are those of ``backward_euler``.
+    values. Here m a = -k x - c v. The arguments are the same as for ``backward_euler``.
 
     The method has order 2 and evaluates no forces. It is stable for every stiffness. Without
     damping it is symplectic and conserves the energy of the spring. Source: Hairer and Wanner,
@@ -139,10 +139,10 @@ def trapezoidal(
 
 
 class SimulationDiverged(ArithmeticError):  # noqa: N818
-    """Raised when a particle is faster than anything in its scene should be.
+    """Raised when a particle is faster than any particle in its scene should be.
 
-    This usually means that the steps are too long for the forces. ``particle`` is the particle's
-    index, and ``step`` is the number of the step after which it was too fast, counted from 1.
+    This usually means that the steps are too long for the forces. ``particle`` is the index of the
+    particle. ``step`` is the number of the step after which it was too fast, counted from 1.
     ``speed`` and ``limit`` are in m/s.
     """
 
@@ -158,8 +158,8 @@ def watched(integrator: Integrator, speed_limit: float) -> Integrator:
     """Return an integrator that makes the same steps and then checks every particle's speed.
 
     Use it to notice an explosion at once. The new integrator takes the same arguments and counts
-    its steps. It raises SimulationDiverged for the first particle whose speed is NaN or above the
-    limit in m/s. If the original integrator raises an exception, the step does not count.
+    its steps. It raises SimulationDiverged for the first particle whose speed is NaN or above
+    ``speed_limit`` in m/s. If ``integrator`` raises an exception, the step does not count.
 
     Raises ValueError if the limit is not positive and finite.
     """

@@ -1,4 +1,4 @@
-"""Going further: collisions by springs, and how they fail (E-36)."""
+"""Going further: collisions with springs, and why they fail (E-36)."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from ch05_forces.particle import Particle
 class PenaltyGround:
     """Level ground that pushes particles out like a spring, and never pulls.
 
-    Neither a small nor a large stiffness k works well. Soft ground is like a sponge, because a body
-    at rest on it sinks in by m g / k. Hard ground needs short steps h. It begins to push only after
-    a step has ended below the ground, and then it pushes for the whole next step. Without damping
-    it may therefore throw a body higher than the height from which it fell, unless k h^2 / m is far
-    below 1. If k h^2 / m is above 4, it even throws bodies that rest on it.
-
     ``height`` is in m, ``stiffness`` in N/m and ``damping`` in N s/m.
+
+    No stiffness k works well. Soft ground is like a sponge, because a body at rest on it sinks in
+    by m g / k. Hard ground needs short steps h. It begins to push only after a step has ended below
+    the ground, and then it pushes for the whole next step. Without damping it may therefore throw a
+    body higher than the height from which it fell, unless k h^2 / m is far below 1. If k h^2 / m is
+    above 4, it even throws bodies that rest on it.
 
     Raises ValueError if the height is not finite, or another argument is negative or not finite.
     """
@@ -28,7 +28,7 @@ class PenaltyGround:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the upward force k depth - c v_y to a particle below the ground, if it is positive.
 
-        v_y is the upward velocity of the particle. Because of the damping, a particle that is on
-        its way out is pushed less, but it is never held back.
+        v_y is the upward velocity of the particle. Damping reduces the push on a particle that is
+        moving out of the ground, but it never pulls the particle back.
         """
         raise NotImplementedError("Exercise G6.1: Going further: collisions by a spring")

@@ -26,10 +26,11 @@ def spring_force(
     """Return the force in N of a spring on one of its ends as a new vector (Eq. 6.1, 6.2).
 
     ``offset`` is the position of this end relative to the other end in m, and ``velocity`` is its
-    velocity relative to the other end in m/s. The force is -(k (l - l0) + c l') d^, where l is the
-    length of the offset and d^ is its direction. l' is the rate at which the length grows: the
-    component of the velocity along d^. A zero offset has no direction, so the force is zero then.
-    The arguments are not checked here, because the constructors of the springs check them.
+    velocity relative to the other end in m/s. The force is -(k (l - l0) + c l') d^. Here l is the
+    length of ``offset``, d^ is its direction, and l0 is the rest length. l' is the rate at which l
+    grows: the component of ``velocity`` along d^. If the offset is zero, so is the force, because
+    there is no direction. The arguments are not checked here, because the constructors of the
+    springs check them.
 
     A spring that is shorter than its rest length pushes. In the book's listing it pulls instead,
     because the listing takes the absolute value of the extension (E-3).
@@ -40,7 +41,7 @@ def spring_force(
 class Spring:
     """A spring that pulls on one particle only (6.2.1).
 
-    The other end is at ``other``, which feels no force. To pull on both ends, use ``connect``.
+    Its other end is at ``other``, which feels no force. To pull on both ends, use ``connect``.
     """
 
     def __init__(
@@ -59,8 +60,8 @@ class Spring:
 class AnchoredSpring:
     """A spring from a particle to an anchor, which is a fixed position (6.2.2).
 
-    You may move ``anchor``, for example to make a camera follow a player on a spring. The damping
-    still treats the anchor as if it were at rest.
+    You may move ``anchor``, for example to let a camera follow a player. The damping then still
+    treats the anchor as if it were at rest.
     """
 
     def __init__(
@@ -86,13 +87,13 @@ class Bungee(Spring):
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the force of the spring if it pulls, and nothing if the rope is slack.
 
-        While a stretched rope gets shorter, damping makes it pull less, but it never pushes.
+        While a stretched rope gets shorter, damping reduces the pull, but the rope never pushes.
         """
         raise NotImplementedError("Exercise B6.2: Bungees")
 
 
 class AnchoredBungee(AnchoredSpring):
-    """An elastic rope to an anchor, which only pulls (6.2.3)."""
+    """An elastic rope to an anchor: a spring that only pulls (6.2.3)."""
 
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the force of the spring if it pulls, as a Bungee does."""
@@ -100,7 +101,7 @@ class AnchoredBungee(AnchoredSpring):
 
 
 class Connection:
-    """A spring between two particles, a and b, that pulls on both ends. ``connect`` creates it."""
+    """A spring that pulls on both of its ends, ``a`` and ``b``. Create it with ``connect``."""
 
     def __init__(
         self, a: Particle, b: Particle, stiffness: float, rest_length: float, damping: float = 0.0
@@ -114,8 +115,8 @@ class Connection:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the ``spring_force`` on ``a`` to ``a``, and exactly the opposite force to ``b``.
 
-        The total momentum of the two therefore does not change. The registry may call this method
-        for either of the two particles.
+        The total momentum of both particles therefore stays the same. The registry may call this
+        method for either of them.
         """
         raise NotImplementedError("Exercise B6.3: One spring for both ends")
 
@@ -128,10 +129,10 @@ def connect(
     rest_length: float,
     damping: float = 0.0,
 ) -> Connection:
-    """Join two particles by one spring that acts on both, and return the spring.
+    """Join ``a`` and ``b`` by one spring that acts on both of them, and return the spring.
 
-    The registry skips immovable particles. It therefore keeps the spring under ``a``, or under
-    ``b`` if ``a`` is immovable. So make an end immovable before you connect it, not after.
+    The registry skips immovable particles. So the spring is registered for ``a``, or for ``b`` if
+    ``a`` is immovable. If you want to make an end immovable, do so before you connect it.
     """
     raise NotImplementedError("Exercise B6.3: One spring for both ends")
 
@@ -139,15 +140,15 @@ def connect(
 class FakeStiffSpring:
     """A substitute for a spring that is too stiff for the time steps (6.3.2).
 
-    It computes where a real spring would have moved the particle by the end of the step, with
-    ``damped_spring_state``, and adds the constant force that takes the particle there. Its rest
-    length is 0, and its other end is an anchor.
+    With ``damped_spring_state``, it computes where a real spring would have moved the particle by
+    the end of the step, and adds the constant force that takes the particle there. Its rest length
+    is 0, and its other end is ``anchor``.
 
-    The force is meant for semi-implicit Euler, p' = p + v' h. The particle reaches the computed
-    position if its damping is 1 and nothing else accelerates it. With explicit Euler
+    The force is meant for semi-implicit Euler, p' = p + v' h. The particle then reaches the
+    computed position if its damping is 1 and nothing else accelerates it. With explicit Euler
     (``Particle.integrate``) it arrives one step late, because p' = p + v h does not include the new
-    force, and so its oscillations grow (E-22). The book's formulas for the force do not fit any
-    integrator (E-6).
+    force. Its oscillations therefore grow (E-22). The book's force formulas fit no integrator
+    (E-6).
 
     After the step, the particle has the mean velocity of the step, not the velocity on a real
     spring. With short steps the force is therefore half that of a real spring, and the oscillation
@@ -164,10 +165,9 @@ class FakeStiffSpring:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add m ((T - x) / h^2 - v / h) on each axis, where T is the spring's position after h.
 
-        x is the position relative to the anchor, and v is the velocity. Skip an immovable particle.
-
-        Raises ValueError if the duration is not positive and finite, even for an immovable
-        particle.
+        Here x is the position relative to the anchor, v is the velocity, and h is ``duration``.
+        Skip an immovable particle. Raises ValueError if the duration is not positive and finite,
+        even for an immovable particle.
         """
         raise NotImplementedError("Exercise B6.11: The faked stiff spring")
 
@@ -175,9 +175,9 @@ class FakeStiffSpring:
 class ElasticLimitSpring:
     """Exercise 6.1: a spring that gets weaker when it is stretched beyond its elastic limit.
 
-    Up to a length of ``limit`` it behaves like a Spring. The part of its length beyond the limit
-    pulls with only the fraction ``share`` of the stiffness. The spring has no damping, and it
-    exerts no force on the other particle.
+    Up to a length of ``limit`` it behaves like a Spring. Beyond the limit, the extra length pulls
+    with only the fraction ``share`` of the stiffness. The spring has no damping, and it exerts no
+    force on the particle ``other``.
 
     Raises ValueError if the limit is below the rest length, or if a number is negative or not
     finite.
@@ -195,17 +195,17 @@ class ElasticLimitSpring:
         self.share = not_negative("share", share)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.1: add the force, which changes without a jump at the limit."""
+        """Exercise 6.1: add the force. It changes continuously at the limit, without a jump."""
         raise NotImplementedError("Exercise 6.1: A spring with an elastic limit")
 
 
 def max_stable_stiffness(damping: float, duration: float, mass: float = 1.0) -> float:
     """Exercise 6.6b: return the stiffness in N/m above which a spring explodes.
 
-    The limit is m (d^-h - 1) / h^2, if ``Particle.integrate`` makes steps of a duration h in s. It
-    holds for a spring to an anchor that has no damping of its own. ``damping`` is the particle's d,
-    and ``mass`` is in kg. If d is 1 or more, no spring is stable, so the result is 0. If d is 0, or
-    if d^-h is too large for a float, the result is ``math.inf``.
+    If ``Particle.integrate`` makes steps of h s, the limit is m (d^-h - 1) / h^2. Here h is
+    ``duration``, d is the particle's ``damping``, and m is ``mass`` in kg. The limit holds for an
+    AnchoredSpring without damping. If d is 1 or more, no spring is stable, so the result is 0. If d
+    is 0, or if d^-h is too large for a float, the result is ``math.inf``.
 
     Raises ValueError if the damping is negative, the duration or the mass is not positive, or one
     of them is not finite.

@@ -1,12 +1,13 @@
 """Going further, complete: a chain of rods in a plane, described by its angles.
 
-The outer end of each rod can move in only one way, along a circle around the inner end. So one
-angle per rod describes the whole chain, as one angle describes a pendulum. No step can make a rod
-too long, and with Runge-Kutta 4 the angles have an error of order 4.
+The outer end of each rod can only move along a circle around the inner end. So one angle per rod
+describes the whole chain, just as one angle describes a pendulum. No step can make a rod too long,
+and with Runge-Kutta 4 the angles have an error of order 4.
 
 The equations of motion need the tensions of the rods. Each tension accelerates the two ends of its
-rod, so it appears in the equations of three rods: its own and the two beside it. These equations
-are solved from the anchor to the tip and back, in a time proportional to the number of rods.
+rod, so it appears in three equations: the equation of this rod, and the equations of the two
+neighboring rods. The equations are solved from the anchor to the tip and back, in a time
+proportional to the number of rods.
 """
 
 from __future__ import annotations
@@ -21,11 +22,16 @@ from ch02_vectors.vector import Vector3
 class AngleChain:
     """Point masses on massless rods, one below the other, that swing in the X-Y plane.
 
-    The first rod turns about the origin. With one rod the chain is a pendulum, and with two rods it
-    is a double pendulum. All lists run from the origin to the tip. ``lengths`` are in m, and
-    ``masses``, in kg, are at the outer ends of the rods. ``angles`` are in radians, measured from
-    straight down toward +X. ``angular_velocities`` are in rad/s, and all are 0 if they are left
-    out. ``gravity`` is in m/s^2. The attributes have the names of the arguments.
+    The first rod rotates about the origin. With one rod the chain is a pendulum, and with two rods
+    it is a double pendulum. All lists run from the origin to the tip.
+
+    - ``lengths`` are in m.
+    - ``masses`` are in kg. Each mass is at the outer end of its rod.
+    - ``angles`` are in radians, measured from straight down toward +X.
+    - ``angular_velocities`` are in rad/s. If they are omitted, all are 0.
+    - ``gravity`` is in m/s^2.
+
+    The attributes have the names of the arguments.
 
     Raises:
         ValueError: if the lists are empty or differ in length, if a length, a mass or gravity is
@@ -53,7 +59,7 @@ class AngleChain:
 
     @property
     def positions(self) -> list[Vector3]:
-        """The positions of the masses in m, from the first to the tip, as new vectors."""
+        """The positions of the masses in m, from the first mass to the tip, as new vectors."""
         x = y = 0.0
         places = []
         for length, angle in zip(self.lengths, self.angles, strict=True):
@@ -63,7 +69,7 @@ class AngleChain:
         return places
 
     def step(self, duration: float) -> None:
-        """Make a Runge-Kutta 4 step of a duration in s.
+        """Make one Runge-Kutta 4 step. ``duration`` is in s.
 
         Raises:
             ValueError: if the duration is not positive and finite.
@@ -82,10 +88,10 @@ class AngleChain:
     def _rates(
         self, ahead: float, turning: Sequence[float], gaining: Sequence[float]
     ) -> tuple[list[float], list[float]]:
-        """Return the angular velocities and accelerations ``ahead`` s after the present state.
+        """Return the angular velocities and accelerations at ``ahead`` s after the current state.
 
-        Until then the angles change at the rates ``turning``, and the angular velocities change at
-        the rates ``gaining``.
+        To get there, the angles change at the rates ``turning``, and the angular velocities change
+        at the rates ``gaining``.
         """
         # Row i: (1/m0 + 1/m1) T[i] - cos/m0 T[i-1] - cos/m1 T[i+1] = L w^2, with the tensions T in
         # N, the masses m0 and m1 at the ends of the rod, and the cosines of the bends, which are

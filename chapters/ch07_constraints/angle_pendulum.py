@@ -1,8 +1,8 @@
 """Going further, complete: a pendulum and a double pendulum, described by their angles.
 
-In a plane, a mass on a rod can move in only one way, along a circle. So one angle describes a
-pendulum. A model with a particle and a rod moves two coordinates first, and then has to correct
-them. In a model with the angle alone, the rod is never too long, so it needs no contacts, and
+In a plane, a mass on a rod can only move along a circle. So one angle is enough to describe a
+pendulum. A model with a particle and a rod first moves two coordinates, and then has to correct
+them. A model with only the angle needs no contacts, because the rod is never too long, and
 Runge-Kutta 4 keeps its order of 4. In the same way, two angles describe a double pendulum. The
 module angle_chain.py does this for any number of rods.
 """
@@ -19,7 +19,7 @@ from ch02_vectors.vector import Vector3
 class AnglePendulum:
     """A mass on a massless rod that swings about the origin in the X-Y plane.
 
-    ``length`` is in m, and ``angle`` is in radians, measured from straight down toward +X.
+    ``length`` is in m. ``angle`` is in radians, measured from straight down toward +X.
     ``angular_velocity`` is in rad/s and ``gravity`` in m/s^2. The attributes have the names of the
     arguments. There is no argument for the mass, because it does not affect the motion.
 
@@ -43,7 +43,9 @@ class AnglePendulum:
         return Vector3(x, y)
 
     def step(self, duration: float) -> None:
-        """Make a Runge-Kutta 4 step of a duration in s, with the angular acceleration -g/l sin.
+        """Make one Runge-Kutta 4 step. ``duration`` is in s.
+
+        The angular acceleration is -(g / l) sin(angle).
 
         Raises:
             ValueError: if the duration is not positive and finite.
@@ -63,13 +65,14 @@ class AnglePendulum:
 
 
 class DoublePendulum:
-    """A pendulum that hangs on a pendulum: two masses on two massless rods in the X-Y plane.
+    """A pendulum that hangs from another pendulum: two masses on two massless rods.
 
-    The first rod turns about the origin, and the second one about the first mass. ``lengths`` are
-    in m and ``masses`` in kg. ``angles`` are in radians, measured from straight down toward +X.
-    ``angular_velocities`` are in rad/s and ``gravity`` is in m/s^2. The attributes have the names
-    of the arguments. An AngleChain with two rods moves in the same way, but its steps take twice as
-    long.
+    It swings in the X-Y plane. The first rod rotates about the origin, and the second rod about the
+    first mass. ``lengths`` are in m and ``masses`` in kg. ``angles`` are in radians, measured from
+    straight down toward +X. ``angular_velocities`` are in rad/s and ``gravity`` is in m/s^2. The
+    attributes have the names of the arguments.
+
+    An AngleChain with two rods moves in the same way, but its steps take twice as long.
 
     Raises:
         ValueError: if a list does not have two numbers, if a length, a mass or gravity is not
@@ -102,7 +105,7 @@ class DoublePendulum:
         return [Vector3(x, y), Vector3(x + outer * math.sin(b), y - outer * math.cos(b))]
 
     def step(self, duration: float) -> None:
-        """Make a Runge-Kutta 4 step of a duration in s, with the equations of Lagrange.
+        """Make one Runge-Kutta 4 step of Lagrange's equations. ``duration`` is in s.
 
         Here a and b are the two angles, d is a - b, and M is the sum of the masses m1 and m2:
 

@@ -1,8 +1,8 @@
 """Going further, complete: a rope of equal links in a plane, described by its angles.
 
-It moves exactly as an AngleChain of equal rods does. Because all lengths and masses are equal, they
-cancel in the equations of motion, where only gravity / length is left. Without them a step takes
-about 15 % less time.
+The rope moves exactly as an AngleChain of equal rods does. Because all lengths and masses are
+equal, they cancel in the equations of motion, and only the ratio gravity / length is left. A step
+therefore takes about 15 % less time.
 """
 
 from __future__ import annotations
@@ -14,10 +14,11 @@ from ch07_constraints.angle_chain import AngleChain
 
 
 class AngleRope(AngleChain):
-    """Massless links of the same ``length`` in m, each with the same ``mass`` in kg at its end.
+    """A rope of massless links with the same ``length`` in m and the same ``mass`` in kg.
 
-    The other arguments, the attributes and the errors are those of an AngleChain. The lists
-    ``lengths`` and ``masses`` contain one number for each link.
+    Each mass is at the outer end of its link. The other arguments, the attributes and the errors
+    are the same as for an AngleChain. The lists ``lengths`` and ``masses`` contain one number for
+    each link.
     """
 
     def __init__(
@@ -34,9 +35,10 @@ class AngleRope(AngleChain):
     def _rates(
         self, ahead: float, turning: Sequence[float], gaining: Sequence[float]
     ) -> tuple[list[float], list[float]]:
-        """Return what AngleChain._rates returns, with its equations divided by the equal numbers.
+        """Return the same rates as AngleChain._rates, from simpler equations.
 
-        Row i is 2 t[i] - cos t[i-1] - cos t[i+1] = w^2, where t is tension / (mass length).
+        The equal lengths and masses cancel. Row i is 2 t[i] - cos t[i-1] - cos t[i+1] = w^2, where
+        t is tension / (mass length).
         """
         angles, velocities = self.angles, self.angular_velocities
         gravity = self.gravity / self.lengths[0]

@@ -1,8 +1,8 @@
-"""Going further, complete: a bouncing ball, computed from its impacts instead of steps.
+"""Going further, complete: a bouncing ball, computed from its impacts instead of time steps.
 
-Between two impacts the height of the ball is a parabola, so the time of the next impact follows
-from a formula. The ball therefore needs no small steps. There is one computation for each impact,
-and one for each height that you ask for.
+Between two impacts the height of the ball is a parabola, so a formula gives the time of the next
+impact. The ball therefore needs no small time steps. The program computes only the impacts, and the
+heights that you ask for.
 """
 
 from __future__ import annotations
@@ -22,17 +22,17 @@ def heights_in_frames(
     frames: int,
     gravity: float = 9.81,
 ) -> list[float]:
-    """Return a ball's height above the ground in m at the end of each frame.
+    """Return the height of a ball above the ground in m at the end of each frame.
 
     The ball starts at ``height`` in m above the ground, and moves upward at ``speed`` in m/s.
-    ``frame`` is the duration of a frame in s, and ``frames`` is the number of frames. Gravity is in
-    m/s^2.
+    ``frame`` is the duration of a frame in s, and ``frames`` is the number of frames. ``gravity``
+    is in m/s^2.
 
     Raises:
         ValueError: if ``height`` is negative, ``speed`` or the time of all frames is not finite,
             ``restitution`` is not from 0 to 1, ``frame`` or ``gravity`` is not positive, or
             ``frames`` is less than 1.
-                TypeError: if an argument is not a number, or ``frames`` is not a whole number.
+        TypeError: if an argument is not a number, or ``frames`` is not a whole number.
     """
     not_negative("height", height)
     finite("speed", speed)

@@ -1,12 +1,13 @@
 """Going further, complete: a chain that solves for the tensions of all its rods at once.
 
-A resolver corrects one rod after another, and each correction disturbs the rods next to it. In a
+A resolver corrects one rod after another, and each correction disturbs the neighboring rods. In a
 long chain, a pull therefore needs many iterations to travel from link to link. This chain finds all
-tensions together instead, and no rod is left too long.
+tensions together instead, so no rod is too long afterward.
 
-The tension of a rod changes only three lengths: its own and those of the two rods next to it. So
-each equation for the tensions has at most three unknowns. The equations are solved from the anchor
-to the free end and back, which takes about as much work per rod as resolving it once.
+The tension of a rod changes only three lengths: the length of this rod, and the lengths of its two
+neighbors. So each equation for the tensions has at most three unknowns. The equations are solved
+from the anchor to the free end and back. This takes about as much work per rod as resolving it
+once.
 """
 
 from __future__ import annotations
@@ -25,11 +26,11 @@ Row = tuple[Vector3, Vector3, float, float, float, float, float, float, float]
 
 
 class DirectChain:
-    """A chain of rods that starts at an anchor and joins the particles in their order.
+    """A chain of rods that starts at ``anchor`` and joins ``particles`` in their order.
 
-    Call ``step`` instead of an integrator, because the chain moves its particles itself. Each rod
-    keeps the length in m that it has when the chain is created. If there are several particles, the
-    last one may be immovable, to hold the other end.
+    The chain moves its particles itself, so call ``step`` instead of an integrator. Each rod keeps
+    the length in m that it has when the chain is created. If there are several particles, the last
+    one may be immovable, to hold the other end.
 
     Raises:
         ValueError: if there are no particles, if a rod has no length, or if a particle other than
@@ -53,25 +54,25 @@ class DirectChain:
 
     @property
     def tensions(self) -> list[float]:
-        """The tension of each rod in the last step, in N. It is negative for a rod that pushed."""
+        """The tension of each rod in the last step, in N. It is negative if the rod pushed."""
         return [pull * length for pull, length in zip(self._pulls, self.lengths, strict=False)]
 
     def step(self, duration: float) -> None:
-        """Move the chain by one step of a duration in s, with the forces in the accumulators.
+        """Move the chain by one time step under the forces in the accumulators.
 
-        Velocities change before positions, as in semi-implicit Euler. Each rod applies an impulse
-        along its direction at the start of the step. The impulses are chosen so that each rod has
-        its length at the end of the step. These equations are linear except for a small quadratic
-        term. The tensions of the last step give a good estimate of that term, so one solve is
-        enough.
+        ``duration`` is in s. Velocities change before positions, as in semi-implicit Euler. Each
+        rod applies an impulse along its direction at the start of the step. The impulses are chosen
+        so that each rod has the right length at the end of the step. These equations are linear
+        except for a small quadratic term. The tensions of the last step give a good estimate of
+        that term, so solving once is enough.
 
-        The first step accelerates for only half of its duration. From then on the velocities are
-        those in the middle of the previous step, as in leapfrog. This gives the positions order 2,
-        as long as all steps have the same duration.
+        The first step accelerates for only half of its duration. From then on the velocities belong
+        to the middle of the previous step, as in leapfrog. This gives the positions order 2, as
+        long as all steps have the same duration.
 
         Raises:
-            ValueError: if the duration is not positive and finite. Nothing is changed then.
-            ArithmeticError: if a rod would turn too far in the step. The chain is then in the
+            ValueError: if the duration is not positive and finite. In that case nothing changes.
+            ArithmeticError: if a rod would rotate too far in the step. The chain is then in the
                 middle of the step, and cannot be used any more.
         """
         positive("duration", duration)
@@ -79,12 +80,12 @@ class DirectChain:
         self._pulls = self._pull_and_drift(self._kick_and_eliminate(duration, time), duration)
 
     def _kick_and_eliminate(self, duration: float, time: float) -> list[Row]:
-        """Kick the particles for a time, and return the rods' equations with one unknown fewer.
+        """Kick the particles for ``time`` s, and return the rods' equations with one unknown fewer.
 
-        If the tensions stayed as in the last step, the kicked velocities would determine where each
-        rod is at the end of this step. Equation i says how the tensions i - 1, i and i + 1 must
-        change so that rod i has its length there. Change i - 1 is eliminated from the equation at
-        once (Thomas, 1949).
+        If the tensions stayed as in the last step, the kicked velocities would determine the
+        position of each rod at the end of this step. Equation i says how the tensions i - 1, i and
+        i + 1 must change so that rod i has the right length at that time. Change i - 1 is
+        eliminated from the equation at once (Thomas, 1949).
 
         All numbers are plain floats, because a step with vectors, or in separate passes, takes
         longer.

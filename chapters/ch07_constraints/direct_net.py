@@ -1,13 +1,13 @@
 """Going further, complete: a net of rods and cables that solves for all pulls at once.
 
-DirectNet does for any net what DirectChain does for a chain. Two things are new. First, the
-equations of a chain can be solved from one end to the other, but the equations of a net need an
-order of elimination. Second, a cable can only pull, so the step must also find out which cables are
-taut.
+DirectNet does for any net what DirectChain does for a chain, but a net is harder in two respects.
+First, the equations of a chain can be solved from one end to the other, but the equations of a net
+need an order of elimination. Second, a cable can only pull, so the step must also find out which
+cables are taut.
 
-A chain is also a net, and both solvers have the same error. But for 30 rods a net takes 3.6 times as
-long (`make bench`), because it looks up which links meet at each particle. DirectChain therefore has a
-solver of its own.
+A chain is also a net, and both solvers have the same error. But for 30 rods a step of the net takes
+3.6 times as long (`make bench`), because the net looks up which links meet at each particle. This
+is why DirectChain has a solver of its own.
 """
 
 from __future__ import annotations
@@ -30,11 +30,11 @@ TOO_FAR = "the links turn too far in one step; use shorter steps"
 
 
 class DirectNet(Net):
-    """A net of rods and cables that makes the steps of its particles, at order 2.
+    """A net of rods and cables that steps its own particles, with an error of order 2.
 
-    ``links`` are the rods, cables and Limits of chapter 7. Their restitution is ignored, so nothing
-    bounces. The order is 2 as long as no cable becomes taut. Each time a cable becomes taut, it
-    causes an error of order 1.
+    ``links`` are the rods, cables and Limits of chapter 7. The net ignores their restitution, so
+    nothing bounces. ``others`` are particles that no link holds. The order is 2 as long as no cable
+    becomes taut. Each time a cable becomes taut, it causes an error of order 1.
     """
 
     def __init__(self, links: Iterable[Any], others: Iterable[Particle] = ()) -> None:
@@ -44,27 +44,28 @@ class DirectNet(Net):
 
     @property
     def tensions(self) -> list[float]:
-        """The pull of each link in the last step, in N. It is negative for a link that pushed.
+        """The pull of each link in the last step, in N. It is negative if the link pushed.
 
-        Limits with a ``min_length`` count as two links, a cable and a strut, and have two pulls in
-        this order.
+        Limits with a ``min_length`` count as two links, a cable and a strut. They have two pulls,
+        in this order.
         """
         return [pull * length for pull, length in zip(self._pulls, self.lengths, strict=True)]
 
     def step(self, duration: float) -> None:
-        """Move the particles by one step of a duration in s, with the forces in the accumulators.
+        """Move the particles by one time step under the forces in the accumulators.
 
-        Velocities change before positions, as in DirectChain. The first step accelerates for half
-        of its time, and from then on the velocities are those in the middle of the previous step.
-        Each link applies an impulse along its direction at the start of the step. At the end of the
-        step, every link has its length, with a relative error of at most 1e-10.
+        ``duration`` is in s. Velocities change before positions, as in DirectChain. The first step
+        accelerates for half of its duration, and from then on the velocities belong to the middle
+        of the previous step. Each link applies an impulse along its direction at the start of the
+        step. At the end of the step, every link has the right length, with a relative error of at
+        most 1e-10.
 
         The step tries the pulls of the last step first. In a net at rest they are already correct,
         so no equations have to be solved.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.
-            ArithmeticError: if a link would turn too far in the step, or the lengths contradict
+            ArithmeticError: if a link would rotate too far in the step, or the lengths contradict
                 each other. The net is then in the middle of the step, and cannot be used any more.
         """
         positive("duration", duration)
@@ -102,11 +103,11 @@ class DirectNet(Net):
     def _find_pulls(
         self, rows: Rows, places: Columns, velocities: Columns, gains: list[float], duration: float
     ) -> None:
-        """Change the pulls, and with them the velocities, until all lengths are right at the end.
+        """Adjust the pulls and velocities until all lengths are right at the end of the step.
 
         Each correction solves the equations for the active links, which are all rods and the taut
-        cables. If a cable would have to push, it is released. If a cable has become too long, it is
-        pulled taut. After several such changes, only one link changes at a time, which guarantees
+        cables. If a cable would have to push, it becomes slack. If a cable has become too long, it
+        becomes taut. After several such changes, only one link changes at a time, which guarantees
         that the search ends (Murty, Linear Algebra and its Applications 7, 1974, 65).
 
         All numbers are plain floats, because a step with vectors takes three times as long.

@@ -16,7 +16,7 @@ COLUMNS = ["material", "initial_height", "bounce_height"]
 
 
 def read_drops(path: Path) -> list[tuple[str, float, float]]:
-    """Return the drops in a file, in the order of its lines. Empty lines are skipped.
+    """Read a file and return its drops in the order of its lines. Empty lines are skipped.
 
     Raises:
         ValueError: if a line lacks a column or a height is not a number. The message names the
@@ -48,7 +48,9 @@ def read_drops(path: Path) -> list[tuple[str, float, float]]:
 
 
 def find_drops(name: str = "drops.csv") -> Path:
-    """Return the path of a file of this chapter, or of the student's own version if there is one.
+    """Return the path of the student's version of the file, or of the chapter's if there is none.
+
+    ``name`` is the name of the file.
 
     Raises:
         FileNotFoundError: if no folder of the engine has the file.

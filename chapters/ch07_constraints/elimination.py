@@ -1,11 +1,11 @@
 """Going further, complete: sparse symmetric equations, solved by elimination (LDL^T).
 
-Most coefficients in the equations of a net are 0, because each pull appears only in the equations
-of the links that share a particle with its own link. Elimination turns some of these zeros into
-other numbers, which are called fill-in and cost time. How much fill-in there is depends on the
-order of elimination. A good rule is minimum degree: next, always eliminate the unknown that has the
-fewest other unknowns in its equation (Tinney and Walker, Proceedings of the IEEE 55, 1967, 1801).
-The nonzero coefficients of a net are always in the same positions, so the order is found only once.
+Most coefficients in the equations of a net are 0. The reason is that the pull of a link appears
+only in the equations of links that share a particle with it. Elimination turns some of these zeros
+into other numbers. They are called fill-in, and they cost time. The amount of fill-in depends on
+the order of elimination. A good rule is minimum degree: always eliminate the unknown whose equation
+has the fewest other unknowns (Tinney and Walker, Proceedings of the IEEE 55, 1967, 1801). The
+nonzero coefficients of a net are always in the same positions, so the order is found only once.
 """
 
 from __future__ import annotations
@@ -17,19 +17,19 @@ SINGULAR = "equation {} has no unique solution"
 
 
 class Elimination:
-    """Solves A x = b for symmetric matrices A that have the same zeros.
+    """Solves A x = b for symmetric matrices A that have zeros in the same positions.
 
-    This class does not search for pivots, so the order of elimination must suit A. Every order
-    works if A is positive definite. It also works if A consists of a positive definite block, a
-    negative definite block, and any numbers between these two (Vanderbei, SIAM Journal on
-    Optimization 5, 1995, 100).
+    ``count`` is the number of unknowns. ``pairs`` are the pairs (i, j) for which A[i][j] may differ
+    from 0. The unknowns with numbers below ``first`` are eliminated before the others.
 
-    ``count`` is the number of unknowns, and ``pairs`` are the pairs (i, j) for which A[i][j] may
-    differ from 0. The unknowns with numbers below ``first`` are eliminated before the others.
-
-    The values of A are a list of the length ``size``. It begins with the ``count`` numbers on the
+    The values of A are a list of length ``size``. It begins with the ``count`` numbers on the
     diagonal. Because A is symmetric, A[i][j] and A[j][i] are stored only once, at the index that
     ``slot_of`` returns.
+
+    This class does not search for pivots, so the order of elimination must suit A. Every order
+    works if A is positive definite. Every order also works if A consists of a positive definite
+    block, a negative definite block, and any numbers between these two (Vanderbei, SIAM Journal on
+    Optimization 5, 1995, 100).
     """
 
     def __init__(self, count: int, pairs: Iterable[tuple[int, int]], first: int = 0) -> None:
@@ -62,7 +62,7 @@ class Elimination:
         self.size = len(self._slots)
 
     def _slot(self, i: int, j: int) -> int:
-        """Return the slot of A[i][j]; a new one if there is none."""
+        """Return the index of A[i][j] in the list of values. Add a new entry if there is none."""
         return self._slots.setdefault((min(i, j), max(i, j)), len(self._slots))
 
     def slot_of(self, i: int, j: int) -> int:
@@ -70,7 +70,7 @@ class Elimination:
         return self._slots[min(i, j), max(i, j)]
 
     def factor(self, values: list[float]) -> None:
-        """Replace the values of A by its factors: 1 / D on the diagonal, and L below.
+        """Replace the values of A by its factors: 1 / D on the diagonal, and L below it.
 
         Raises:
             ArithmeticError: if a pivot is 0 or not finite.

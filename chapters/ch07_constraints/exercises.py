@@ -10,12 +10,12 @@ Drop = tuple[str, float, float]
 
 
 def restitution_of_drop(initial_height: float, bounce_height: float) -> float:
-    """Exercise 7.1: return the restitution of a ball from the heights of its drop and bounce.
+    """Exercise 7.1: compute the restitution of a ball from the heights of its drop and its bounce.
 
-    The restitution is the ratio of the speeds after and before the bounce. Each speed is
-    proportional to the square root of its height, so the restitution is the square root of
-    bounce_height / initial_height. Both heights are in m, measured from the ball's position when it
-    touches the ground.
+    The restitution is the speed after the bounce divided by the speed before it. Each speed is
+    proportional to the square root of the corresponding height, so the restitution is the square
+    root of bounce_height / initial_height. Both heights are in m, measured from the ball's position
+    when it touches the ground.
 
     >>> restitution_of_drop(1.0, 0.64)
     0.8
@@ -31,8 +31,8 @@ def restitution_of_drop(initial_height: float, bounce_height: float) -> float:
 def table_of_drops(drops: Sequence[Drop]) -> list[tuple[str, int, float, float | None]]:
     """Exercise 7.1: return a row (material, number of drops, mean, standard error) per material.
 
-    A drop is a tuple of a material, its initial height and its bounce height, with heights in m.
-    For each material, compute the restitution of each drop and take the mean of the n results. The
+    Each drop in ``drops`` is a tuple of a material, an initial height and a bounce height. Heights
+    are in m. For each material, compute the restitutions of its n drops and their mean. The
     standard error of this mean is s / sqrt(n), where s is the standard deviation of the n
     restitutions, computed with n - 1. For a single drop, the standard error is None. The rows are
     in the order in which the materials first appear.
@@ -53,9 +53,9 @@ def top_ball_speed(
 ) -> float:
     """Exercise 7.3: return the upward velocity in m/s of the upper of two balls after a drop.
 
-    Both balls are dropped from the same height in m, with the upper ball almost touching the lower
-    one. The lower ball bounces off the ground first. Before it has risen noticeably, it hits the
-    upper ball, which is still falling. If the upper ball then keeps moving down, the result is
+    Both balls are dropped from ``height`` in m, one directly above the other and almost touching
+    it. The lower ball bounces off the ground first. Before it has risen noticeably, it hits the
+    upper ball, which is still falling. If the upper ball then still moves down, the result is
     negative. Gravity is in m/s^2 and masses are in kg.
 
     Raises:
@@ -67,11 +67,11 @@ def top_ball_speed(
 
 
 def force_for_frame(force: Vector3, contact_time: float, frame: float) -> Vector3:
-    """Exercise 7.4: return the force in N that has the same effect if it acts for a whole frame.
+    """Exercise 7.4: return a force in N with the same impulse as ``force``, but for a whole frame.
 
-    A frame lasts ``frame`` s, and ``force`` acts for only ``contact_time`` s of it. The engine
-    applies every force for the whole frame, so return a smaller force that has the same impulse, as
-    a new vector.
+    ``force`` acts for only ``contact_time`` s of a frame that lasts ``frame`` s. The engine applies
+    every force for the whole frame. So return a new vector for a smaller force, with the same
+    direction and the same impulse.
 
     Raises:
         ValueError: if the contact time is negative or longer than the frame, the frame is not

@@ -1,16 +1,16 @@
 """Going further, complete: a resolver that finds the worst contact without comparing all of them.
 
-Resolving a contact moves two particles, so it changes only the contacts of these two. A list for
-each particle finds these contacts, and a heap finds the worst contact of all. If several contacts
-are equally bad, the resolver takes the first, as ContactResolver does. So both resolve the same
-contacts in the same order and give the same results, apart from rounding. If many contacts are
-equally bad, the last digit may decide which of them is resolved first.
+Resolving a contact moves two particles, so it changes only the contacts of these two particles. The
+resolver keeps a list of contacts for each particle, and a heap that gives the worst contact of all.
+If several contacts are equally bad, the resolver takes the first, as ContactResolver does. So both
+resolve the same contacts in the same order and give the same results, apart from rounding. If many
+contacts are equally bad, a rounding error may decide which of them is resolved first.
 
 For each resolution, ContactResolver compares all n contacts. The heap updates only the few contacts
 that changed, and visits about log n of its entries for each. For ten contacts, comparing all of
-them is good enough. For 300 contacts the heap is many times faster (`make bench`).
+them is fast enough. For 300 contacts the heap is many times faster (`make bench`).
 
-To reach this speed, the resolver works in plain floats on the particles' own vectors, and computes
+To reach this speed, the resolver works in plain floats on the particles' own vectors. It computes
 everything that does not change during a step only once.
 """
 
@@ -31,10 +31,10 @@ Plan = tuple[float, float, float, float, list[Row]]
 
 
 class HeapResolver(ContactResolver):
-    """A ContactResolver with the same results, whose cost grows with n log n instead of n^2.
+    """A ContactResolver whose cost grows with n log n instead of n^2, with the same results.
 
-    The resolver contains a copy of Contact's formulas and does not call its methods. A subclass of
-    Contact with methods of its own is therefore resolved like a plain Contact.
+    The resolver contains a copy of Contact's formulas and does not call its methods. If a subclass
+    of Contact overrides these methods, the overrides have no effect here.
     """
 
     def resolve_velocities(self, contacts: list[Contact], limit: int, duration: float) -> int:
@@ -127,7 +127,7 @@ class HeapResolver(ContactResolver):
 
 
 def _contacts_of(contacts: list[Contact]) -> dict[int, list[int]]:
-    """Return the indices of the contacts of each movable particle, by the particle's id."""
+    """Return a dict from the id of each movable particle to the indices of its contacts."""
     found: dict[int, list[int]] = {}
     for i, contact in enumerate(contacts):
         for particle in (contact.particle, contact.other):

@@ -1,8 +1,8 @@
 """Links between two particles, or between a particle and an anchor: cables, rods and limits.
 
-A link is a contact generator. As long as its length is within its limits, it generates no contact.
-When the length reaches or passes a limit, ``contacts()`` returns a contact, and resolving this
-contact restores the length.
+A link is a contact generator. It generates no contact while its length is within its limits. When
+the length reaches or passes a limit, ``contacts()`` returns a contact. Resolving this contact
+brings the length back to the limit.
 
 Lengths are in m. Constructors raise ValueError for a length that is not positive, a restitution
 outside 0 to 1 and anything that is not finite, and TypeError for an argument of the wrong type. You
@@ -20,8 +20,8 @@ from ch07_constraints.contacts import Contact, a_restitution
 class Cable:
     """Keeps two particles at most ``max_length`` apart (7.4.1).
 
-    When the cable snaps taut, its ends may bounce back toward each other. ``restitution`` is the
-    ratio of their speed just after that moment to their speed just before it.
+    When the cable becomes taut, its ends can bounce back toward each other. ``restitution`` is
+    their relative speed just after this moment divided by their relative speed just before it.
     """
 
     def __init__(
@@ -32,16 +32,16 @@ class Cable:
         self.restitution = a_restitution("restitution", restitution)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact if the cable is taut, that is, ``max_length`` long or longer.
+        """Return a contact if the cable is taut, which means ``max_length`` long or longer.
 
-        The contact's ``particle`` is a and its ``other`` is b. Its normal points from a to b, and
-        its penetration is the length beyond ``max_length``.
+        In the contact, ``particle`` is a and ``other`` is b. The normal points from a to b. The
+        penetration is the length of the cable minus ``max_length``.
         """
         raise NotImplementedError("Exercise B7.7: Cables")
 
 
 class AnchoredCable:
-    """Keeps a particle at most ``max_length`` from an anchor, which is a fixed position (7.4.1)."""
+    """Keeps a particle at most ``max_length`` away from ``anchor``, a fixed position (7.4.1)."""
 
     def __init__(
         self, particle: Particle, anchor: Vector3, max_length: float, restitution: float = 0.0
@@ -52,15 +52,15 @@ class AnchoredCable:
         self.restitution = a_restitution("restitution", restitution)
 
     def contacts(self) -> list[Contact]:
-        """Return a contact if the cable is taut.
+        """Return a contact if the cable is taut, as a Cable does.
 
-        The contact's ``other`` is None, and its normal points to the anchor.
+        In the contact, ``other`` is None, and the normal points to the anchor.
         """
         raise NotImplementedError("Exercise B7.7: Cables")
 
 
 class Rod:
-    """Keeps two particles at exactly ``length`` from each other (7.4.2)."""
+    """Keeps two particles exactly ``length`` apart (7.4.2)."""
 
     def __init__(self, a: Particle, b: Particle, length: float) -> None:
         self.a, self.b = two_particles(a, b)
@@ -69,17 +69,17 @@ class Rod:
     def contacts(self) -> list[Contact]:
         """Return a contact if the rod is too long or too short, and no contact otherwise.
 
-        The contact's ``particle`` is a and its ``other`` is b. Its normal points from a to b if the
-        rod is too long, and away from b if the rod is too short. Its penetration is the difference
-        between the distance and ``length``, always positive, and its restitution is 0. If both ends
-        are at the same position, use +Y as the direction from a to b. The book's text uses two
+        In the contact, ``particle`` is a and ``other`` is b. The normal points from a to b if the
+        rod is too long, and away from b if the rod is too short. The penetration is the difference
+        between the distance and ``length``, which is always positive. The restitution is 0. If both
+        ends are at the same position, use +Y as the direction from a to b. The book's text uses two
         contacts per rod, but its listing shows that one contact is enough (E-9).
         """
         raise NotImplementedError("Exercise B7.8: Rods")
 
 
 class AnchoredRod:
-    """Keeps a particle at exactly ``length`` from an anchor (7.4.2)."""
+    """Keeps a particle exactly ``length`` away from an anchor (7.4.2)."""
 
     def __init__(self, particle: Particle, anchor: Vector3, length: float) -> None:
         self.particle = instance_of("particle", particle, Particle)
@@ -89,18 +89,17 @@ class AnchoredRod:
     def contacts(self) -> list[Contact]:
         """Return a contact if the rod is too long or too short, and no contact otherwise.
 
-        The contact is the same as that of a Rod, except that the anchor takes the place of b, and
+        The contact is the same as for a Rod, with two differences: the anchor replaces b, and
         ``other`` is None.
         """
         raise NotImplementedError("Exercise B7.8: Rods")
 
 
 class Limits:
-    """Exercise 7.6: keeps the distance between two particles within two limits.
+    """Exercise 7.6: keeps two particles between ``min_length`` and ``max_length`` apart.
 
-    The distance may vary between ``min_length`` and ``max_length``. If ``min_length`` is 0, there
-    is no lower limit. ValueError is also raised if ``min_length`` is negative or greater than
-    ``max_length``.
+    If ``min_length`` is 0, there is no lower limit. The constructor also raises ValueError if
+    ``min_length`` is negative or greater than ``max_length``.
     """
 
     def __init__(
@@ -122,39 +121,39 @@ class Limits:
     def contacts(self) -> list[Contact]:
         """Exercise 7.6: return a contact for each limit that is reached or passed.
 
-        If the distance is ``max_length`` or more, the contact is like that of a Cable. If it is
-        ``min_length`` or less, the normal points away from b, and the penetration is ``min_length``
-        minus the distance. If both limits are reached, return both contacts in this order. If both
-        ends are at the same position, use +Y as the direction from a to b. Each contact has the
-        link's restitution.
+        If the distance is ``max_length`` or more, the contact is like the contact of a Cable. If it
+        is ``min_length`` or less, the normal points away from b, and the penetration is
+        ``min_length`` minus the distance. If both limits are reached, return both contacts in this
+        order. If both ends are at the same position, use +Y as the direction from a to b. Each
+        contact has the link's restitution.
         """
         raise NotImplementedError("Exercise 7.6: A link with two limits")
 
 
 class TwoSidedRod(Rod):
-    """Going further, G7.1: a rod that always has both a contact that pulls and one that pushes.
+    """Going further, G7.1: a rod that always has two contacts, one that pulls and one that pushes.
 
     A Rod that has the right length, or is a little too short, has no contact that pulls. If its
-    ends fly apart, nothing stops them for one step. In a chain, this delay adds up: the correction
-    of one rod pulls the next one apart, which is not noticed until the next step. So a pull travels
-    only about one link per step, however many iterations there are. Two contacts per rod avoid the
-    delay.
+    ends fly apart, nothing stops them for one step. This delay adds up in a chain. The correction
+    of one rod pulls its neighbor apart, and this is not noticed until the next step. So a pull
+    travels only about one link per step, however many iterations there are. Two contacts per rod
+    avoid the delay.
     """
 
     def contacts(self) -> list[Contact]:
-        """G7.1: return two contacts in every case: one that pulls, then one that pushes.
+        """G7.1: always return two contacts: first one that pulls, then one that pushes.
 
-        The first contact is like that of a Cable. Its normal points from a to b, and its
+        The first contact is like the contact of a Cable. Its normal points from a to b, and its
         penetration is the distance minus ``length``, which may be negative. The second contact has
-        the opposite normal and the opposite penetration. Because of the two, the velocity phase
-        stops motion of the ends in both directions. If both ends are at the same position, use +Y
-        as the direction from a to b.
+        the opposite normal and the opposite penetration. Together, the two contacts stop motion of
+        the ends in both directions in the velocity phase. If both ends are at the same position,
+        use +Y as the direction from a to b.
         """
         raise NotImplementedError("Exercise G7.1: Going further: two-sided rods")
 
 
 def two_particles(a: Particle, b: Particle) -> tuple[Particle, Particle]:
-    """Return both ends. Raise TypeError for a wrong type, ValueError if both are the same."""
+    """Return both ends. Raise TypeError for a wrong type, and ValueError if both are the same."""
     instance_of("a", a, Particle)
     if instance_of("b", b, Particle) is a:
         raise ValueError(f"a and b must be two different particles, got {b!r} twice")

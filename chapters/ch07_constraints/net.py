@@ -1,8 +1,7 @@
 """Going further, complete: the links of a net in plain numbers, and the equations for their pulls.
 
 DirectNet and SmoothNet solve for the pulls of all links at once. Both inherit from the class Net in
-this module, which lists the links in plain numbers and sets up the equations that connect their
-pulls.
+this module. Net stores the links as plain numbers and sets up the equations for their pulls.
 """
 
 from __future__ import annotations
@@ -33,8 +32,7 @@ Row = tuple[int, int, float, int]  # the two ends, the length squared in m^2, an
 
 @dataclass(frozen=True)
 class Strut:
-    """Keeps two particles at least ``min_length`` m apart, as a ball does with a body it touches.
-    """
+    """Keeps two particles at least ``min_length`` m apart, like two balls that touch."""
 
     a: Particle
     b: Particle
@@ -42,9 +40,9 @@ class Strut:
 
 
 def limits_of(link: Any) -> list[Limit]:
-    """Return the ends that a link joins, with its length in m and its kind.
+    """Return a list of the limits of ``link``. Each contains the two ends, the length and the kind.
 
-    Limits are two links: a cable and, unless ``min_length`` is 0, a strut.
+    The length is in m. Limits have two entries: a cable and, unless ``min_length`` is 0, a strut.
 
     Raises:
         TypeError: for a link of any other kind.
@@ -73,9 +71,9 @@ class Net:
     """Rods and cables between particles and anchors, and the equations for their pulls.
 
     ``links`` are rods, cables and Limits of chapter 7, and Struts. ``others`` are particles that no
-    link holds, but that are stepped together with the net. ``particles`` lists every particle once.
-    The particles of the links come first, in the order in which the links name them. The lengths of
-    the links are read only once, when the net is created.
+    link holds, but that move together with the net. ``particles`` lists every particle once. The
+    particles of the links come first, in the order in which the links name them. The net reads the
+    lengths of the links only once, when it is created.
 
     Raises:
         ValueError: if there are no links.
@@ -110,11 +108,11 @@ class Net:
         self._products: list[tuple[int, int, int, int, float]] = []
 
     def inverse_masses(self) -> list[float]:
-        """Return the inverse masses of all ends in 1/kg: 0 for an anchor."""
+        """Return the inverse masses of all ends in 1/kg. An anchor has an inverse mass of 0."""
         return [p.inverse_mass for p in self.particles] + [0.0] * len(self.anchors)
 
     def places(self) -> tuple[list[float], list[float], list[float]]:
-        """Return x, y and z of all particles, and then of the anchors, as three lists."""
+        """Return three lists with the x, y and z of all particles and then of the anchors."""
         points = [particle.position for particle in self.particles] + self.anchors
         return [p.x for p in points], [p.y for p in points], [p.z for p in points]
 
@@ -127,7 +125,7 @@ class Net:
         return xs + ys + zs, us + vs + ws
 
     def write(self, places: Sequence[float], speeds: Sequence[float]) -> None:
-        """Give the particles positions and velocities in the order of ``state``."""
+        """Set the positions and velocities of the particles, in the order of ``state``."""
         count = self.count
         for i, particle in enumerate(self.particles):
             if particle.inverse_mass:
@@ -137,7 +135,10 @@ class Net:
                 position.z, velocity.z = places[i + 2 * count], speeds[i + 2 * count]
 
     def directions(self, values: Sequence[float]) -> list[Way]:
-        """Return the difference between the ends of each link, of values in the order of state."""
+        """Return the difference of ``values`` between the two ends of each link.
+
+        ``values`` are in the order of ``state``.
+        """
         xs, ys, zs = (
             values[: self.count],
             values[self.count : 2 * self.count],
@@ -152,7 +153,9 @@ class Net:
         gains: Sequence[float],
         pulls: Sequence[float],
     ) -> None:
-        """Change values in the order of state by the effect of the pulls on the ends of each link.
+        """Add the effect of the pulls on the ends of each link to ``values``.
+
+        ``values`` are in the order of ``state``.
         """
         count = self.count
         for (a, b, _, _), (x, y, z), pull in zip(self.rows, directions, pulls, strict=True):
@@ -178,12 +181,13 @@ class Net:
         right: Sequence[float],
         near: Iterable[int],
     ) -> tuple[list[float], list[float]]:
-        """Return the pulls that take ``right`` to 0, and their factors. Cables may only pull.
+        """Return the pulls that change ``right`` to 0, and their factors. Cables may only pull.
 
-        The search begins with the links that are active now and those that are ``near`` their
-        limit. If a link would have to push, it is released. If a released link would then get too
-        long, it is tried again. After several such changes, only one link changes at a time, which
-        guarantees that the search ends (Murty, Linear Algebra and its Applications 7, 1974, 65).
+        The search begins with the links that are active now, and with the links in ``near``, which
+        are close to their limit. If a link would have to push, it is released. If a released link
+        would then get too long, it is tried again. After several such changes, only one link
+        changes at a time, which guarantees that the search ends (Murty, Linear Algebra and its
+        Applications 7, 1974, 65).
         """
         tried = {*near, *(i for i, on in enumerate(self.is_active) if on)}
         for i in tried:
@@ -220,9 +224,9 @@ class Net:
         """Return the factors of the equations for the pulls of the active links.
 
         Row i describes how fast the pulls shorten link i: r_i . (the sum of the changes in the
-        velocities of its ends). ``directions`` are the vectors r along the links. ``gains`` say how
-        much one unit of pull changes the velocity of each end, which is 0 for an immovable end. The
-        row of an inactive link has a 1 on the diagonal and zeros elsewhere.
+        velocities of its ends). ``directions`` are the vectors r along the links. ``gains`` are the
+        changes of velocity that one unit of pull causes at each end. They are 0 for an immovable
+        end. The row of an inactive link has a 1 on the diagonal and zeros elsewhere.
         """
         if self._equations is None:
             self._analyze()
@@ -247,7 +251,7 @@ class Net:
         return self._equations.solve(factors, right)
 
     def _analyze(self) -> None:
-        """Find the pulls that share an equation: those of links with a common particle."""
+        """Find the pulls that appear in the same equation, because their links share a particle."""
         at: list[list[tuple[int, float]]] = [[] for _ in self.particles]
         for i, (a, b, _, _) in enumerate(self.rows):
             at[a].append((i, 1.0))

@@ -1,13 +1,14 @@
 """Going further, complete: rods as forces, so that any integrator of chapter 6 can step a chain.
 
-A resolver corrects a rod only after a step has changed its length. This module computes the
+A resolver corrects a rod only after a step has changed its length. This module instead computes the
 tensions that keep the lengths of the rods constant, and adds them as forces. Any integrator can
 then step the chain with its own order of accuracy. So Runge-Kutta 4 reaches order 4, while a
 resolver has order 1 and DirectChain has order 2.
 
 If a rod keeps its length, the relative acceleration of its ends along the rod is known. Each
-tension accelerates the two ends of its rod, so it appears in the equations of three rods: its own
-and the two beside it. These equations are solved from the anchor to the tip and back.
+tension accelerates the two ends of its rod, so it appears in three equations: the equation of this
+rod, and the equations of the two neighboring rods. The equations are solved from the anchor to the
+tip and back.
 """
 
 from __future__ import annotations
@@ -21,16 +22,16 @@ from ch05_forces.particle import Particle
 
 
 class RodTensions:
-    """The tensions in a chain of rods that runs from an anchor through particles, in their order.
+    """The tensions in a chain of rods that starts at ``anchor`` and joins ``particles`` in order.
 
     Each rod keeps the length in m that it has when the chain is created. If there are several
     particles, the last one may be immovable, to hold the other end.
 
     Every integrator makes a small error in each step, so the rods slowly become too long or too
-    short. ``correction``, in 1/s, is the rate at which a rod returns to its length. If it is 0, the
-    errors add up. If it is 5, they stay small. Values near the number of steps per second make the
-    chain stiff and lower the order of the integrator. Source: J. Baumgarte, Computer Methods in
-    Applied Mechanics and Engineering 1 (1972), pp. 1-16.
+    short. ``correction``, in 1/s, is the rate at which a rod returns to its length. With a rate of
+    0 the errors add up. With a rate of 5 they stay small. Rates near the number of steps per second
+    make the chain stiff and lower the order of the integrator. Source: J. Baumgarte, Computer
+    Methods in Applied Mechanics and Engineering 1 (1972), pp. 1-16.
 
     Raises:
         ValueError: if a rod has no length, if a particle other than the last is immovable, or if
@@ -54,9 +55,9 @@ class RodTensions:
     def update_forces(self, duration: float = 0.0) -> None:
         """Add the tensions to the accumulators of the particles.
 
-        Call this method after all other forces have been added, because the tensions depend on
-        them. Without other forces, pass the method to an integrator as ``apply_forces``. The
-        duration is not used.
+        Add all other forces before you call this method, because the tensions depend on them. If
+        there are no other forces, pass the method to an integrator as ``apply_forces``. It does not
+        use ``duration``.
 
         Raises:
             ArithmeticError: if the tensions have no unique solution, as in a straight chain between

@@ -1,14 +1,14 @@
 """Going further, complete: sequential impulses with warm starting, as in Box2D.
 
-ContactResolver moves the particles first and then corrects the overlaps that the move has caused.
-This solver corrects the velocities first, so that the move causes almost no overlap. It visits all
-contacts in order, several times, and applies an impulse at each. Two ideas make this accurate
-(Catto, "Iterative Dynamics with Temporal Coherence", 2005):
+ContactResolver moves the particles first, and then corrects the overlaps that result. This solver
+corrects the velocities first, so that the particles hardly overlap after they have moved. It visits
+all contacts in order, several times, and applies an impulse at each visit. Two ideas make this
+accurate (Catto, "Iterative Dynamics with Temporal Coherence", 2005):
 
 - Only the sum of a contact's impulses has to push. A single impulse may pull, so a later visit can
   take back part of an earlier impulse that was too large.
 - Warm starting: the sums of the last step are the first guess for this step. In a stack at rest
-  they are already right, however tall the stack is, so a few visits per step are enough.
+  they are already right, no matter how tall the stack is, so a few visits per step are enough.
 """
 
 from __future__ import annotations
@@ -27,7 +27,8 @@ STILL = Vector3()  # stands for the velocity, and the position, of the world
 class Row:
     """A contact in plain numbers, with the sum of its impulses in N s.
 
-    ``key`` identifies the contact in the next step: its generator and its particles.
+    ``key`` consists of the contact's generator and its particles, and identifies the contact in the
+    next step.
     """
 
     def __init__(self, key: object, contact: Contact, duration: float) -> None:
@@ -51,7 +52,7 @@ class Row:
         return (v.x - w.x) * self.x + (v.y - w.y) * self.y + (v.z - w.z) * self.z
 
     def change(self, v: Vector3, w: Vector3, amount: float) -> None:
-        """Add an impulse to two velocities, or a displacement times the mass to two positions."""
+        """Change two velocities by an impulse, or two positions by a mass times a displacement."""
         part = amount * self.inverse_a
         v.x += self.x * part
         v.y += self.y * part
@@ -63,12 +64,12 @@ class Row:
             w.z -= self.z * part
 
     def push(self, impulse: float) -> None:
-        """Apply an impulse in N s and add it to the sum."""
+        """Apply an impulse in N s, and add it to the sum of the contact's impulses."""
         self.impulse += impulse
         self.change(self.v, self.w, impulse)
 
     def solve(self) -> None:
-        """Change the velocity along the normal to the target, unless the sum would then pull."""
+        """Change the velocity along the normal to its target, unless the sum would then pull."""
         missing = self.target - self.along(self.v, self.w)
         self.push(max(missing * self.mass, -self.impulse))
 
@@ -80,11 +81,11 @@ class Row:
 
 
 class SequentialImpulses:
-    """Steps particles and keeps their contacts by impulses that it remembers from step to step.
+    """Steps particles and resolves their contacts with impulses, which it remembers between steps.
 
-    ``generators`` are contact generators of this chapter. Use TwoSidedRod instead of Rod, because a
-    Rod of the right length has no contact, so there would be no impulse to remember. ``iterations``
-    is the number of visits to each contact in a step.
+    ``generators`` are contact generators of this chapter. Use TwoSidedRod instead of Rod. A Rod of
+    the right length has no contact, so there would be no impulse to remember. ``iterations`` is the
+    number of visits to each contact in a step.
 
     Raises:
         ValueError: if ``iterations`` is less than 1.
@@ -103,15 +104,15 @@ class SequentialImpulses:
         self.impulses: dict[object, Vector3] = {}  # N s, of the last step, by key
 
     def step(self, duration: float) -> None:
-        """Move the particles by one step of a duration in s, with the forces in the accumulators.
+        """Move the particles by one time step under the forces in the accumulators.
 
-        The step changes the velocities by the forces, finds the contacts, corrects the velocities,
-        moves the particles and corrects the positions, in this order. Correcting positions does not
-        change the velocities, so it adds no kinetic energy. The remembered impulses are a good
-        guess only if all steps have the same duration.
+        ``duration`` is in s. The step changes the velocities by the forces, finds the contacts,
+        corrects the velocities, moves the particles and corrects the positions, in this order.
+        Correcting positions does not change the velocities, so it adds no kinetic energy. The
+        remembered impulses are a good guess only if all steps have the same duration.
 
         Raises:
-            ValueError: if the duration is not positive and finite. Nothing is changed then.
+            ValueError: if the duration is not positive and finite. In that case nothing changes.
         """
         positive("duration", duration)
         for particle in self.particles:

@@ -1,13 +1,14 @@
 """Going further, complete: soft constraints with small steps, known as XPBD.
 
-This solver applies no impulses. It corrects positions, and then computes the velocities from how
-far the particles have moved. A constraint has a compliance, which is the inverse of a stiffness: a
-rope with a compliance of 0.001 m/N becomes 1 mm longer for each newton of pull. The corrections are
-those of an implicit step, so no stiffness is too large. A compliance of 0 makes a constraint hard.
+This solver applies no impulses. It corrects positions, and then computes the velocities from the
+distances that the particles have moved. Each constraint has a compliance, which is the inverse of a
+stiffness. A rope with a compliance of 0.001 m/N becomes 1 mm longer for each newton of pull, and a
+compliance of 0 makes a constraint hard. The solver stays stable at any stiffness, because its
+corrections are those of an implicit step.
 
 Each constraint is corrected once per step. If that is not accurate enough, use shorter steps
-instead of more iterations, because for the same work they give a much smaller error (Macklin and
-others, "Small Steps in Physics Simulation", 2019). Nothing is remembered from one step to the next.
+instead of more iterations. For the same work they give a much smaller error (Macklin and others,
+"Small Steps in Physics Simulation", 2019). The solver remembers nothing from one step to the next.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from ch07_constraints.contacts import Contact, ContactGenerator
 
 
 class SmallSteps:
-    """Steps particles and keeps their contacts and links by soft corrections of positions.
+    """Steps particles and enforces their contacts and links by soft corrections of positions.
 
     ``generators`` are contact generators of this chapter. ``compliance`` is in m/N, and is the same
     for all of them. Call ``step`` several times per frame, each time with a fraction of the frame's
@@ -41,10 +42,12 @@ class SmallSteps:
         self.compliance = not_negative("compliance", compliance)
 
     def step(self, duration: float) -> None:
-        """Move the particles by one step of a duration in s, with the forces in the accumulators.
+        """Move the particles by one time step under the forces in the accumulators.
+
+        ``duration`` is in s.
 
         Raises:
-            ValueError: if the duration is not positive and finite. Nothing is changed then.
+            ValueError: if the duration is not positive and finite. In that case nothing changes.
         """
         positive("duration", duration)
         starts = []
@@ -72,8 +75,9 @@ class SmallSteps:
 def correct(contact: Contact, softness: float) -> None:
     """Move the two particles apart, by less than the depth if the contact is soft.
 
-    The depth is divided into three parts. Two of them are the moves of the particles, in proportion
-    to their inverse masses. The third is proportional to the softness, and remains.
+    The depth is divided into three parts. The first two are the displacements of the particles, in
+    proportion to their inverse masses. The third part is proportional to ``softness``, and remains
+    as an overlap.
     """
     a, b = contact.particle, contact.other
     inverse_b = 0.0 if b is None else b.inverse_mass
@@ -86,7 +90,7 @@ def correct(contact: Contact, softness: float) -> None:
 
 
 def bounce(contact: Contact, wanted: float) -> None:
-    """Give the two particles the separating velocity in m/s that a bounce wants."""
+    """Set the separating velocity of the two particles to ``wanted``, in m/s."""
     a, b = contact.particle, contact.other
     inverse_b = 0.0 if b is None else b.inverse_mass
     impulse = (wanted - contact.separating_velocity()) / (a.inverse_mass + inverse_b)

@@ -1,14 +1,14 @@
 """Going further, complete: a net of rods and cables that Runge-Kutta 4 steps, at order 4.
 
-DirectNet finds the pulls that give the links their lengths at the end of a step. SmoothNet finds
-the pulls whose accelerations keep the lengths of rods and taut cables constant, and does so at each
-of the four stages of a step, as RodTensions does for a chain. The small error that remains is
-corrected at the end of the step by moving positions and velocities back to values that the links
-allow. This projection does not lower the order (Hairer, Lubich and Wanner, Geometric Numerical
-Integration, IV.4).
+DirectNet finds the pulls that give the links the right lengths at the end of a step. SmoothNet
+instead finds the pulls whose accelerations keep the lengths of rods and taut cables constant. It
+does so at each of the four stages of a step, as RodTensions does for a chain. A small error
+remains. To correct it, the step ends with a projection: it moves positions and velocities to values
+that the links allow. This projection does not lower the order (Hairer, Lubich and Wanner, Geometric
+Numerical Integration, IV.4).
 
-A cable that becomes taut stops its ends at once. No step of order 4 can pass such an impact, so the
-step stops there, as in time division.
+A cable that becomes taut stops its ends at once. A method of order 4 loses its order if it steps
+across such an impact, so the step stops at the impact, as in time division.
 """
 
 from __future__ import annotations
@@ -33,10 +33,11 @@ Solved = tuple[list[Way], list[float]]  # the directions of the links, and the f
 
 
 class SmoothNet(Net):
-    """A net of rods and cables that makes the steps of its particles by Runge-Kutta 4.
+    """A net of rods and cables that steps its own particles with Runge-Kutta 4.
 
-    ``links`` are links of chapter 7. Their restitution is ignored, so nothing bounces. A particle's
-    damping d acts as a continuous drag, which adds the acceleration ln(d) v.
+    ``links`` are links of chapter 7. The net ignores their restitution, so nothing bounces.
+    ``others`` are particles that no link holds. A particle's damping d acts as a continuous drag,
+    which adds the acceleration ln(d) v.
 
     Raises:
         ValueError: if there are no links, or a damping is 0.
@@ -50,10 +51,10 @@ class SmoothNet(Net):
             positive(f"the damping of particle {i}", particle.damping)
 
     def step(self, duration: float, apply_forces: Forces | None = None) -> None:
-        """Move the particles by one step of a duration in s.
+        """Move the particles by one time step. ``duration`` is in s.
 
-        Forces in the accumulators act during the whole step. ``apply_forces`` adds the others at
-        each stage, as ``ForceRegistry.update_forces`` does.
+        Forces in the accumulators act during the whole step. ``apply_forces`` adds all other forces
+        at each stage, as ``ForceRegistry.update_forces`` does.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.
@@ -70,8 +71,7 @@ class SmoothNet(Net):
         raise ArithmeticError("cables become taut again and again in one step")
 
     def _advance(self, duration: float, constant: Sequence[Force], forces: Forces | None) -> float:
-        """Step until the first impact, at most for a duration, and return the time that has passed.
-        """
+        """Step until the first impact, for at most ``duration`` s, and return the elapsed time."""
         start, speed = self.state()
         first, _ = self._rates(start, speed, constant, forces, duration, chooses=True)
         taken, hit = duration, None
@@ -104,10 +104,11 @@ class SmoothNet(Net):
         duration: float,
         chooses: bool = False,
     ) -> tuple[list[float], Solved]:
-        """Return the accelerations, and the directions of the links with their factors.
+        """Return the accelerations, the directions of the links, and the factors of the equations.
 
-        The pulls accelerate the ends of each active link so that it keeps its length. The first
-        stage ``chooses`` the active links, which are the links at their limit that pull.
+        The pulls accelerate the ends of each active link so that it keeps its length. If
+        ``chooses`` is True, as in the first stage, the links at their limit that pull become the
+        active links.
         """
         count, rows = self.count, self.rows
         rates = self._free_rates(places, speeds, constant, forces, duration)
@@ -146,7 +147,7 @@ class SmoothNet(Net):
         forces: Forces | None,
         duration: float,
     ) -> list[float]:
-        """Return the accelerations by all forces except the pulls, 0 for immovable particles."""
+        """Return the accelerations by all forces except the pulls. Immovable particles have 0."""
         if forces:
             self.write(places, speeds)
             forces(duration)
@@ -176,10 +177,11 @@ class SmoothNet(Net):
         speeds: Sequence[float],
         duration: float,
     ) -> tuple[float, list[int]]:
-        """Return the fraction of the step at which links first reach their limit, and these links.
+        """Find the first links that reach their limit.
 
-        During the step, the positions follow the cubic curve that has the given positions and
-        velocities at both ends of the step.
+        Return the fraction of the step at which this happens, and the indices of the links. During
+        the step, the positions follow the cubic curve that has the given positions and velocities
+        at both ends of the step.
         """
         share, hit = 1.0, []
         for i, (a, b, square, kind) in enumerate(self.rows):
@@ -209,10 +211,10 @@ class SmoothNet(Net):
     def _project(
         self, places: list[float], speeds: list[float], solved: Solved, hit: Sequence[int] | None
     ) -> None:
-        """Give active links their lengths, and stop motion that lengthens or shortens them.
+        """Restore the lengths of the active links, and stop motion that would change them.
 
-        The links in ``hit`` have just become taut. Their impact stops them without a bounce, and it
-        may release other cables.
+        The links in ``hit`` have just become taut. Their impact stops their ends without a bounce,
+        and it may release other cables.
         """
         _, factors = solved
         for _ in range(CORRECTIONS):
@@ -244,10 +246,11 @@ def hermite(
     duration: float,
     share: float,
 ) -> list[float]:
-    """Return positions at a fraction of a step, from the positions and velocities at its ends.
+    """Return positions within a step, from the positions and velocities at its two ends.
 
-    ``old`` and ``new`` are the positions at the two ends, and ``fast`` and ``later`` are the
-    velocities there. The cubic curve through them has an error of order 4, like the step itself.
+    ``share`` is the elapsed fraction of the step, and ``duration`` is its length in s. ``old`` and
+    ``new`` are the positions at the start and the end. ``fast`` and ``later`` are the velocities
+    there. The cubic curve through them has an error of order 4, like the step itself.
     """
     s, left = share, 1.0 - share
     p, q = left * left * (1.0 + 2.0 * s), s * s * (3.0 - 2.0 * s)
@@ -263,7 +266,10 @@ def _moved(places: Sequence[float], speeds: Sequence[float], time: float) -> lis
 
 
 def _mean(start: Sequence[float], sixth: float, *rates: Sequence[float]) -> list[float]:
-    """Return the start, moved by the weighted mean of four rates."""
+    """Return ``start`` moved by the weighted mean of four ``rates`` over the duration.
+
+    ``sixth`` is a sixth of the duration in s.
+    """
     return [
         x + sixth * (a + 2.0 * (b + c) + d) for x, a, b, c, d in zip(start, *rates, strict=True)
     ]

@@ -1,7 +1,7 @@
-"""Time division: a time step that stops at each impact, so that all happen at the right time (7.3).
+"""Time division: a time step that stops at each impact, so that each one is resolved on time (7.3).
 
-An ordinary step finds a collision only after the bodies overlap. Time division predicts the moment
-of the next impact, moves all particles to that moment, resolves the impact, and continues from
+An ordinary step finds a collision only after the bodies overlap. Time division predicts when the
+next impact happens, moves all particles to that moment, resolves the impact, and continues from
 there. Between impacts every particle moves exactly as its constant acceleration requires. So the
 motion is exact as long as bodies fly freely and bounce, as in billiards. The cost grows with the
 number of impacts. A body at rest has endless impacts, so use a resolver for resting bodies.
@@ -17,10 +17,10 @@ from ch07_constraints.detectors import Detector
 
 
 class TooManyImpacts(ArithmeticError):  # noqa: N818
-    """Raised when a step has more impacts than allowed, as when a body has come to rest.
+    """Raised when a step has more impacts than allowed, for example when a body has come to rest.
 
     ``impacts`` is the number of impacts that were resolved. ``contact`` is the contact of the next
-    impact, and ``time`` is its time in s since the start of the step.
+    impact, and ``time`` is the time of this impact in s since the start of the step.
     """
 
     def __init__(self, impacts: int, time: float, contact: Contact) -> None:
@@ -35,28 +35,28 @@ class TooManyImpacts(ArithmeticError):  # noqa: N818
 def time_division_step(
     particles: Sequence[Particle], detector: Detector, duration: float, max_impacts: int = 1000
 ) -> None:
-    """Move particles by one step of a duration h in s, from impact to impact (7.3).
+    """Move ``particles`` by one time step, from impact to impact (7.3).
 
-    During the step the acceleration of a particle is constant. It is the particle's own
+    ``duration`` is in s. ``particles`` contains every particle of the detector exactly once.
+
+    The acceleration of a particle is constant during the step. It is the particle's own
     acceleration plus f / m, where f is the sum of the forces added before the step. The step uses
-    up these forces, as ``Particle.integrate`` does. Detectors need the acceleration to look ahead,
-    so ``last_acceleration`` returns it from the start of the step.
+    up these forces, as ``Particle.integrate`` does. Detectors need this acceleration to predict
+    impacts, so ``last_acceleration`` returns it from the start of the step.
 
     Between impacts the motion is exact: p + v t + a t^2 / 2. At each impact that ``detector`` finds
-    in the rest of the step, resolve the velocity of its contact with a duration of 0. Penetrations
-    are not resolved. At the end of the step, multiply each velocity by d^h once, where d is the
-    particle's damping. Immovable particles do not move.
+    in the rest of the step, resolve the velocity of its contact with a duration of 0. Do not
+    resolve penetrations. At the end of the step, multiply each velocity once by d^h, where d is the
+    particle's damping and h is ``duration``. Immovable particles do not move.
 
     Impacts at the same time are resolved one after the other, in the detector's order. So a ball
     that hits a row of touching balls passes its motion on to the last ball. If two balls hit a
-    third one from both sides at once, the result depends on the order.
-
-    ``particles`` contains every particle of the detector exactly once.
+    third ball from both sides at once, the result depends on the order.
 
     Raises:
         ValueError: if the duration is not positive and finite, or ``max_impacts`` is less than 1.
         TypeError: if ``max_impacts`` is not a whole number. In these two cases nothing changes.
-        TooManyImpacts: if there is another impact after ``max_impacts`` of them. The particles have
+        TooManyImpacts: if there is another impact after ``max_impacts`` impacts. The particles have
             then moved to the time of this impact, but the impact is not resolved and no damping is
             applied.
     """

@@ -1,8 +1,8 @@
 """A game: bounce a ball from row to row over the rope bridge (project 8.1).
 
-The ball jumps by itself from every row that it lands on, and the player steers it in the air. Each
-row gives points only once. The player wins by landing on all rows, and loses a life whenever the
-ball touches the ground.
+The ball jumps automatically whenever it lands on a row of planks, and the player steers it in the
+air. Each row gives points only once. The player wins by landing on every row, and loses a life
+whenever the ball touches the ground.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ TOUCH = 1e-6  # m: a ball this close to the ground touches it, whatever the roun
 class Rules:
     """The rules of the game: the ``score``, the ``lives`` and the ``visited`` rows.
 
-    This class knows nothing about particles. Instead, the game calls ``landed`` and ``fell`` to
-    report each landing and each fall. ``rows`` is the number of rows.
+    ``rows`` is the number of rows on the bridge. This class knows nothing about particles. Instead,
+    the game calls ``landed`` or ``fell`` whenever the ball lands on a row or touches the ground.
 
     Raises:
         ValueError: if ``rows`` is less than 1.
@@ -50,15 +50,15 @@ class Rules:
 
     @property
     def over(self) -> bool:
-        """Whether the game is won or lost. After that, nothing changes the score or the lives."""
+        """Whether the game is won or lost. The score and the lives no longer change after that."""
         raise NotImplementedError("Exercise P8.1a: A ball game: the rules")
 
     def landed(self, row: int) -> None:
-        """Count the first landing on a row.
+        """Record that the ball has landed on the row with the index ``row``.
 
-        A row that was not visited before gives ``POINTS``. If this landing wins the game, each life
-        that is left gives ``BONUS`` in addition. A landing on a row that was visited before changes
-        nothing. After the game is over, no landing changes anything.
+        The first landing on a row gives ``POINTS``. If it wins the game, the player also gets
+        ``BONUS`` for each remaining life. Later landings on the same row change nothing, and
+        neither does a landing after the game is over.
 
         Raises:
             ValueError: if the row does not exist. Rows are numbered from 0.
@@ -66,15 +66,16 @@ class Rules:
         raise NotImplementedError("Exercise P8.1a: A ball game: the rules")
 
     def fell(self) -> None:
-        """Take a life, because the ball has touched the ground. Do nothing if the game is over."""
+        """Take away one life after the ball touched the ground. Do nothing if the game is over."""
         raise NotImplementedError("Exercise P8.1a: A ball game: the rules")
 
 
 class Landings:
-    """A contact generator that returns a deck's contacts and records where the ball lands.
+    """A contact generator that returns the contacts of ``deck`` and records where the ball lands.
 
     The world calls ``contacts`` once per step. If the ball touches the deck on its way down in that
-    step, ``row`` becomes the row nearest to the ball. Otherwise ``row`` becomes None.
+    step, ``row`` is set to the index of the row nearest to the ball. Otherwise ``row`` is set to
+    None.
     """
 
     def __init__(self, deck: Deck) -> None:
@@ -82,14 +83,14 @@ class Landings:
         self.row: int | None = None
 
     def contacts(self) -> list[Contact]:
-        """Return the deck's contacts, and update ``row``."""
+        """Return the contacts of the deck, and update ``row``."""
         raise NotImplementedError("Exercise P8.1b: A ball game: the play")
 
 
 class BallGame:
     """The game: its ``rules``, the ``rows`` of planks, the ``ball`` and their ``world``.
 
-    ``direction`` is the direction in which the player steers: -1 is left, 1 is right, 0 is neither.
+    Set ``direction`` to steer the ball: -1 means left, 1 means right, and 0 means neither.
     """
 
     def __init__(self) -> None:
@@ -106,18 +107,23 @@ class BallGame:
         self.start_ball()
 
     def start_ball(self) -> None:
-        """Put the ball at rest above the first row's current position, DROP above HEIGHT."""
+        """Place the ball at rest above the first row.
+
+        Its x is the current x of the first row, and its height is ``HEIGHT + DROP``.
+        """
         self.ball.position = Vector3(self.rows[0][0].position.x, HEIGHT + DROP)
         self.ball.velocity = Vector3()
 
     def step(self, duration: float) -> None:
-        """Make one time step of this duration in s. Do nothing if the game is over.
+        """Make one time step. ``duration`` is in s. Do nothing if the game is over.
 
-        Push the ball in the player's direction with an acceleration of ``PUSH``, and step the
-        world. If the ball has landed on a row, report this to the rules and make the ball jump: set
-        its vertical velocity to ``JUMP``, without changing its velocity along X. Otherwise, if the
-        ball's lowest point is at most ``TOUCH`` above the ground, report the fall to the rules.
-        Then start the ball again, unless this was the last life.
+        First push the ball in the player's direction with an acceleration of ``PUSH``, and step the
+        world. Then check where the ball is:
+
+        - If it has landed on a row, report the landing to the rules. Make the ball jump by setting
+          its vertical velocity to ``JUMP``. Its velocity along X stays the same.
+        - Otherwise, if its lowest point is at most ``TOUCH`` above the ground, report the fall to
+          the rules. Then put the ball back at its start, unless the player has no lives left.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.

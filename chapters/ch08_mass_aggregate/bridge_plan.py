@@ -1,8 +1,8 @@
 """The plan of the rope bridge: the number, size and position of its planks. This file is complete.
 
-The bridge runs along X, and Y points up. Its numbers are close to those of the book's demo. Each
-plank has a particle of 1 kg at both ends, which are 2 m apart. At the start the cables between the
-rows are 10 cm too short (8.2).
+The bridge runs along X, and Y points up. Its dimensions are close to those in the book's demo. Each
+plank has a particle of 1 kg at both of its ends, which are 2 m apart. At the start, the cables
+between the rows are 10 cm too short (8.2).
 """
 
 from __future__ import annotations
@@ -34,14 +34,17 @@ def make_rows() -> list[Row]:
 
 
 def support_length(row: int) -> float:
-    """Return the length in m of the cables that hold a row: 3 to 4 m, longest in the middle."""
+    """Return the length in m of the cables from which the row with the index ``row`` hangs.
+
+    The lengths are from 3 to 4 m. The cables in the middle of the bridge are the longest.
+    """
     return 3.0 + 0.5 * min(row, ROWS - 1 - row)
 
 
 def anchor_of(plank: Particle) -> Vector3:
-    """Return the anchor from which an end of a plank hangs, given that end's start position.
+    """Return the anchor of the cable that holds ``plank``, which is one end of a plank.
 
-    Measured from the middle of the bridge, the anchor is 10 % farther away along X than the end of
-    the plank, and 20 % nearer along Z.
+    The plank must be at its start position. Measured from the middle of the bridge, the anchor is
+    10 % farther away along X than the plank, and 20 % nearer along Z.
     """
     return Vector3(1.1 * plank.position.x, ANCHOR_HEIGHT, 0.8 * plank.position.z)

@@ -20,11 +20,13 @@ ITERATIONS = 200  # per phase
 def fewest_rods(count: int) -> int:
     """Return the smallest number of rods that can make ``count`` particles in space rigid (8.2).
 
-    Each particle can move in three independent ways, and each rod prevents at most one of these
-    motions. A rigid body can still move in six ways, because it can move along three axes and
-    rotate about them. There are two exceptions. Two particles joined by a rod can move in only five
-    ways, because a rotation about the rod changes nothing. A single particle can move in only three
-    ways.
+    Each particle can move in three independent directions, and each rod prevents at most one
+    independent motion. A rigid body can still move in six ways: along three axes, and by rotating
+    about each of them. So six motions remain. There are two exceptions:
+
+    - Two particles joined by a rod have only five motions left, because a rotation about the rod
+      itself changes nothing.
+    - A single particle has only three motions, because it cannot rotate.
 
     Raises:
         ValueError: if ``count`` is less than 1.
@@ -34,11 +36,11 @@ def fewest_rods(count: int) -> int:
 
 
 def cube_rods() -> list[tuple[int, int]]:
-    """Return rods that make the cube rigid, as pairs of indices of ``CORNERS`` (8.2).
+    """Return rods that make the cube rigid, as pairs of indices into ``CORNERS`` (8.2).
 
-    Any set of rods is right if the cube can only move and rotate as a whole. You need at least
-    ``fewest_rods(8)`` rods, but the number alone is not enough, because the rods must also join the
-    right corners.
+    Any set of rods is accepted if it only allows the cube to move and rotate as a whole. You need
+    at least ``fewest_rods(8)`` rods. The number alone is not enough, because the rods must also
+    join the right corners.
     """
     raise NotImplementedError("Exercise 8.2: A cube of rods")
 
@@ -46,12 +48,12 @@ def cube_rods() -> list[tuple[int, int]]:
 class Cube:
     """A cube that falls on one of its corners: its ``particles``, ``rods`` and ``world``.
 
-    The cube starts at rest, slightly rotated, with its lowest corner at ``height`` in m. ``rods``
-    is a list of pairs of corner indices. If it is None, the cube has the rods of ``cube_rods()``.
+    The cube starts at rest and is slightly rotated. Its lowest corner starts at ``height``, in m.
+    ``rods`` is a list of pairs of corner indices. If it is None, the cube uses ``cube_rods()``.
 
     Raises:
         ValueError: if the height is not positive and finite, or a rod joins a corner to itself.
-        IndexError: if a rod names a corner that does not exist.
+        IndexError: if a rod refers to a corner that does not exist.
     """
 
     def __init__(self, height: float = 1.0, rods: list[tuple[int, int]] | None = None) -> None:
@@ -70,12 +72,12 @@ class Cube:
         self.world = ParticleWorld(self.particles, [*self.rods, ground], iterations=ITERATIONS)
 
     def step(self, duration: float) -> None:
-        """Make one time step of this duration in s."""
+        """Make one time step. ``duration`` is in s."""
         self.world.step(duration)
 
 
 def _turned(x: float, y: float, z: float) -> Vector3:
-    """Return the position rotated by pi / 8 about Z, and then by pi / 8 about X.
+    """Rotate a position by pi / 8 about Z, and then by pi / 8 about X, and return the result.
 
     Without the rotation, the cube would land on all four lower corners at once and would not
     tumble.

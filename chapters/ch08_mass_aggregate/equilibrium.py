@@ -1,14 +1,14 @@
-"""Going further, complete: find the positions at which a world comes to rest, without stepping it.
+"""Going further, complete: find the positions at which a world is at rest, without stepping it.
 
 At rest, all forces on a particle add up to zero: its weight, the forces of the registry, and the
 pulls of the rods and cables that hold it. In addition, the links must have the right lengths.
 Newton's method solves all of these equations together. The search also finds out which cables are
-taut. A cable that would have to push is slack, and a cable that would get too long is taut (an
-active set).
+taut, with an active set. A cable that would have to push becomes slack, and a cable that would get
+too long becomes taut.
 
-Far from rest, Newton's method may jump anywhere. So the particles get some inertia, as in a step of
-backward Euler: each move costs a force of m / t^2 N per m. The time t doubles from step to step,
-until the inertia has no effect any more.
+Far from rest, a step of Newton's method can be much too large. So the particles get some inertia,
+as in a step of backward Euler, and resist each move with a force of m / t^2 N per m. The time t
+doubles from step to step, until the inertia has no effect any more.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ STILL = (0.0, 0.0, 0.0)
 
 
 class Hold:
-    """A link that pulls its ends a and b together, or a contact that pushes them apart."""
+    """A link that pulls its ends ``a`` and ``b`` together, or a contact that pushes them apart."""
 
     def __init__(
         self, a: Particle, b: Any, length: float, kind: int, contact: Contact | None = None
@@ -53,7 +53,7 @@ class Hold:
         self.excess = 0.0
 
     def look(self) -> None:
-        """Find the direction and the excess length at the present positions."""
+        """Update the direction and the excess length for the current positions."""
         if self.contact is None:
             end = self.b.position if self.b else self.anchor
             start = self.a.position
@@ -61,7 +61,7 @@ class Hold:
             self.excess = 0.5 * (x * x + y * y + z * z - self.length * self.length)
 
     def change(self, moves: Mapping[Any, Triple]) -> float:
-        """Return the change of the excess length when the ends move, to first order."""
+        """Return how much the excess length changes if the ends make ``moves``, to first order."""
         x, y, z = self.direction
         ax, ay, az = moves.get(self.a, STILL)
         bx, by, bz = moves.get(self.b, STILL)
@@ -69,7 +69,7 @@ class Hold:
 
 
 class Balance:
-    """The equations of a world at rest, and one step of Newton's method."""
+    """The equations that hold in a world at rest, and a step of Newton's method to solve them."""
 
     def __init__(self, world: ParticleWorld) -> None:
         self.world = world
@@ -84,8 +84,7 @@ class Balance:
         self.shape: tuple[list[tuple[Any, Any]], list[tuple[int, int]]] | None = None
 
     def look(self) -> None:
-        """Find the forces on the particles, and the links and contacts that hold them, at present.
-        """
+        """Update the forces, links and contacts for the current positions of the particles."""
         self.forces = self.find_forces()
         for hold in self.links:
             hold.look()
@@ -100,7 +99,7 @@ class Balance:
         self.holds = [*self.links, *found.values()]
 
     def find_forces(self) -> list[float]:
-        """Return the forces on the particles, without those of links and contacts, in one list."""
+        """Return the forces on the particles in one list. Exclude those of links and contacts."""
         if self.has_forces:
             self.world.registry.update_forces(FIRST_TIME)
         found: list[float] = []
@@ -127,9 +126,10 @@ class Balance:
         return max(map(abs, left), default=0.0) <= EXACT * largest
 
     def move(self, time: float) -> bool:
-        """Make one step of Newton's method, with the inertia for this time in s.
+        """Make one step of Newton's method. ``time`` in s sets the inertia of the particles.
 
-        Return True if the step was made in full, and False if it was shortened to FARTHEST.
+        Return True if the particles made the full step, and False if it was shortened so that no
+        particle moves more than FARTHEST.
         """
         slopes = self.find_slopes()
         for hold in self.holds:
@@ -154,13 +154,13 @@ class Balance:
 
     @staticmethod
     def is_wrong(hold: Hold, moves: Mapping[Any, Triple]) -> bool:
-        """Return whether a taut cable would have to push, or a slack one would get too long."""
+        """Return whether a taut hold would have to push, or a slack one would get too long."""
         if hold.is_active:
             return hold.pull * hold.kind < 0.0
         return (hold.excess + hold.change(moves)) * hold.kind > EXACT * hold.length**2
 
     def find_slopes(self) -> dict[tuple[int, int], float]:
-        """Return the change of the registry's forces per m, for each pair of coordinates."""
+        """Return the change of each force of the registry per m, for each pair of coordinates."""
         slopes: dict[tuple[int, int], float] = {}
         if not self.has_forces:
             return slopes
@@ -180,7 +180,7 @@ class Balance:
     def solve(self, time: float, slopes: Mapping[tuple[int, int], float]) -> dict[Particle, Triple]:
         """Find the pulls of the active links and contacts, and return the moves in m.
 
-        The unknowns are the moves, three for each particle, and after them the pulls.
+        The unknowns are the moves, with three numbers for each particle, followed by the pulls.
         """
         count = len(self.forces)
         equations = self.equations(slopes)
@@ -219,7 +219,7 @@ class Balance:
         return {p: (found[i], found[i + 1], found[i + 2]) for p, i in self.number.items()}
 
     def equations(self, slopes: Mapping[tuple[int, int], float]) -> Elimination:
-        """Return the positions of the nonzero coefficients. They change only if the holds do."""
+        """Return the positions of the nonzero coefficients, which change only with the holds."""
         shape = [(h.a, h.b) for h in self.holds], [*slopes]
         if self.shape != shape:
             count = len(self.forces)
@@ -235,17 +235,17 @@ class Balance:
 
 
 def equilibrium(world: ParticleWorld) -> list[float]:
-    """Move the particles of a world to a position of rest, and return the tensions in N.
+    """Move the particles of ``world`` to a position of rest, and return the tensions in N.
 
     The list has one tension for each rod and cable, in the order of the world's contact generators.
-    It is 0 for a slack cable, and negative for a rod that pushes. The velocities of the particles
-    become 0. Forces in the accumulators act on the particles, and stay in the accumulators. Other
-    contacts, such as contacts with the ground, also hold the particles if the search finds them,
-    but without friction.
+    A slack cable has a tension of 0, and a rod that pushes has a negative tension. If there are
+    several equilibria, the result is usually one near the start.
+
+    The velocities of all particles become 0. Forces in the accumulators act on the particles, and
+    they also stay in the accumulators. Contacts with the ground or with other particles hold the
+    particles too, if the search finds these contacts, but without friction.
 
     In a SleepingWorld all particles fall asleep at once, and sleep until something touches them.
-
-    If there are several equilibria, the result is usually one near the start.
 
     Raises:
         ArithmeticError: if no equilibrium is found, for example because nothing holds a particle.
@@ -272,7 +272,7 @@ def equilibrium(world: ParticleWorld) -> list[float]:
 
 
 def fall_asleep(world: SleepingWorld, balance: Balance) -> None:
-    """Let a world at rest fall asleep, as it would after enough steps of rest."""
+    """Put the particles of ``world`` to sleep, as if they had been at rest for enough steps."""
     world.registry.update_forces(FIRST_TIME)
     for particle in balance.free:
         particle.kick(0.0)  # it now remembers the forces on it, which must not change

@@ -1,9 +1,9 @@
-"""Time steps of a fixed length, whatever the frame rate: a loop with an accumulator.
+"""Run the simulation with a fixed time step at any frame rate, by accumulating the elapsed time.
 
-One frame may take 5 ms, and the next one half a second, for example while the disk is busy. If the
-time steps had these lengths, bodies would pass through each other or the simulation would explode.
-A fixed time step prevents this, and it gives the same results on every machine. Arguments of the
-wrong type raise TypeError.
+Frames do not all take the same time. One may take 5 ms, and the next one half a second because the
+disk is busy. If each time step were as long as its frame, a long step would let bodies pass through
+each other or make the simulation explode. A fixed time step prevents this, and it gives the same
+results on every machine. Arguments of the wrong type raise TypeError.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ SHARE = 1e-9  # of a step: if less than this is missing, only rounding has made 
 class FixedStep:
     """Calls a step function with a fixed duration, as often as the elapsed time requires.
 
-    ``step`` is any function of a duration in s, such as ``ParticleWorld.step``. ``left`` is the
-    time in s that has passed but has not been simulated yet. It is less than one step, and never
-    negative except for rounding.
+    ``step`` can be any function that takes a duration in s, such as ``ParticleWorld.step``.
+    ``left`` is the time in s that has passed but has not been simulated yet. It is always shorter
+    than one step. It is never negative, except for rounding errors.
 
-    A machine that is too slow for the steps would fall further and further behind. ``max_steps``
-    therefore limits the number of steps in one call of ``advance``. If it is None, there is no
-    limit. ``dropped`` is the total time in s that was skipped because of the limit.
+    ``max_steps`` limits the number of steps in one call of ``advance``. Without a limit, a machine
+    that is too slow for the steps would fall further and further behind. If ``max_steps`` is None,
+    there is no limit. ``dropped`` is the total time in s that was skipped because of the limit.
 
     Raises:
         ValueError: if the duration is not positive and finite, or ``max_steps`` is less than 1.
@@ -48,16 +48,18 @@ class FixedStep:
         self.dropped = 0.0
 
     def advance(self, elapsed: float) -> int:
-        """Let ``elapsed`` seconds pass: make the steps that are due, and return how many were made.
+        """Advance the simulation by ``elapsed`` seconds, and return how many steps were made.
 
-        Time that is too short for a step stays in ``left`` until the next call. Because of
-        rounding, ``left`` may be slightly shorter than a step that is really due. So make a step
-        also if at most the fraction ``SHARE`` of it is missing. Then sixty frames of 1/60 s give
-        exactly sixty steps. If more than ``max_steps`` steps are due, skip the steps beyond the
-        limit: subtract their time from ``left`` and add it to ``dropped``.
+        Time that is too short for a whole step stays in ``left`` until the next call. Because of
+        rounding, ``left`` can be slightly too short even though a step is due. So make a step even
+        if up to the fraction ``SHARE`` of its duration is missing. Sixty frames of 1/60 s then give
+        exactly sixty steps.
 
-        If a step raises an exception, pass the exception on, and leave the time of that step in
-        ``left``. The next call then makes the step again.
+        If more than ``max_steps`` steps are due, skip the steps beyond the limit. Subtract their
+        time from ``left`` and add it to ``dropped``.
+
+        If a step raises an exception, let the exception propagate and leave the time of that step
+        in ``left``, so that the next call makes the step again.
 
         Raises:
             ValueError: if ``elapsed`` is negative or not finite. In that case nothing changes.

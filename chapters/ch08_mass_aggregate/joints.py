@@ -1,8 +1,9 @@
 """Find out which particles of a world are connected to each other. This file is complete.
 
-A contact has its particles as attributes. A force generator must also show on which particles its
-force depends, so it keeps them in public attributes. The generators of chapters 6 and 8 already do
-so, because they store these particles under the names of their arguments.
+Two particles are connected if they touch, or if the force on one depends on the other. A contact
+stores its particles as attributes. A force generator must therefore also keep the particles on
+which its force depends in public attributes. The generators of chapters 6 and 8 already do so,
+because they store each of these particles under the name of its argument.
 """
 
 from __future__ import annotations
@@ -34,7 +35,8 @@ def touching(contacts: Iterable[Contact]) -> list[Pair]:
 def joined(registry: ForceRegistry) -> list[Pair]:
     """Return the pairs of movable particles that a force generator joins.
 
-    A generator joins the particle that it is registered for to each of its partners.
+    A generator joins the particle for which it is registered to each particle that
+    ``partners(generator)`` returns.
     """
     return [
         (particle, partner)
@@ -45,14 +47,14 @@ def joined(registry: ForceRegistry) -> list[Pair]:
 
 
 def partners(generator: object) -> list[Particle]:
-    """Return the particles that a generator names in the attributes listed in PARTNERS.
+    """Return the particles that ``generator`` stores in the attributes listed in PARTNERS.
 
-    Such an attribute is a particle, or a list or tuple of particles. Anything else is ignored.
+    Such an attribute is a particle, or a list or tuple of particles. Any other value is ignored.
 
     If you write a generator whose force depends on other particles, give it one of these
-    attributes. If it stores the particles in some other way, a property called `particles` is
-    enough. A generator without such an attribute joins nothing. The particle that it pushes then
-    sleeps independently of other particles, and wakes when the push changes.
+    attributes. If the generator stores the particles in some other way, you can add a property
+    called ``particles``. A generator without such an attribute joins nothing. A particle that it
+    pushes then sleeps independently of other particles, and wakes when the push changes.
     """
     found: list[Particle] = []
     for name in PARTNERS:

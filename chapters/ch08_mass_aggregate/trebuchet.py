@@ -1,8 +1,8 @@
 """A trebuchet: a heavy counterweight throws a projectile from a sling (project 8.2).
 
 Everything is in the X-Y plane, and the projectile flies toward positive X. A beam rotates on an
-immovable pivot. The beam is bent at the pivot, so that three rods make it rigid. Its short arm
-carries the counterweight, and the sling hangs from the tip of its long arm.
+immovable pivot. The beam is bent at the pivot, so three rods are enough to make it rigid. Its short
+arm carries the counterweight, and the sling hangs from the tip of its long arm.
 """
 
 from __future__ import annotations
@@ -31,9 +31,9 @@ MOST_WEIGHT, LONGEST_BEAM = 400.0, 5.0  # kg, and m for both arms: the limits of
 
 @dataclass(frozen=True)
 class Design:
-    """The numbers that a designer chooses for a trebuchet, in kg, m and degrees.
+    """The design of a trebuchet. Masses are in kg, lengths in m, and angles in degrees.
 
-    The sling releases the projectile as soon as it flies forward at an angle of at most
+    The sling releases the projectile as soon as it flies forward and its direction is at most
     ``release_angle`` above the horizontal.
 
     Raises:
@@ -60,11 +60,12 @@ class Design:
 
 @dataclass(frozen=True)
 class Throw:
-    """The result of a throw: the range in m, measured from the pivot, and the energy share.
+    """The result of a throw: its range, and the share of the energy that reached the projectile.
 
-    The share is the energy that the projectile has gained by the time of its release (kinetic and
-    potential), divided by the potential energy that the counterweight has lost by then. If the
-    projectile was never released, both numbers are 0.
+    The range is in m, measured from the pivot. The share is the energy that the projectile has
+    gained, divided by the energy that the counterweight has lost, both from the start to the
+    release. The projectile gains kinetic and potential energy, and the counterweight loses
+    potential energy. If the projectile was never released, both numbers are 0.
     """
 
     range: float
@@ -72,21 +73,21 @@ class Throw:
 
 
 def my_design() -> Design:
-    """Return a trebuchet design of your own (P8.2b).
+    """Return your own design of a trebuchet (P8.2b).
 
     The counterweight may be at most ``MOST_WEIGHT``, and the two arms together may be at most
-    ``LONGEST_BEAM``. The design is graded for its range and for the share of the energy that
-    reaches the projectile. Only the numbers of the design count, not your simulation of it. A range
-    of 60 m and a share of 40 % are good, and 80 m and 50 % are better.
+    ``LONGEST_BEAM``. Your grade depends on the range and on the share of the energy that reaches
+    the projectile. A range of 60 m and a share of 40 % are good, and 80 m and 50 % are better. Only
+    the numbers in your design count, because the checks do not use your simulation for this.
     """
     raise NotImplementedError("Exercise P8.2b: Your own trebuchet")
 
 
 class Trebuchet:
-    """A trebuchet of a given design: its particles, and the ``world`` in which they move.
+    """A trebuchet built from ``design``: its particles, and the ``world`` in which they move.
 
-    ``pivot``, ``weight`` (the counterweight), ``tip`` and ``projectile`` start at rest. ``flies``
-    is False until the sling has released the projectile.
+    The particles are ``pivot``, ``weight`` (the counterweight), ``tip`` and ``projectile``. They
+    start at rest. ``flies`` is False until the sling has released the projectile.
     """
 
     def __init__(self, design: Design) -> None:
@@ -107,24 +108,27 @@ class Trebuchet:
         self.world = ParticleWorld(particles, [*self.beam(), self.sling], iterations=ITERATIONS)
 
     def beam(self) -> list[ContactGenerator]:
-        """Return rods that make a rigid beam of pivot, counterweight and tip as they are now.
+        """Return rods that join the pivot, the counterweight and the tip into a rigid beam.
 
-        Any set of rods that makes the beam rigid is right.
+        Use the current positions of these particles for the lengths of the rods. Any set of rods
+        that makes the beam rigid is accepted.
         """
         raise NotImplementedError("Exercise P8.2a: A trebuchet")
 
     def lets_go(self) -> bool:
-        """Return whether the projectile flies forward at the release angle or lower.
+        """Return whether the sling should release the projectile now.
 
-        The projectile must also be above the pivot. Without this condition the sling would release
-        it too early, because before the throw it already swings forward once below the pivot.
+        The projectile must fly forward, at the release angle or lower. It must also be above the
+        pivot. Without this second condition the sling would release it too early, because it also
+        swings forward below the pivot before the actual throw.
         """
         raise NotImplementedError("Exercise P8.2a: A trebuchet")
 
     def step(self, duration: float) -> None:
-        """Make one time step of this duration in s, and then release the projectile if it is time.
+        """Make one time step, and then release the projectile if ``lets_go()`` is True.
 
-        To release it, remove the sling's cable from the generators of the world.
+        ``duration`` is in s. To release the projectile, remove the sling's cable from the
+        generators of the world.
         """
         self.world.step(duration)
         if not self.flies and self.lets_go():
@@ -132,11 +136,12 @@ class Trebuchet:
             self.world.contact_generators.remove(self.sling)
 
     def throw(self) -> Throw:
-        """Make steps of ``STEP`` until the release, and return the range and the share (P8.2a).
+        """Simulate the throw, and return its range and share (P8.2a).
 
-        After the release, the projectile flies like a shot without drag until it reaches the ground
-        at a height of 0. Return Throw(0.0, 0.0) if the projectile reaches the ground while it is
-        still on the sling, or if it has not been released within ``TIME_LIMIT``. The trebuchet must
-        be a new one, because it can throw only once.
+        Make steps of ``STEP`` until the sling releases the projectile. From then on the projectile
+        flies without drag until it reaches the ground, which is at a height of 0. Return Throw(0.0,
+        0.0) if the projectile reaches the ground while it is still in the sling, or if it has not
+        been released within ``TIME_LIMIT``. Call this method only on a new trebuchet, because a
+        trebuchet can throw only once.
         """
         raise NotImplementedError("Exercise P8.2a: A trebuchet")

@@ -1,6 +1,6 @@
-"""The particle world, which applies forces, integrates and resolves contacts in order (book 8.1).
+"""The particle world: apply forces, integrate and resolve contacts, in this order (book 8.1).
 
-Lengths are in m, masses in kg, times in s, energies in J. Arguments of the wrong type raise
+Lengths are in m, masses in kg, times in s, and energies in J. Arguments of the wrong type raise
 TypeError.
 """
 
@@ -16,13 +16,15 @@ from ch07_constraints.detectors import some_particles
 
 
 class ParticleWorld:
-    """A set of particles with the forces, the integrator and the contacts that move them.
+    """A set of particles, with the forces, the integrator and the contacts that move them.
 
-    ``particles`` and ``contact_generators`` are copied into new lists, which you may extend later.
-    A particle may be listed only once. ``registry`` is an empty ForceRegistry at first.
-    ``integrator`` can be any integrator of chapter 6, and ``resolver`` is a ContactResolver with
-    the limit ``iterations``. The number of contacts in a step is not limited. The book's world does
-    have a limit, and silently ignores the contacts beyond it.
+    ``particles`` and ``contact_generators`` are copied into new lists, and you may add to these
+    lists later. A particle may be listed only once. ``registry`` is a ForceRegistry that starts
+    empty. ``integrator`` can be any integrator of chapter 6. ``iterations`` is the limit of the
+    ContactResolver in ``resolver``.
+
+    There is no limit on the number of contacts in a step. The book's world has such a limit, and
+    silently ignores all contacts beyond it.
 
     Raises:
         ValueError: if a particle is listed twice, or the resolver rejects ``iterations``.
@@ -55,26 +57,27 @@ class ParticleWorld:
         self.integrator = integrator
 
     def start_frame(self) -> None:
-        """Clear the force accumulators of all particles, before forces are added by hand.
+        """Clear the force accumulators of all particles.
 
-        Book 8.1.
+        Call this method before you add forces by hand. Book 8.1.
         """
         raise NotImplementedError("Exercise B8.2: One time step of the world")
 
     def contacts(self) -> list[Contact]:
-        """Return the current contacts of all generators in one list, in the generators' order.
+        """Return the current contacts of all generators in one list.
 
-        No contact is left out.
+        The contacts are in the order of the generators, and no contact is left out.
         """
         raise NotImplementedError("Exercise B8.2: One time step of the world")
 
     def run_physics(self, duration: float) -> None:
-        """Move the world forward by one time step of this duration in s.
+        """Advance the world by one time step. ``duration`` is in s.
 
-        First the integrator moves the particles. The forces on them come from the registry, and
-        from calls of ``add_force`` since ``start_frame``. Then, at the new positions,
-        ``contacts()`` of every generator is called once, and the resolver resolves all contacts in
-        one call. If there are no contacts, the resolver is not called. Book 8.1.
+        First the integrator moves the particles. The forces on the particles come from the
+        registry, and from calls of ``add_force`` since ``start_frame``. Then every generator finds
+        its contacts at the new positions, so call ``contacts()`` of each generator once. Finally
+        the resolver resolves all contacts in one call. If there are no contacts, do not call the
+        resolver. Book 8.1.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.
@@ -82,10 +85,11 @@ class ParticleWorld:
         raise NotImplementedError("Exercise B8.2: One time step of the world")
 
     def step(self, duration: float) -> None:
-        """Start a frame and run its physics.
+        """Start a frame and run its physics. ``duration`` is in s.
 
-        Forces that were added before the call are cleared, so they have no effect. To add forces by
-        hand, call ``start_frame`` and ``run_physics`` separately.
+        Forces that you added before the call have no effect, because the step clears the
+        accumulators first. To add forces by hand, call ``start_frame`` and ``run_physics``
+        separately.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.
@@ -96,8 +100,10 @@ class ParticleWorld:
 def mechanical_energy(particles: Iterable[Particle]) -> float:
     """Return the mechanical energy of the particles in J: the sum of m v^2 / 2 - m a . p.
 
-    You can check a simulation with it, because the energy should stay constant as long as there are
-    no damping and no forces. Here a is the particle's own acceleration and p is its position. For a
-    = (0, -g, 0) the energy is m v^2 / 2 + m g y. Forces and immovable particles do not contribute.
+    Here a is the particle's own acceleration and p is its position. For a = (0, -g, 0) the energy
+    is m v^2 / 2 + m g y. The forces of generators and immovable particles do not contribute.
+
+    Use this function to check a simulation. The energy should stay constant as long as there is no
+    damping and no force acts.
     """
     raise NotImplementedError("Exercise B8.1: Mechanical energy")

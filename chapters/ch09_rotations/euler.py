@@ -1,10 +1,10 @@
 """Euler angles, and why they fail (book 9.2.1).
 
 Three angles x, y and z in radians describe an orientation. The object rotates first by x about the
-X axis of the world, then by y about its Y axis, and then by z about its Z axis. Every orientation
-can be described in this way (E-33). But if y is a quarter turn, the second rotation turns the X
-axis onto Z or -Z. The first and the last rotation are then about the same axis, so one degree of
-freedom is lost. This state is called gimbal lock, and it is the reason why engines store
+X axis of the world, then by y about the world's Y axis, and then by z about its Z axis. Every
+orientation can be described in this way (E-33). But if y is a quarter turn, the second rotation
+turns the X axis onto Z or -Z. The first and the last rotation then have the same axis, so one
+degree of freedom is lost. This state is called gimbal lock. It is the reason why engines store
 orientations as quaternions.
 
 The functions raise ValueError for a number that is not finite, and TypeError for an argument of the
@@ -19,26 +19,26 @@ from ch09_rotations.quaternion import Quaternion
 
 
 def euler_to_quaternion(x: float, y: float, z: float) -> Quaternion:
-    """Return the orientation that three Euler angles describe, as a unit quaternion."""
+    """Convert three Euler angles to an orientation, and return it as a unit quaternion."""
     raise NotImplementedError("Exercise B9.17: Euler angles, and where they fail")
 
 
 def rate_map(x: float, y: float, z: float) -> Matrix3:
     """Return the matrix that maps the rates of the three angles to the angular velocity.
 
-    Both are vectors in rad/s, and the angular velocity is in world axes. Each column of the matrix
-    is the axis about which one of the angles rotates. For z this is Z itself. For y it is Y rotated
-    by z, and for x it is X rotated by y and then by z. The matrix does not depend on x, but x must
-    be finite too.
+    The rates and the angular velocity are vectors in rad/s. The angular velocity is in world axes.
+    Each column of the matrix is the axis about which one of the angles rotates. The axis for z is Z
+    itself. The axis for y is Y rotated by z, and the axis for x is X rotated by y and then by z.
+    The matrix does not depend on x, but x must be finite too.
     """
     raise NotImplementedError("Exercise B9.17: Euler angles, and where they fail")
 
 
 def euler_rates(x: float, y: float, z: float, angular_velocity: Vector3) -> Vector3:
-    """Return the rates of the three angles in rad/s for an angular velocity in world axes.
+    """Return the rates of the three angles in rad/s that produce ``angular_velocity``.
 
-    Near gimbal lock the rates are very large. In gimbal lock, no rates at all can produce a
-    rotation about the lost axis.
+    ``angular_velocity`` is in world axes. Near gimbal lock the rates are very large. In gimbal
+    lock, no rates can produce a rotation about the lost axis.
 
     Raises:
         ValueError: in gimbal lock, that is, unless |cos y|, the determinant of the rate map, is

@@ -1,10 +1,10 @@
 """Going further, complete: a box that rotates freely, with its inertia tensor.
 
 No torque acts on the box, so its angular momentum is constant, but its angular velocity is not.
-Like every body, the box has three principal axes, with a moment of inertia about each of them. A
-spin about the axis of the largest or the smallest moment is stable. A spin about the third axis is
-unstable, and after the smallest disturbance the body flips over again and again, like a book that
-you throw into the air.
+Like every body, the box has three principal axes, and a moment of inertia about each of them. A
+rotation about the axis of the largest or the smallest moment is stable. A rotation about the third
+axis is unstable. After the smallest disturbance the body flips over again and again, like a book
+that you throw into the air.
 """
 
 from __future__ import annotations
@@ -18,12 +18,13 @@ X, Y, Z = Vector3(1.0), Vector3(0.0, 1.0), Vector3(0.0, 0.0, 1.0)
 
 
 class FreeBox:
-    """A box that rotates about its center, with its sides along its own X, Y and Z axes.
+    """A box that rotates about its center. Its sides are parallel to its own X, Y and Z axes.
 
-    At the start the axes of the box are those of the world. ``mass`` is in kg, ``sides`` in m and
-    ``angular_velocity`` in rad/s. The attribute ``orientation`` is a quaternion. ``inertia`` holds
-    the moments of inertia about the three principal axes in kg m^2, and ``angular_momentum`` is in
-    kg m^2/s, in world axes.
+    At the start the axes of the box are the axes of the world. ``mass`` is in kg, ``sides`` in m
+    and ``angular_velocity`` in rad/s.
+
+    The attribute ``orientation`` is a quaternion. ``inertia`` contains the moments of inertia about
+    the three principal axes in kg m^2. ``angular_momentum`` is in kg m^2/s, in world axes.
 
     Raises:
         ValueError: if the mass or a side is not positive and finite, or a component is not finite.
@@ -40,7 +41,10 @@ class FreeBox:
         )
 
     def own_velocity(self) -> Vector3:
-        """Return the angular velocity in rad/s in the box's own axes: angular momentum / moment."""
+        """Return the angular velocity in rad/s in the box's own axes.
+
+        Each component is the angular momentum divided by the moment of inertia.
+        """
         own = self.orientation.conjugate().rotate(self.angular_momentum)
         moments = self.inertia
         return Vector3(own.x / moments.x, own.y / moments.y, own.z / moments.z)
@@ -51,12 +55,12 @@ class FreeBox:
         return 0.5 * spin.dot(self.inertia.component_product(spin))
 
     def step(self, duration: float) -> None:
-        """Make a step of a duration in s.
+        """Make one time step. ``duration`` is in s.
 
-        The rotation is split into five rotations, each about one principal axis. A rotation about a
-        principal axis does not change the angular momentum along it, so each of the five can be
-        computed exactly. This symmetric splitting is of order 2, and its error in the energy stays
-        bounded.
+        The rotation is split into five rotations, each about one principal axis. Each of the five
+        can be computed exactly, because a rotation about a principal axis does not change the
+        angular momentum along it. This symmetric splitting is of order 2, and its error in the
+        energy stays bounded.
 
         Raises:
             ValueError: if the duration is not positive and finite.

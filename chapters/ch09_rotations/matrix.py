@@ -1,7 +1,7 @@
 """Matrices that rotate, scale and move points, and a change of basis (book 9.4.2 to 9.4.6).
 
-Vectors are columns, products apply the right factor first, and wrong arguments raise the same
-errors as in matrix3.py. You can also import Matrix3 from here.
+As in matrix3.py, vectors are columns, a product applies its right factor first, and wrong arguments
+raise the same errors. You can also import Matrix3 from here.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ M = TypeVar("M", "Matrix3", "Matrix4")
 
 
 class Matrix4:
-    """A 3x4 matrix of twelve numbers, row by row: a Matrix3 with a translation as fourth column.
+    """A 3x4 matrix: a Matrix3 with a translation as the fourth column.
 
-    ``m[row, column]`` reads one number, with rows from 0 to 2 and columns from 0 to 3. ``entries``
-    is the tuple of all twelve.
+    Its twelve numbers are given row by row, and ``entries`` is the tuple of all twelve. ``m[row,
+    column]`` reads one number, with rows from 0 to 2 and columns from 0 to 3.
     """
 
     __slots__ = ("entries",)
@@ -62,7 +62,7 @@ class Matrix4:
         return self.product(other) if isinstance(other, Matrix4) else NotImplemented
 
     def transform(self, v: Vector3) -> Vector3:
-        """Return the transformed point, with the translation added, as a new vector (9.4.2).
+        """Transform the point ``v``, including the translation, and return a new vector (9.4.2).
 
         You can also write ``m @ v``.
         """
@@ -82,13 +82,13 @@ class Matrix4:
         The book's listings contain errors (E-13, E-29, E-30).
 
         Raises:
-            ValueError: if ``Matrix3.inverse`` rejects the nine numbers without the translation.
+            ValueError: if ``Matrix3.inverse`` rejects the 3x3 part.
         """
         raise NotImplementedError("Exercise B9.14: A matrix that rotates and moves")
 
     @staticmethod
     def from_orientation_and_position(q: Quaternion, p: Vector3) -> Matrix4:
-        """Return the matrix from object to world coordinates, which rotates by q and then adds p.
+        """Return the matrix from object to world coordinates. It rotates by ``q``, then adds ``p``.
 
         Raises:
             ValueError: if the quaternion's length is not 1 (``is_unit``).
@@ -104,7 +104,7 @@ class Matrix4:
         raise NotImplementedError("Exercise B9.15: Between an object and the world")
 
     def transform_direction(self, v: Vector3) -> Vector3:
-        """Return a rotated direction as a new vector, without the translation (9.4.5).
+        """Return the direction ``v``, transformed without the translation, as a new vector (9.4.5).
 
         The translation moves points, but it does not change directions.
         """
@@ -121,7 +121,8 @@ class Matrix4:
 def change_basis(m: M, basis: M) -> M:
     """Return ``m`` expressed in other axes: the product basis * m * basis^-1 (9.4.6).
 
-    ``basis`` converts coordinates in the old axes, those of ``m``, to coordinates in the new axes.
+    ``m`` uses the old axes. ``basis`` converts coordinates in the old axes to coordinates in the
+    new axes.
 
     Raises:
         ValueError: if ``basis`` has no inverse.

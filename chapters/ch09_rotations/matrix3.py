@@ -2,8 +2,8 @@
 
 A vector is a column, so it is on the right of a matrix: ``m @ v``. The product ``a @ b`` therefore
 applies b first and then a. Matrices are immutable, and every method returns a new object. The
-methods raise TypeError for an argument of the wrong type. The components of a vector are not
-checked.
+methods raise TypeError for an argument of the wrong type. They do not check the components of a
+vector.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ ROTATION_TOLERANCE = 1e-5
 
 
 class Matrix3:
-    """A 3x3 matrix of nine numbers, row by row. It maps the origin to itself.
+    """A 3x3 matrix. It maps the origin to itself.
 
-    ``m[row, column]`` reads one number, with both indices from 0 to 2. ``entries`` is the tuple of
-    all nine.
+    Its nine numbers are given row by row, and ``entries`` is the tuple of all nine. ``m[row,
+    column]`` reads one number, with both indices from 0 to 2.
     """
 
     __slots__ = ("entries",)
@@ -67,7 +67,7 @@ class Matrix3:
         return self.product(other) if isinstance(other, Matrix3) else NotImplemented
 
     def transform(self, v: Vector3) -> Vector3:
-        """Return the matrix times ``v`` as a new vector, also written ``m @ v`` (9.4.2)."""
+        """Return the matrix times ``v`` as a new vector (9.4.2). You can also write ``m @ v``."""
         raise NotImplementedError("Exercise B9.4: A matrix times a vector, and times a matrix")
 
     def product(self, m: Matrix3) -> Matrix3:
@@ -99,8 +99,8 @@ class Matrix3:
         """Return whether the matrix is a pure rotation, without scaling, shear or reflection.
 
         The scalar product of each row with itself must be 1, and its scalar product with each other
-        row must be 0, both within ``ROTATION_TOLERANCE``. The determinant must be positive.
-        Otherwise, and if an entry is NaN, return False.
+        row must be 0, both within ``ROTATION_TOLERANCE``. The determinant must be positive. If one
+        of these conditions fails, or if an entry is NaN, return False.
         """
         raise NotImplementedError("Exercise B9.6: Is it a rotation?")
 
@@ -116,10 +116,10 @@ class Matrix3:
         raise NotImplementedError("Exercise B9.12: From a quaternion to a matrix")
 
     def to_quaternion(self) -> Quaternion:
-        """Return the unit quaternion of this rotation. Both q and -q are right.
+        """Return the unit quaternion of this rotation. Both q and -q are accepted.
 
-        From the diagonal you can compute four sums, which are 4 r^2, 4 i^2, 4 j^2 and 4 k^2. Take
-        the component with the largest sum, which is at least 1, and compute the other components
+        The diagonal gives four sums, which are 4 r^2, 4 i^2, 4 j^2 and 4 k^2. Start with the
+        component that has the largest sum, which is at least 1, and compute the other components
         from it. A smaller sum may consist only of rounding errors. In a half-turn, for example, 4
         r^2 should be 0.
 

@@ -1,12 +1,12 @@
 """Orientations in space as quaternions (book 9.2.4 and 9.4.7 to 9.4.11).
 
-A quaternion of length 1 represents an orientation, and also the rotation that leads to it. The
-rotation by ``angle`` about the unit vector ``axis`` is (cos(angle/2), axis sin(angle/2)). q and -q
-represent the same orientation. As in the book, rotations are right-handed and about world axes, so
-``b * a`` rotates by a first and then by b.
+A quaternion of length 1 represents an orientation, and also the rotation from the reference to this
+orientation. The rotation by ``angle`` about the unit vector ``axis`` is (cos(angle/2), axis
+sin(angle/2)). q and -q represent the same orientation. As in the book, rotations are right-handed
+and about world axes, so ``b * a`` rotates by a first and then by b.
 
-The methods raise TypeError for an argument of the wrong type. A vector that is rotated may have any
-components, even NaN.
+The methods raise TypeError for an argument of the wrong type. If you rotate a vector, it may have
+any components, even NaN.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ UNIT_TOLERANCE = 1e-6
 class Quaternion:
     """A quaternion with four components: the scalar r, and i, j and k along X, Y and Z (Eq. 9.4).
 
-    The components are converted by float() and may have any values until the quaternion has to
+    The components are converted by float(). They may have any values until the quaternion has to
     rotate something. Quaternion() is the reference orientation, which rotates nothing.
     """
 
@@ -70,18 +70,19 @@ class Quaternion:
         raise NotImplementedError("Exercise B9.7: The length of a quaternion")
 
     def is_unit(self) -> bool:
-        """Return whether the length is within ``UNIT_TOLERANCE`` of 1. For NaN return False."""
+        """Return whether the length is within ``UNIT_TOLERANCE`` of 1. Return False for NaN."""
         raise NotImplementedError("Exercise B9.7: The length of a quaternion")
 
     def normalize(self) -> None:
-        """Divide all components by the length, in place (9.4.8). Zero becomes (1, 0, 0, 0).
+        """Divide all components by the length, in place (9.4.8).
 
-        The result must also be correct for components as large as 1e200 and as small as 1e-200.
+        A zero quaternion becomes (1, 0, 0, 0). The result must also be correct for components as
+        large as 1e200 and as small as 1e-200.
         """
         raise NotImplementedError("Exercise B9.7: The length of a quaternion")
 
     def conjugate(self) -> Quaternion:
-        """Return the new quaternion (r, -i, -j, -k). For a unit quaternion, it rotates back."""
+        """Return the new quaternion (r, -i, -j, -k). For a unit quaternion, it is the inverse."""
         raise NotImplementedError("Exercise B9.8: The product of quaternions")
 
     def __mul__(self, q: Quaternion) -> Quaternion:
@@ -90,7 +91,9 @@ class Quaternion:
 
     @staticmethod
     def from_axis_angle(axis: Vector3, angle: float) -> Quaternion:
-        """Return the rotation by an angle in radians about an axis of any length (Eq. 9.4).
+        """Return the rotation by ``angle`` in radians about ``axis`` (Eq. 9.4).
+
+        The axis may have any length except 0.
 
         Raises:
             ValueError: if the axis is zero or a number is not finite.
@@ -98,11 +101,11 @@ class Quaternion:
         raise NotImplementedError("Exercise B9.9: Axis and angle, both ways")
 
     def to_axis_angle(self) -> tuple[Vector3, float]:
-        """Return the axis, a new unit vector, and the angle in radians, from 0 to pi.
+        """Return the axis as a new unit vector, and the angle in radians, from 0 to pi.
 
         q and -q are the same rotation, so they give the same result. For a half-turn, the axis and
-        its opposite are both right. For an angle of 0, return X as the axis. The result must also
-        be correct for angles as small as 1e-200.
+        its opposite are both accepted. For an angle of 0, return X as the axis. The result must
+        also be correct for angles as small as 1e-200.
 
         Raises:
             ValueError: if the length is not 1 (``is_unit``).
@@ -110,7 +113,7 @@ class Quaternion:
         raise NotImplementedError("Exercise B9.9: Axis and angle, both ways")
 
     def rotate(self, v: Vector3) -> Vector3:
-        """Return the rotated vector q (0, v) q* as a new vector.
+        """Rotate ``v`` and return the result, q (0, v) q*, as a new vector.
 
         Raises:
             ValueError: if the quaternion's length is not 1 (``is_unit``), because it would then
@@ -119,11 +122,12 @@ class Quaternion:
         raise NotImplementedError("Exercise B9.10: Rotating a vector")
 
     def rotate_by(self, vector: Vector3) -> None:
-        """Rotate in place about the direction of a vector, by the vector's length in radians.
+        """Rotate in place about the direction of ``vector``, by its length in radians.
 
-        The vector is in world axes, and a zero vector rotates nothing. The result is exp((0,
-        vector)/2) q. Eq. 9.9 is a first-order approximation of this formula. The book's listing
-        multiplies by (0, vector), which is not a rotation, and on the wrong side (E-12).
+        ``vector`` is in world axes. A zero vector rotates nothing. The result is exp((0, vector)/2)
+        q. Eq. 9.9 is a first-order approximation of this formula. The book's listing contains two
+        errors: it multiplies by (0, vector), which is not a rotation, and it does so on the wrong
+        side (E-12).
 
         Raises:
             ValueError: if the vector is not finite.
@@ -133,9 +137,9 @@ class Quaternion:
     def add_scaled(self, vector: Vector3, scale: float) -> None:
         """Add scale/2 times (0, vector) q to q, in place (Eq. 9.5).
 
-        If the vector is an angular velocity and the scale is a duration, this is the book's step of
-        an orientation. It is accurate only to first order, and it increases the length of the
-        quaternion (E-31). Do not normalize here, because the exercises measure this error.
+        If ``vector`` is an angular velocity and ``scale`` is a duration, this is the book's time
+        step for an orientation. It is accurate only to first order, and it increases the length of
+        the quaternion (E-31). Do not normalize here, because the exercises measure this error.
 
         Raises:
             ValueError: if the vector or the scale is not finite. In that case nothing changes.

@@ -1,8 +1,8 @@
 """Read the stones in a box for exercise 9.7 from a CSV file with one stone per line.
 
-The columns are what, mass, x and y. The first is a name, and the second is the mass in kg. x and y
-are the distances in m of the stone's center from the left side and from the front side of the box.
-Enter at least three stones, and the empty box in a line of its own.
+The columns are what, mass, x and y. ``what`` is the name of the stone, and ``mass`` is in kg. ``x``
+and ``y`` are the distances of the stone's center from the left side and from the front side of the
+box, in m. Enter at least three stones, and add a line for the empty box.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ COLUMNS = ("what", "mass", "x", "y")
 
 
 def read_stones(path: Path) -> list[tuple[str, float, float, float]]:
-    """Return the stones in a file, in the order of its lines. Empty lines are skipped.
+    """Read a file and return its stones in the order of its lines. Empty lines are skipped.
 
     Raises:
         ValueError: if the first line is not the heading, or a line is not a name, a mass and a
@@ -42,7 +42,7 @@ def read_stones(path: Path) -> list[tuple[str, float, float, float]]:
 
 
 def own_stones() -> Path:
-    """Return the path of stones.csv, or of the student's own version if there is one.
+    """Return the path of the student's own stones.csv, or of the chapter's file if there is none.
 
     Raises:
         FileNotFoundError: if no folder of the engine has the file.

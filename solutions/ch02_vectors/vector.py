@@ -1,9 +1,9 @@
-"""A vector in three dimensions, the type that the whole engine uses (book chapter 2).
+"""A vector in three dimensions, which the whole engine uses (book chapter 2).
 
 The axes are right-handed, and +Y points up. Vectors are mutable. An operator such as ``v + w``
 returns a new vector and leaves both operands unchanged. A method marked "in place" changes ``v``
-and returns None. The operators ``+=``, ``-=``, ``*=`` and ``/=`` also change ``v``, but their
-methods must end with ``return self``, because Python assigns the returned value to ``v``.
+and returns None. The operators ``+=``, ``-=``, ``*=`` and ``/=`` also change ``v``. Their methods
+must end with ``return self``, because Python assigns the returned value to ``v``.
 """
 
 from __future__ import annotations
@@ -23,8 +23,9 @@ class Vector3:
     """A vector with three components along X, Y and Z.
 
     The unit depends on the quantity: m for a position, m/s for a velocity, N for a force. A
-    component can be any float, including infinities and NaN. Classes that use vectors for a
-    particular quantity, such as a particle, reject values that make no sense there.
+    component can be any float, including infinities and NaN. Some classes use vectors for a
+    particular quantity, such as the position of a particle. These classes reject values that make
+    no sense there.
 
     Raises:
         TypeError: if a component is not something that float() accepts.
@@ -59,7 +60,7 @@ class Vector3:
     def copy(self) -> Vector3:
         """Return a new vector with the same components.
 
-        Use a copy to remember a vector that will be changed in place.
+        Make a copy if you need the current value later but the vector will be changed in place.
         """
         return Vector3(self.x, self.y, self.z)
 
@@ -80,15 +81,16 @@ class Vector3:
     def magnitude(self) -> float:
         """Return the length |v|, which is never negative (2.1).
 
-        The length is also correct for components as large as 1e200 or as small as 1e-200, although
-        the squares of such numbers overflow or underflow. If a component is NaN, the length is NaN.
+        The length must also be correct for components as large as 1e200 or as small as 1e-200,
+        although the squares of such numbers overflow or underflow. If a component is NaN, the
+        length is NaN.
         """
         return math.hypot(self.x, self.y, self.z)
 
     def squared_magnitude(self) -> float:
         """Return the squared length |v|^2 (2.1).
 
-        To compare two lengths, compare their squares. This saves the square root.
+        To compare two lengths, compare their squares instead. This avoids the square root.
         """
         return self.x * self.x + self.y * self.y + self.z * self.z
 
@@ -138,8 +140,8 @@ class Vector3:
     def normalize(self) -> None:
         """Scale the vector to length 1 without changing its direction, in place (2.1.3).
 
-        The zero vector has no direction and stays zero. The result is also correct for components
-        as large as 1e200 or as small as 1e-200.
+        The zero vector has no direction and stays zero. The result must also be correct for
+        components as large as 1e200 or as small as 1e-200.
         """
         length = self.magnitude()
         if length == 0.0:
@@ -208,10 +210,9 @@ class Vector3:
         self.z += v.z * scale
 
     def component_product(self, v: Vector3) -> Vector3:
-        """Return the component product as a new vector (2.1.6).
+        """Multiply the matching components of both vectors, and return a new vector (2.1.6).
 
-        Each component of the result is the product of the two matching components. Raises TypeError
-        if ``v`` is not a vector.
+        Raises TypeError if ``v`` is not a vector.
         """
         if not isinstance(v, Vector3):
             raise TypeError(_NOT_A_VECTOR.format(v))
@@ -231,8 +232,8 @@ class Vector3:
     def dot(self, v: Vector3) -> float:
         """Return the scalar product a . b = |a| |b| cos t, also written ``a @ b`` (Eq. 2.4).
 
-        t is the angle between the two vectors. If one of them is a unit vector, the result is the
-        component of the other along it. Raises TypeError if ``v`` is not a vector.
+        Here t is the angle between the two vectors. If one of them is a unit vector, the result is
+        the component of the other vector along it. Raises TypeError if ``v`` is not a vector.
         """
         if not isinstance(v, Vector3):
             raise TypeError(_NOT_A_VECTOR.format(v))
@@ -271,14 +272,14 @@ def make_orthonormal_basis(a: Vector3, b: Vector3) -> tuple[Vector3, Vector3, Ve
     """Return three new perpendicular unit vectors, right-handed: a x b = c (2.1.9).
 
     Use it to build the axes of a camera or a contact from one exact direction and one approximate
-    direction. The first vector has the direction of ``a``. The third one is perpendicular to the
-    plane of ``a`` and ``b``. The second one lies in that plane, as close to ``b`` as possible. The
-    lengths of ``a`` and ``b`` do not matter, and neither vector is changed.
+    direction. The first vector has the direction of ``a``. The third vector is perpendicular to the
+    plane of ``a`` and ``b``. The second vector lies in that plane, as close to ``b`` as possible.
+    The lengths of ``a`` and ``b`` do not matter, and neither vector is changed.
 
     Raises:
-        ValueError: if ``a`` or ``b`` is zero or not finite, or if they are parallel. They count as
-            parallel if the sine of the angle between them is below 1e-12. Such vectors do not
-            determine a basis.
+        ValueError: if ``a`` or ``b`` is zero or not finite, or if they are parallel. Such vectors
+            do not determine a basis. Two vectors count as parallel if the sine of the angle between
+            them is below 1e-12.
     """
     first = a.normalized()
     third = first.cross(b.normalized())

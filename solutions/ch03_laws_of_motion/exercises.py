@@ -1,7 +1,7 @@
 """The exercises of the book's chapter 3, each as a function. Exercise 3.3 is in particle.py.
 
-None of these functions changes the vectors that it is given. All of them raise TypeError if an
-argument that must be a number is something else.
+None of these functions changes its arguments. All of them raise TypeError if an argument that must
+be a number is something else.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ GRAVITATIONAL_CONSTANT = 6.67428e-11  # N m^2/kg^2
 
 
 def speed_ratio(first_mass: float, second_mass: float) -> float:
-    """Exercise 3.1: return the speed of the first particle divided by that of the second.
+    """Exercise 3.1: return the speed of the first particle divided by the speed of the second.
 
     Both particles start at rest, and the same force acts on both for the same time. The masses are
     in kg.
@@ -49,11 +49,10 @@ def gravity_between(first_mass: float, second_mass: float, distance: float) -> f
 def position_by_equation(
     position: Vector3, velocity: Vector3, acceleration: Vector3, time: float
 ) -> Vector3:
-    """Exercise 3.4a: return the position after a time with constant acceleration (Eq. 2.9).
+    """Exercise 3.4a: return the position after ``time`` s with constant acceleration (Eq. 2.9).
 
-    The result is the new vector p' = p + v t + a t^2 / 2. Lengths are in m and times in s. In this
-    example and the ones below, the start position and two components of the acceleration are not
-    those of the book.
+    The result is the new vector p' = p + v t + a t^2 / 2, in m. In this example and the following
+    ones, the start position and two components of the acceleration differ from the book's.
 
     Raises ValueError if the time is not positive and finite.
 
@@ -67,7 +66,7 @@ def position_by_equation(
 def state_by_steps(
     position: Vector3, velocity: Vector3, acceleration: Vector3, duration: float, steps: int
 ) -> tuple[Vector3, Vector3]:
-    """Exercise 3.4b and c: return the position and the velocity after several equal steps.
+    """Exercise 3.4b and c: return the position and the velocity after ``steps`` equal steps.
 
     Each step applies Eq. 2.7 and then Eq. 2.8, as ``Particle.integrate`` does when the damping is
     1. ``duration`` is the duration of one step in s.
@@ -91,7 +90,7 @@ def state_by_steps(
 def stepping_error(
     position: Vector3, velocity: Vector3, acceleration: Vector3, duration: float, steps: int
 ) -> Vector3:
-    """Exercise 3.4d: return the error of the stepped position: stepped minus exact position.
+    """Exercise 3.4d: return the position after several steps minus the exact position.
 
     The function takes the same arguments as ``state_by_steps`` and raises the same errors.
 
@@ -104,11 +103,11 @@ def stepping_error(
 
 
 def random_frames(mean: float, jitter: float, total: float, seed: int) -> list[float]:
-    """Exercise 3.5a: return random frame durations in s that add up to a total time.
+    """Exercise 3.5a: return random frame durations in s that add up to ``total``.
 
     Use them to imitate a game whose frame rate varies. Each duration is drawn uniformly between
-    mean * (1 - jitter) and mean * (1 + jitter). The last one is shortened so that the sum equals
-    the total, except for rounding. The same seed gives the same durations.
+    mean * (1 - jitter) and mean * (1 + jitter). The last duration is shortened so that the sum
+    equals ``total``, except for rounding. The same ``seed`` gives the same durations.
 
     Raises ValueError if the mean or the total is not positive and finite, or if the jitter is
     negative or not below 1.
@@ -134,10 +133,10 @@ def damping_difference(
 ) -> float:
     """Exercise 3.5b: return how much the results of the two damping equations differ on average.
 
-    A run is a list of step durations in s. In each run, two particles start with the given velocity
-    in m/s. In every step, one particle follows Eq. 3.5 and the other follows Eq. 3.6, with the same
-    damping. The result is the length of the difference between their final velocities, in m/s,
-    averaged over the runs.
+    ``runs`` contains lists of step durations in s. In each run, two particles start with
+    ``velocity`` in m/s. In every step, one particle follows Eq. 3.5 and the other follows Eq. 3.6,
+    with the same damping. Take the length of the difference between their final velocities in m/s,
+    and average it over the runs.
 
     Raises ValueError if there are no runs, if the damping is negative or not finite, or if a
     duration is not positive and finite.

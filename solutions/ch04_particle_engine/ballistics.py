@@ -1,6 +1,6 @@
-"""A range on which shots of several types are fired (book 4.1).
+"""A shooting range for shots of several types (book 4.1).
 
-The Z axis points down the range, Y points up, and X points to the left of an observer who looks
+The Z axis points down the range, Y points up, and X points to the left of an observer who faces
 along Z. Every shot starts at ``MUZZLE``. Angles are in radians.
 """
 
@@ -25,7 +25,11 @@ END_OF_RANGE = 200.0  # m along Z, as in the book's listing; its text says 100 (
 
 @dataclass(frozen=True)
 class ShotType:
-    """A type of shot: mass in kg, velocity in m/s, acceleration in m/s^2, damping per second."""
+    """A type of shot: its name, and the mass, motion and damping of its particles.
+
+    The mass is in kg, the velocity in m/s and the acceleration in m/s^2. The damping is the
+    fraction of the velocity that is kept per second.
+    """
 
     name: str
     mass: float
@@ -60,9 +64,9 @@ class Shot:
 def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
     """Exercise 4.3a: return the velocity of a shot in m/s as a new vector.
 
-    The azimuth is the horizontal angle from Z toward X, so at an azimuth of 0 the shot flies along
-    Z, and after a quarter turn it flies along X. The elevation is the angle above the horizontal.
-    At an elevation of a quarter turn the shot flies straight up.
+    ``azimuth`` is the horizontal angle from Z toward X. At an azimuth of 0 the shot flies along Z,
+    and at a quarter turn it flies along X. ``elevation`` is the angle above the horizontal. At an
+    elevation of a quarter turn the shot flies straight up.
 
     Raises ValueError if the speed is negative or not finite, or if an angle is not finite.
     """
@@ -89,7 +93,7 @@ def grenade_after(shot: Shot) -> list[Shot]:
     """Mini-project 4.1: return the shots that replace a grenade after one step.
 
     The grenade has already moved in this step. If it is below the ground, let it bounce first. If
-    its age has then reached ``FUSE``, it bursts: return its fragments, as shots of the type
+    its age has reached ``FUSE``, it bursts. In that case return its fragments, as shots of the type
     "fragment" with an age of 0. Otherwise return a list that contains the grenade itself, or an
     empty list if it is spent.
     """
@@ -100,11 +104,11 @@ def grenade_after(shot: Shot) -> list[Shot]:
 
 
 def what_is_left(shot: Shot, start: Vector3, targets: Sequence[TargetBlock]) -> list[Shot]:
-    """Return the shots that replace a shot after it has moved from ``start`` by one step.
+    """Return the shots that replace ``shot`` after it has moved from ``start`` by one step.
 
-    The list is empty if the shot has hit a target on its path or is spent. For a grenade that has
-    hit nothing, the list is the result of ``grenade_after``. For any other shot, it contains the
-    shot itself.
+    The list is empty if the shot has hit a target on its path or is spent. If a grenade has hit no
+    target, the list is the result of ``grenade_after``. If any other shot has hit no target, the
+    list contains the shot itself.
     """
     if targets and strike_first(start, shot.particle, targets):
         return []
@@ -114,18 +118,19 @@ def what_is_left(shot: Shot, start: Vector3, targets: Sequence[TargetBlock]) -> 
 
 
 class BallisticRange:
-    """A range with its shots in flight, in the order of firing, and its target blocks."""
+    """A range with its target blocks, and the shots in flight in the order of firing."""
 
     def __init__(self, targets: Iterable[TargetBlock] = ()) -> None:
         self.targets = list(targets)
         self.shots: list[Shot] = []
 
     def fire(self, name: str, azimuth: float = 0.0, elevation: float | None = None) -> None:
-        """Fire a shot of a type in the direction of two angles, as in mini-project 4.3 (4.1.2).
+        """Fire a shot of the type ``name``, as in mini-project 4.3 (4.1.2).
 
-        The shot starts at ``MUZZLE`` with an age of 0. Its mass, acceleration and damping come from
-        ``SHOT_TYPES``. Its speed is the length of the type's velocity. If ``elevation`` is None,
-        the elevation is the angle of that velocity above the horizontal.
+        The shot starts at ``MUZZLE`` with an age of 0, in the direction of the two angles. Its
+        mass, acceleration and damping come from ``SHOT_TYPES``. Its speed is the length of the
+        type's velocity. If ``elevation`` is None, the elevation is the angle of that velocity above
+        the horizontal.
 
         Raises ValueError if there is no such type, or if an angle is not finite. In that case no
         shot is fired.
@@ -146,7 +151,7 @@ class BallisticRange:
         self.shots.append(Shot(name, particle))
 
     def update(self, duration: float) -> None:
-        """Move everything by one step of a duration in s, and remove spent shots (4.1.2).
+        """Move everything by one time step, and remove spent shots (4.1.2). ``duration`` is in s.
 
         First the targets move. Then each shot moves, and its age grows by the duration. Replace
         each shot by the shots that ``what_is_left`` returns for it. That function needs the

@@ -1,8 +1,8 @@
 """Keep the display alive (project 4.1): the rules of a game with rockets, without a screen.
 
 The fuse of each rocket burns down. If the player clicks on a rocket before it burns out, the rocket
-bursts, and another rocket of its type starts from the ground. The game lasts as long as there is a
-rocket. A late click scores more points, but the player risks losing the rocket.
+bursts, and another rocket of its type starts from the ground. The game lasts as long as there is at
+least one rocket. A late click scores more points, but the player risks losing the rocket.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ MISSES_ALLOWED = 5
 
 @dataclass
 class Display:
-    """A game: its show, the score, the clicks that missed, and the time played in s."""
+    """The state of a game: its show, the score, the number of misses, and the time played in s."""
 
     show: FireworksShow
     score: int = 0
@@ -28,12 +28,12 @@ class Display:
 
 
 def find_rocket(display: Display, x: float, y: float) -> Firework | None:
-    """Project 4.1: return the rocket nearest to a point, or None if none is within ``REACH``.
+    """Project 4.1: return the rocket nearest to (x, y), or None if none is within ``REACH``.
 
-    The point is in the X-Y plane, and distances are measured in this plane. A rocket is any
-    firework whose rule has payloads, even if the rocket was itself a payload. A rocket at exactly
-    the distance ``REACH`` is found. A rocket with an age of 0 or less has no fuse left and is not
-    found, because a click can no longer save it.
+    Measure distances in the X-Y plane. A rocket at exactly the distance ``REACH`` is found. A
+    rocket is any firework whose rule has payloads, even if the rocket was itself a payload. A
+    rocket with an age of 0 or less has no fuse left, so a click can no longer save it. Do not
+    return such a rocket.
     """
     nearest, distance = None, REACH
     for rocket in _rockets(display):
@@ -45,7 +45,7 @@ def find_rocket(display: Display, x: float, y: float) -> Firework | None:
 
 
 def click(display: Display, x: float, y: float) -> bool:
-    """Project 4.1: click on a point of the X-Y plane, and return whether a rocket was hit.
+    """Project 4.1: click on the point (x, y), and return whether a rocket was hit.
 
     The rocket that ``find_rocket`` returns gets an age of 0, so it bursts in the next update. Then
     another rocket of its type is launched, if the show has room. A hit scores 1 point, or 3 points
@@ -67,15 +67,15 @@ def click(display: Display, x: float, y: float) -> bool:
 def is_over(display: Display) -> bool:
     """Project 4.1: return whether no rocket is left or too many clicks have missed.
 
-    The first ``MISSES_ALLOWED`` misses are free, and the next miss ends the game. A rocket that was
-    clicked on still counts until it has burst. At the very start no rocket is left either, so a
-    game begins only when a rocket has been launched.
+    The first ``MISSES_ALLOWED`` misses are free, and the next miss ends the game. After a click on
+    a rocket, the rocket still counts until it has burst. At the very start there are no rockets
+    either, so a game begins only when a rocket has been launched.
     """
     return display.misses > MISSES_ALLOWED or not _rockets(display)
 
 
 def tick(display: Display, duration: float) -> None:
-    """Let a time in s pass: update the show, and count the time until the game is over.
+    """Advance the game by ``duration`` s: update the show, and count the time until it is over.
 
     Raises ValueError if the duration is not positive and finite. In that case nothing changes.
     """

@@ -23,7 +23,7 @@ POLICIES = ("keep_old", "drop_oldest")
 
 @dataclass(frozen=True)
 class Payload:
-    """The ``count`` fireworks of one ``type`` that a firework lights when it burns out.
+    """A payload: ``count`` fireworks of one ``type``, lit when another firework burns out.
 
     Raises ValueError if the count is below 1, and TypeError if it is not a whole number.
     """
@@ -39,8 +39,8 @@ class Payload:
 class FireworkRule:
     """The rule of a type: how long its fireworks burn, how they fly and which payloads they light.
 
-    The age of a firework in s, and each component of its velocity in m/s, are drawn at random
-    between a minimum and a maximum. ``damping`` is the fraction of the velocity that is kept per
+    The age of a firework in s is drawn at random between a minimum and a maximum, and so is each
+    component of its velocity in m/s. ``damping`` is the fraction of the velocity that is kept per
     second.
 
     Raises ValueError if an age or the damping is negative, a number is not finite, a velocity does
@@ -80,7 +80,10 @@ class FireworkRule:
 
 
 class Firework:
-    """A burning firework: its ``type``, its ``particle``, and its ``age``, the fuse left in s."""
+    """A burning firework: its ``type``, its ``particle``, and its ``age``.
+
+    The age is the time in s until its fuse has burnt down.
+    """
 
     __slots__ = ("age", "particle", "type")
 
@@ -91,10 +94,10 @@ class Firework:
 
 
 def make_firework(rule: FireworkRule, random: Random, parent: Particle | None = None) -> Firework:
-    """Return a new firework that follows a rule, with numbers drawn from ``random`` (4.2.3).
+    """Return a new firework that follows ``rule``, with numbers drawn from ``random`` (4.2.3).
 
     The firework's age and each component of its velocity are drawn uniformly between the rule's
-    limits. If there is a parent, the firework starts at the parent's position, and the parent's
+    limits. If there is a ``parent``, the firework starts at the parent's position, and the parent's
     velocity is added to the drawn velocity. Otherwise the firework starts on the ground, at one of
     ``LAUNCH_PLACES``. It has a mass of 1 kg, the acceleration ``GRAVITY`` and the damping of the
     rule.
@@ -114,7 +117,7 @@ def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
 
     A show with such a type never ends, so use this function to check a set of rules. If type 1 has
     a payload of type 2, and type 2 has a payload of type 1, both lead back to themselves. A type 3
-    with a payload of type 1 never ends either. But nothing leads back to type 3, so it is not in
+    with a payload of type 1 never ends either. But no type leads back to type 3, so it is not in
     the result.
     """
     leaves = {rule.type: {payload.type for payload in rule.payloads} for rule in rules}
@@ -132,13 +135,13 @@ def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
 
 
 class FireworksShow:
-    """A show of burning fireworks, listed in the order in which they were lit, the oldest first.
+    """A show of burning fireworks. The list is in the order in which they were lit.
 
     At most ``capacity`` fireworks burn at a time, even if the rules light each other forever.
-    ``when_full`` says what happens when the show is full. With "keep_old" no new fireworks are lit,
-    as the book's text says. With "drop_oldest" the oldest fireworks are put out to make room, as in
-    the book's listing (E-20). ``dropped`` counts the fireworks that were not lit or were put out.
-    The same seed gives the same show.
+    ``when_full`` is the policy for a full show. With "keep_old" no new fireworks are lit, as the
+    book's text says. With "drop_oldest" the oldest fireworks are put out to make room, as in the
+    book's listing (E-20). ``dropped`` counts the fireworks that were not lit or were put out. The
+    same ``seed`` gives the same show.
 
     Raises ValueError if two rules have the same type, a payload has a type without a rule, the
     capacity is below 1, or ``when_full`` is neither of the two policies. Raises TypeError if the
@@ -173,7 +176,7 @@ class FireworksShow:
         self.dropped = 0
 
     def launch(self, type: int) -> None:
-        """Light one firework of a type on the ground (4.2.3).
+        """Light one firework of the type ``type`` on the ground (4.2.3).
 
         Raises ValueError if there is no rule for the type.
         """
@@ -182,8 +185,8 @@ class FireworksShow:
     def light(self, births: Sequence[tuple[int, int, Particle | None]]) -> None:
         """Light as many fireworks as the policy allows. A birth is a tuple (type, count, parent).
 
-        New fireworks are added after those that already burn, in the order of the births. If there
-        is no room for all of them, "keep_old" lights only the first of the new ones, and
+        New fireworks are added after the ones that already burn, in the order of the births. If
+        there is no room for all of them, "keep_old" lights only the first of the new fireworks, and
         "drop_oldest" puts out the oldest fireworks to make room. If there are more new fireworks
         than the capacity, "drop_oldest" lights only the last of them. A call never creates more
         fireworks than the capacity, however large the counts are.
@@ -212,13 +215,13 @@ class FireworksShow:
         self.dropped += burning + asked - len(self.fireworks)
 
     def update(self, duration: float) -> None:
-        """Move every firework by one step of a duration in s, and light due payloads (4.2.3).
+        """Move every firework by one time step, and light payloads that are due (4.2.3).
 
-        Each firework moves, and its age decreases by the duration. A firework has burnt out if its
-        age is below 0 or if it is below the ground (y < 0). At an age of exactly 0 it still burns.
-        After all fireworks have moved, remove the ones that have burnt out, and light their
-        payloads. The payloads of the oldest firework come first. The parent of a payload is the
-        particle of the firework that burnt out.
+        ``duration`` is in s. Each firework moves, and its age decreases by the duration. A firework
+        has burnt out if its age is below 0 or if it is below the ground (y < 0). At an age of
+        exactly 0 it still burns. After all fireworks have moved, remove the ones that have burnt
+        out, and light their payloads. The payloads of the oldest firework come first. The parent of
+        a payload is the particle of the firework that burnt out.
 
         Raises ValueError if the duration is not positive and finite. In that case nothing moves.
         """
@@ -239,7 +242,7 @@ class FireworksShow:
 
 
 def _whole(name: str, value: int) -> int:
-    """Return a whole number that is at least 1."""
+    """Return ``value``. It must be a whole number of at least 1."""
     if not isinstance(value, int):
         raise TypeError(f"{name} must be a whole number, got {value!r}")
     if value < 1:

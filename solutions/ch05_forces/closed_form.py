@@ -1,8 +1,8 @@
 """Exact solutions for drag, and the longest time steps that are safe with drag (book 5.3).
 
-With an exact solution you can compute a speed or a distance at any time, without time steps. All
-motion here is along one line, and all numbers are in SI units. k1 in N s/m and k2 in N s^2/m^2 are
-the coefficients of Eq. 5.1. Every function raises TypeError for an argument that is not a number.
+An exact solution gives a speed or a distance at any time, without time steps. All motion here is
+along one line, and all numbers are in SI units. The coefficients of Eq. 5.1 are k1 in N s/m and k2
+in N s^2/m^2. Every function raises TypeError for an argument that is not a number.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ from ch02_vectors.arguments import not_negative, positive
 
 
 def terminal_speed(weight: float, k1: float, k2: float) -> float:
-    """Return the speed in m/s at which the drag on a falling body balances its weight in N.
+    """Return the speed in m/s at which the drag on a falling body balances its weight.
 
-    A falling body approaches this speed. The terminal speed is the positive solution of k1 v + k2
-    v^2 = weight.
+    ``weight`` is in N. A falling body approaches this speed. It is the positive solution of k1 v +
+    k2 v^2 = weight.
 
     Raises:
         ValueError: if the weight is not positive, a coefficient is negative, an argument is not
@@ -35,8 +35,8 @@ def terminal_speed(weight: float, k1: float, k2: float) -> float:
 def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple[float, float]:
     """Return the speed in m/s and the distance in m of a fall from rest with quadratic drag.
 
-    The drag has no part that is linear in the speed. After ``time`` t in s, the speed is u tanh x
-    and the distance is (u^2 / g) ln cosh x, where x = g t / u, u is the terminal speed and g is
+    There is no drag that is linear in the speed. After ``time`` t in s, the speed is u tanh x and
+    the distance is (u^2 / g) ln cosh x. Here x = g t / u, u is the terminal speed, and g is
     ``gravity``. Both results must also be correct for very small and very large x.
 
     Raises:
@@ -52,10 +52,10 @@ def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple
 
 
 def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float) -> float:
-    """Return the speed in m/s that remains after a time in s in which only drag acts.
+    """Return the speed in m/s that remains after ``time`` s in which only drag acts.
 
-    With s = k1 t / m, the speed is v e^-s / (1 + k2 v (1 - e^-s) / k1). For k1 = 0, replace the
-    fraction (1 - e^-s) / k1 by its limit, t / m.
+    ``speed`` v is the speed at the start. With s = k1 t / m, the result is v e^-s / (1 + k2 v (1 -
+    e^-s) / k1). For k1 = 0, replace the fraction (1 - e^-s) / k1 by its limit, t / m.
 
     Raises:
         ValueError: if the mass is not positive, another argument is negative, or an argument is not
@@ -72,10 +72,10 @@ def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float)
 def drag_limits(k1: float, k2: float, mass: float, speed: float) -> tuple[float, float]:
     """Return two limits in s for the length of a time step in which only drag acts.
 
-    The step is v' = v + (f / m) h, where f is the drag of Eq. 5.1 at the speed before the step. If
-    the step is longer than the first limit, drag reverses the motion. If it is longer than the
-    second limit, the particle is even faster after the step than before it. Without drag, both
-    limits are ``math.inf``.
+    The step is v' = v + (f / m) h, where f is the drag of Eq. 5.1 at ``speed``, the speed before
+    the step. If the step is longer than the first limit, drag reverses the motion. If it is longer
+    than the second limit, the particle is even faster after the step than before it. Without drag,
+    both limits are ``math.inf``.
 
     Raises:
         ValueError: if the mass is not positive, another argument is negative, or an argument is not

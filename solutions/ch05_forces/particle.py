@@ -1,4 +1,4 @@
-"""A particle that forces act on: chapter 3's particle with a force accumulator (book 5.1).
+"""A particle on which forces act: chapter 3's particle with a force accumulator (book 5.1).
 
 Units are SI, so forces are in N. Everything here raises TypeError for an argument that is not a
 number, or not a Vector3 where a vector is expected.
@@ -15,10 +15,10 @@ NO_FORCE: Numbers = (0.0, 0.0, 0.0)
 
 
 class Particle(particle.Particle):
-    """A particle that adds up the forces on it until its next step uses them.
+    """A particle that adds up its forces until the next step uses them.
 
-    It inherits position, velocity, mass and damping from chapter 3. Here ``_forces`` is a list with
-    two entries, the sum of the forces since the last step and the sum that the last step used. Each
+    It inherits position, velocity, mass and damping from chapter 3. ``_forces`` is a list with two
+    entries: the sum of the forces since the last step, and the sum that the last step used. Each
     entry is a tuple of three numbers, or None if no force was added. You may store the forces in
     another way, but then change ``__slots__``, the constructor, ``__copy__``, ``take_forces`` and
     ``add_force_pair`` to match.
@@ -41,18 +41,18 @@ class Particle(particle.Particle):
         self._forces = [None, None]
 
     def __copy__(self) -> Particle:
-        """Return a copy with the same forces. Later forces on one do not affect the other."""
+        """Return a copy with the same forces. Forces added later to one do not affect the other."""
         other = Particle(self.position, self.velocity, self.acceleration, damping=self.damping)
         other.inverse_mass = self.inverse_mass
         other._forces = [*self._forces]
         return other
 
     def take_forces(self) -> Numbers:
-        """Return the sum of the forces in N as three numbers, and clear it.
+        """Return the sum of the forces in N as three numbers, and clear the sum.
 
-        It has the same effect as ``force_accumulator`` followed by ``clear_forces``, but takes a
-        third of the time. This matters for an integrator that evaluates the forces several times
-        per step.
+        This has the same effect as ``force_accumulator`` followed by ``clear_forces``, but takes a
+        third of the time. The difference matters for an integrator that evaluates the forces
+        several times per step.
         """
         forces = self._forces
         force = forces[0]
@@ -62,8 +62,9 @@ class Particle(particle.Particle):
     def add_force_pair(self, other: Particle, x: float, y: float, z: float) -> None:
         """Add a force in N to this particle, and the opposite force to ``other``.
 
-        This is Newton's third law for a force with the components x, y and z. The method takes half
-        the time of two calls of ``add_force``, which matters for a cloth with hundreds of springs.
+        ``x``, ``y`` and ``z`` are the components of the force. The two forces obey Newton's third
+        law. This method takes half the time of two calls of ``add_force``, which matters for a
+        cloth with hundreds of springs.
 
         Raises:
             ValueError: if a component, or one of the two sums, is not finite. In that case neither
@@ -94,7 +95,7 @@ class Particle(particle.Particle):
         return Vector3(*(self._forces[0] or ()))
 
     def add_force(self, force: Vector3) -> None:
-        """Add a force in N to the sum for the next step (5.1). The vector itself does not change.
+        """Add ``force`` in N to the sum for the next step (5.1). The vector itself does not change.
 
         Raises:
             ValueError: if a component of the force, or of the sum, is not finite. In that case the
@@ -132,12 +133,12 @@ class Particle(particle.Particle):
         return self.acceleration + force * self._inverse_mass
 
     def kick(self, duration: float) -> None:
-        """Change the velocity as in chapter 3, now with the forces too: v' = (v + a h) d^h.
+        """Change the velocity by the acceleration and the forces: v' = (v + a h) d^h.
 
         Here a is the constant acceleration plus f / m, where f is the sum of the forces since the
-        last kick. The kick then clears the sum, even for an immovable particle, but keeps a copy
-        for ``last_acceleration``. You need not write ``integrate`` again, because chapter 3's
-        version drifts and then calls this method.
+        last kick, and h is ``duration``. The kick then clears the sum, even for an immovable
+        particle, but keeps a copy for ``last_acceleration``. You do not have to write ``integrate``
+        again, because chapter 3's version drifts and then calls this method.
 
         As in chapter 3, the duration is not checked.
         """

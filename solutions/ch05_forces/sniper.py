@@ -1,9 +1,9 @@
 """A sniper range (project 4.2): targets of one size, and a wind that changes between shots.
 
-The rules do not need a screen. The Z axis points down the range, Y points up, and X points to the
-left of an observer who looks along Z. A shot is aimed with two angles in radians: the azimuth from
-Z toward X, and the elevation above the horizontal. Everything here raises TypeError for an argument
-that is not a number.
+The rules of the game do not need a screen. The Z axis points down the range, Y points up, and X
+points to the left of an observer who faces along Z. A shot is aimed with two angles in radians: the
+azimuth from Z toward X, and the elevation above the horizontal. Everything here raises TypeError
+for an argument that is not a number.
 """
 
 from __future__ import annotations
@@ -30,7 +30,11 @@ SHOTS = 10
 
 @dataclass(frozen=True)
 class Target:
-    """A disc that faces the rifle: its center in m, and a factor for the points of a ring."""
+    """A disc that faces the rifle.
+
+    Its center is at (``x``, ``y``, ``distance``), in m. A hit scores the points of the ring times
+    ``factor``.
+    """
 
     x: float
     y: float
@@ -49,7 +53,7 @@ RINGS = ((0.1, 10), (0.25, 5), (0.5, 2))  # radius in m and points, from the inn
 
 @dataclass(frozen=True)
 class Hole:
-    """The position of a hit, in m from the center of the target, and the points it earned."""
+    """The position of a hit, in m from the center of the target, and the points that it scored."""
 
     target: Target
     x: float
@@ -58,9 +62,9 @@ class Hole:
 
 
 class Wind:
-    """A force generator for the drag of Eq. 5.1 in air that moves with ``velocity``, in m/s.
+    """Drag in moving air: a force generator for Eq. 5.1. ``velocity`` of the air is in m/s.
 
-    k1 is in N s/m and k2 in N s^2/m^2.
+    ``k1`` is in N s/m and ``k2`` in N s^2/m^2.
 
     Raises:
         ValueError: if a coefficient is negative or not finite.
@@ -100,8 +104,8 @@ class SniperRange:
     def change_wind(self) -> None:
         """Project 4.2: draw a new horizontal wind from ``self.random``.
 
-        Draw the component along X first and then the one along Z, each from -STRONGEST_WIND to
-        STRONGEST_WIND.
+        Draw the component along X first, and then the component along Z. Each is from
+        -STRONGEST_WIND to STRONGEST_WIND.
         """
         self.wind.velocity = Vector3(
             self.random.uniform(-STRONGEST_WIND, STRONGEST_WIND),
@@ -110,11 +114,11 @@ class SniperRange:
         )
 
     def shoot(self, azimuth: float, elevation: float) -> bool:
-        """Project 4.2: fire a bullet, and return whether a bullet was fired.
+        """Project 4.2: fire a bullet. Return True if it was fired, and False otherwise.
 
-        No bullet is fired while another one is in flight, or if no shots are left. The bullet
+        No bullet is fired while another bullet is in flight, or if no shots are left. The bullet
         starts at ``MUZZLE`` with ``MUZZLE_SPEED``. Gravity is the bullet's own acceleration, and
-        the wind acts on it through ``self.forces``. The shot is subtracted from ``shots_left``.
+        the wind acts on it through ``self.forces``. Each shot reduces ``shots_left`` by 1.
 
         Raises:
             ValueError: if an angle is not finite, or more than ``SWING`` to either side. In that
@@ -135,7 +139,7 @@ class SniperRange:
         return True
 
     def update(self, duration: float) -> None:
-        """Project 4.2: let a time step of a duration in s pass for the bullet in flight.
+        """Project 4.2: make one time step for the bullet in flight. ``duration`` is in s.
 
         If no bullet is in flight, do nothing. Otherwise update the forces, move the bullet, and
         call ``hit_on_the_way`` to find out whether it has passed through a target. If it has, add
@@ -182,10 +186,10 @@ def hit_on_the_way(start: Vector3, end: Vector3) -> Hole | None:
 
 
 def ring_points(x: float, y: float) -> int:
-    """Project 4.2: return the points of the smallest ring in ``RINGS`` that contains a point.
+    """Project 4.2: return the points of the smallest ring in ``RINGS`` that contains (x, y).
 
-    The point is in m from the center of a target. A point on the edge of a ring is inside it. If no
-    ring contains the point, return 0.
+    ``x`` and ``y`` are in m from the center of a target. A point on the edge of a ring is inside
+    it. If no ring contains the point, return 0.
     """
     for radius, points in RINGS:
         if math.hypot(x, y) <= radius:

@@ -1,4 +1,4 @@
-"""The state of a damped spring at any time, without time steps (book 6.3)."""
+"""The exact state of a damped spring at any time, without time steps (book 6.3)."""
 
 from __future__ import annotations
 
@@ -10,15 +10,14 @@ from ch02_vectors.arguments import finite, not_negative, positive
 def damped_spring_state(
     x0: float, v0: float, stiffness: float, damping: float, mass: float, time: float
 ) -> tuple[float, float]:
-    """Return the position in m and velocity in m/s of a damped spring after a time in s (6.3.2).
+    """Return the position in m and the velocity in m/s of a damped spring after ``time`` s (6.3.2).
 
-    The body starts at ``x0`` with the velocity ``v0``, and 0 is the position where the spring
-    exerts no force. The equation of motion is m x'' = -k x - c x', where k is ``stiffness`` in N/m,
-    c is ``damping`` in N s/m and m is ``mass`` in kg. The sign of c^2 - 4 k m decides how the body
-    moves:
+    The body starts at ``x0`` with the velocity ``v0``. At position 0 the spring exerts no force.
+    The equation of motion is m x'' = -k x - c x', where k is ``stiffness`` in N/m, c is ``damping``
+    in N s/m and m is ``mass`` in kg. The sign of c^2 - 4 k m decides how the body moves:
 
     - If c^2 < 4 k m, it oscillates through 0 (under-damped).
-    - If c^2 = 4 k m, it comes to rest as soon as possible (critically damped).
+    - If c^2 = 4 k m, it comes to rest as quickly as possible (critically damped).
     - If c^2 > 4 k m, it creeps back to 0 without oscillating (over-damped).
 
     The book covers only the first case (E-23). If the stiffness is 0, there is no spring force, and

@@ -1,7 +1,7 @@
 """Forces that depend on positions: buoyancy, the lift of a balloon, crowding and homing.
 
-The units are the same as in springs.py, and the arguments are checked in the same way. You can
-import these classes from either module.
+The units and the checks of the arguments are the same as in springs.py. You can import these
+classes from either module.
 """
 
 from __future__ import annotations
@@ -14,13 +14,15 @@ from ch05_forces.particle import Particle
 
 
 class Buoyancy:
-    """The lift of water with a level surface on a body that floats or sinks in it (6.2.4).
+    """The buoyancy of a body that floats in still water or sinks in it (6.2.4).
 
-    ``max_depth`` in m is half the height of the body. When the body's center is this far below the
-    surface, the body is just submerged. When the center is this far above the surface, the body
-    just touches the water. ``volume`` is in m^3, and ``gravity`` is in m/s^2. ``liquid_density`` is
-    in kg/m^3. It is 1000 for fresh water, and from 1020 to 1030 for sea water. Some of these
-    numbers are too large by a factor of 1000 in the book's text (E-21).
+    - ``max_depth`` is half the height of the body, in m. The body just touches the water when its
+      center is this far above the surface. It is completely submerged when its center is this far
+      below the surface.
+    - ``volume`` is in m^3, and ``gravity`` is in m/s^2.
+    - ``water_height`` is the height of the water surface in m.
+    - ``liquid_density`` is in kg/m^3. It is 1000 for fresh water, and from 1020 to 1030 for sea
+      water. In the book's text some of these numbers are too large by a factor of 1000 (E-21).
 
     Raises ValueError if ``max_depth``, ``volume`` or ``liquid_density`` is not positive,
     ``gravity`` is negative, or one of them is not finite.
@@ -55,11 +57,11 @@ class Buoyancy:
 
 
 class LighterThanAir:
-    """Exercise 6.2: the lift of a balloon, which decreases with the height: F e^(-y / H).
+    """Exercise 6.2: the lift of a balloon, which decreases with the height y: F e^(-y / H).
 
-    F is ``max_lift`` in N, which is the lift at the ground, where y is 0. H is ``scale_height`` in
-    m. Whenever the balloon rises by this height, its lift falls to 1 / e of its value. Below the
-    ground the lift is the same as at the ground.
+    F is ``max_lift`` in N, the lift at the ground, where y is 0. H is ``scale_height`` in m. Each
+    time the balloon rises by this height, its lift is divided by e. Below the ground the lift is
+    the same as at the ground.
 
     Raises ValueError if ``max_lift`` is negative, ``scale_height`` is not positive, or one of them
     is not finite.
@@ -70,7 +72,7 @@ class LighterThanAir:
         self.scale_height = positive("scale_height", scale_height)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.2: add the lift at the particle's height, upward."""
+        """Exercise 6.2: add the upward lift at the height of the particle."""
         height = max(particle.position.y, 0.0)
         lift = self.max_lift * math.exp(-height / self.scale_height)
         particle.add_force(Vector3(0.0, lift, 0.0))
@@ -79,9 +81,9 @@ class LighterThanAir:
 class Overcrowding:
     """Exercise 6.3: particles that are too close push each other apart, like a compressed spring.
 
-    Two particles push each other if they are closer than ``distance`` in m. ``particles`` is the
+    Two particles push each other if they are less than ``distance`` m apart. ``particles`` is the
     list of the crowd, which may also contain the particle that is pushed. The generator does not
-    copy the list, so particles that you add to the list later belong to the crowd as well.
+    copy this list, so particles that you add to it later also belong to the crowd.
     """
 
     def __init__(self, particles: list[Particle], distance: float, stiffness: float) -> None:
@@ -94,11 +96,11 @@ class Overcrowding:
         self.stiffness = not_negative("stiffness", stiffness)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Exercise 6.3: push the particle away from each other particle that is too close.
+        """Exercise 6.3: push ``particle`` away from every other particle that is too close.
 
-        Every other particle whose distance l is less than ``distance`` adds a force of k
-        (``distance`` - l). A particle at exactly the same position adds no force, because there is
-        no direction in which it could push.
+        If another particle is at a distance l less than ``distance``, it pushes with a force of k
+        (``distance`` - l). A particle at exactly the same position exerts no force, because the
+        direction of the push would be undefined.
         """
         for other in self.particles:
             away = particle.position - other.position
@@ -110,9 +112,9 @@ class Overcrowding:
 class HomingBullet:
     """Exercise 6.4: a force that steers a bullet toward the future position of its target.
 
-    If the bullet and the target kept their current velocities, they would be at their future
-    positions after ``look_ahead`` s. The force is that of a spring with a rest length of 0 that
-    joins these two positions.
+    The future positions are the positions that the bullet and the target would have after
+    ``look_ahead`` s if they kept their current velocities. The force is the same as that of a
+    spring with a rest length of 0 between these two positions.
     """
 
     def __init__(self, target: Particle, stiffness: float, look_ahead: float) -> None:

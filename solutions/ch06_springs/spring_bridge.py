@@ -21,8 +21,9 @@ def hang_bridge(
 ) -> None:
     """Hang every plank on a spring of its own, and join neighboring planks by springs.
 
-    Each anchor is ``height`` m straight above its plank. All springs have the same stiffness in N/m
-    and damping in N s/m, and the current length of each spring is its rest length.
+    The anchor of each plank is ``height`` m straight above it. All springs have the same
+    ``stiffness`` in N/m and ``damping`` in N s/m. The rest length of each spring is its current
+    length.
 
     Raises ValueError if the height is not positive, the stiffness or damping is negative, or one of
     them is not finite. In that case nothing is registered.
@@ -39,11 +40,11 @@ def hang_bridge(
 
 
 def load_bridge(planks: Sequence[Particle], x: float, weight: float) -> None:
-    """Add a walker's weight in N to the two planks between which the walker stands, at x in m.
+    """Add the weight of a walker to the plank before the walker and the plank after.
 
-    The planks are in order along x. The two planks share the weight, and the nearer one carries
-    more of it. If the walker is before the first plank or beyond the last one, this plank carries
-    the whole weight.
+    ``x`` is the walker's position in m, and ``weight`` is in N. ``planks`` are in order along x.
+    The two planks share the weight, and the nearer plank carries more of it. If the walker is
+    before the first plank or beyond the last one, that plank carries the whole weight.
 
     Raises ValueError if there are no planks, ``x`` is not finite, or the weight is negative or not
     finite.

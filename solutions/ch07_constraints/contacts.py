@@ -1,9 +1,9 @@
-"""Contacts between two particles or a particle and the world, and the resolver for them.
+"""Contacts between two particles or between a particle and the world, and their resolver.
 
-A contact describes two bodies that touch. It stores the direction of the contact, the depth of the
-overlap, and the fraction of the speed that is left after a bounce. Resolving the contact changes
-the velocities by an impulse (a change of momentum in N s, E-24) and pushes the two bodies apart.
-Impulses conserve momentum at every restitution, but kinetic energy only at restitution 1 (E-7).
+A contact stores the direction in which two bodies touch, the depth of their overlap, and the
+restitution, which says how much of the speed is left after a bounce. To resolve it, the engine
+applies an impulse (a change of momentum in N s, E-24) and moves the two bodies apart. Impulses
+always conserve momentum, but kinetic energy only if the restitution is 1 (E-7).
 
 Lengths are in m, velocities in m/s.
 """
@@ -24,13 +24,13 @@ DEPTH_TOLERANCE = 1e-9  # m: a smaller depth counts as touching
 
 
 class Contact:
-    """A contact of a particle with another one, or with the immovable world if ``other`` is None.
+    """A contact between two particles, or with the immovable world if ``other`` is None.
 
     ``normal`` is the unit vector that points from ``other`` to ``particle``. For two balls it is
     the direction of pa - pb, and on the ground it is (0, 1, 0) (Eq. 7.2, 7.4). The contact stores a
-    copy. ``restitution`` is the ratio of the separating speed after a bounce to the closing speed
-    before it. ``penetration`` is the depth of the overlap. It is 0 if the two just touch, and
-    negative if there is a gap. Attributes may be changed later, but changes are not checked.
+    copy. ``restitution`` is the separating speed after a bounce divided by the closing speed before
+    it. ``penetration`` is the depth of the overlap. It is 0 if the bodies just touch, and negative
+    if there is a gap. Later changes of the attributes are allowed, but they are not checked.
 
     Raises:
         ValueError: if the length of the normal differs from 1 by more than 1e-6, the restitution is
@@ -69,7 +69,7 @@ class Contact:
         self.penetration = penetration
 
     def separating_velocity(self) -> float:
-        """Return the separating velocity (va - vb) . n in m/s, negative for a closing contact.
+        """Return the separating velocity (va - vb) . n in m/s, which is negative when closing.
 
         If ``other`` is None, vb is zero. Book 7.1.1, Eq. 7.2.
         """
@@ -81,19 +81,19 @@ class Contact:
     def velocity_after(self, duration: float = 0.0) -> float:
         """Return the separating velocity in m/s that the contact must have after it is resolved.
 
-        If the separating velocity v_s is 0 or positive, the result is v_s. A closing contact (v_s <
-        0) bounces with the restitution c, so the result is -c v_s (Eq. 7.3).
+        If the current separating velocity v_s is 0 or positive, the result is v_s. A closing
+        contact (v_s < 0) bounces with the restitution c, so the result is -c v_s (Eq. 7.3).
 
-        A body at rest on the ground closes its contact too, because gravity has just accelerated it
-        for one time step. If this small velocity made it bounce, the body would jitter. So if the
-        acceleration closes the contact, (aa - ab) . n < 0, take out the velocity that it has built
-        up: return c (-v_s + (aa - ab) . n h), but never less than 0. Here h is the duration of the
-        step in s, and aa and ab are the ``last_acceleration`` of the particles, which includes
-        forces. For an immovable or missing particle, use 0. The book counts only the constant
+        A body at rest on the ground also has a closing contact, because gravity has just
+        accelerated it for one time step. If this small velocity made it bounce, the body would
+        jitter. So if the acceleration closes the contact, (aa - ab) . n < 0, leave out the velocity
+        that it has built up: return c (-v_s + (aa - ab) . n h), but never less than 0. Here h is
+        ``duration``, in s, and aa and ab are the ``last_acceleration`` of the particles, which
+        includes forces. Use 0 for an immovable or missing particle. The book uses only the constant
         acceleration, so a body under a gravity generator would jitter (7.2.3, E-26).
 
-        Time division resolves an impact at one instant, when no such velocity has built up. Pass a
-        duration of 0 for it.
+        Time division resolves an impact when it happens. No such velocity has built up by then, so
+        pass a duration of 0.
 
         Raises:
             ValueError: if the duration is negative or not finite, in every case.
@@ -114,9 +114,10 @@ class Contact:
     def resolve_velocity(self, duration: float = 0.0) -> None:
         """Apply the impulse that changes the separating velocity to ``velocity_after(duration)``.
 
-        The impulse g in N s acts along the normal n, and with the opposite sign on ``other``: va' =
-        va + n g / ma and vb' = vb - n g / mb. This conserves momentum. Nothing changes if the
-        contact is not closing, or if neither particle can move. Book 7.1.4 and 7.2.1.
+        The impulse g in N s acts on ``particle`` along the normal n, and on ``other`` in the
+        opposite direction: va' = va + n g / ma and vb' = vb - n g / mb. This conserves momentum.
+        Nothing changes if the contact is not closing, or if neither particle can move. Book 7.1.4
+        and 7.2.1.
 
         Raises:
             ValueError: if the duration is negative or not finite, in every case.
@@ -134,16 +135,16 @@ class Contact:
     def resolve_penetration(self) -> tuple[Vector3, Vector3]:
         """Move the two particles apart along the normal until they touch, and return both moves.
 
-        The lighter particle moves farther, because the depth d is divided in the ratio of the
-        inverse masses. ``particle`` moves by n d mb / (ma + mb) and ``other`` by -n d ma / (ma +
-        mb). If one of the two is immovable, the other moves by the whole depth. Afterward the
-        penetration is 0. If the penetration is 0 or negative, or neither particle can move, nothing
-        changes. Book 7.2.2.
+        The depth d is divided in the ratio of the inverse masses, so the lighter particle moves
+        farther. ``particle`` moves by n d mb / (ma + mb), and ``other`` by -n d ma / (ma + mb). If
+        one of them is immovable, the other moves by the whole depth. Afterward the penetration is
+        0. If the penetration is 0 or negative, or neither particle can move, nothing changes. Book
+        7.2.2.
 
         Returns:
-            The displacements of ``particle`` and ``other`` in m, as two new vectors. A particle
-                that did not move has a displacement of zero, so that no earlier displacement is
-                applied again (E-27).
+            The displacements of ``particle`` and ``other`` in m, as two new vectors. The
+                displacement of a particle that did not move is zero, so that an earlier
+                displacement is not applied again (E-27).
         """
         move, other_move = Vector3(), Vector3()
         total = self._total_inverse_mass()
@@ -159,7 +160,7 @@ class Contact:
         return move, other_move
 
     def resolve(self, duration: float) -> None:
-        """Resolve the velocity and then the penetration, after a time step of a duration in s.
+        """Resolve the velocity and then the penetration. ``duration`` is the time step in s.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.
@@ -175,7 +176,7 @@ class Contact:
 
 
 class ContactGenerator(Protocol):
-    """The interface of a contact generator. A generator need not inherit from this class."""
+    """The interface of a contact generator. Generators do not have to inherit from this class."""
 
     def contacts(self) -> Iterable[Contact]:
         """Return the current contacts."""
@@ -184,11 +185,11 @@ class ContactGenerator(Protocol):
 class ContactResolver:
     """Resolves the contacts of a time step in two phases: velocities, then penetrations (7.3.1).
 
-    Each phase resolves the worst contact first. If several contacts are equally bad, it takes the
-    first of them. Resolving one contact can make others better or worse, so all contacts are
-    compared again afterward. ``iterations`` limits the number of resolutions in each phase. If it
-    is None, the limit is twice the number of contacts. After a step, ``iterations_used`` is the
-    number of resolutions in both phases together.
+    In each phase, the resolver always resolves the worst contact next, or the first of several
+    equally bad contacts. This can make other contacts better or worse, so the resolver compares all
+    contacts again afterward. ``iterations`` limits the number of resolutions in each phase. If it
+    is None, the limit is twice the number of contacts. ``iterations_used`` counts the resolutions
+    of both phases together in the last step.
 
     Raises:
         ValueError: if ``iterations`` is less than 1.
@@ -205,11 +206,11 @@ class ContactResolver:
         self.iterations_used = 0
 
     def resolve_contacts(self, contacts: Iterable[Contact], duration: float) -> None:
-        """Resolve the contacts after a time step of a duration in s: velocities, then penetrations.
+        """Resolve the velocities of all contacts, and then their penetrations.
 
-        This changes the velocities and positions of the particles, and the penetrations of the
-        contacts. A contact in which neither particle can move is ignored, and does not count for
-        the limit.
+        ``duration`` is the time step in s. This method changes velocities, positions and
+        penetrations. Contacts in which neither particle can move are ignored. They do not count
+        toward the limit.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.
@@ -224,8 +225,8 @@ class ContactResolver:
         """Repeatedly resolve the velocity of the contact that closes fastest.
 
         Stop after ``limit`` resolutions, or when no contact closes faster than
-        ``VELOCITY_TOLERANCE``. Of several equally fast contacts, take the first. Penetrations do
-        not matter here, and in every contact at least one particle can move.
+        ``VELOCITY_TOLERANCE``. If several contacts are equally fast, take the first. Ignore
+        penetrations in this phase. In every contact at least one particle can move.
 
         Returns:
             The number of resolutions.
@@ -251,13 +252,13 @@ class ContactResolver:
         """Repeatedly resolve the penetration of the deepest contact.
 
         Every resolution moves particles, which changes the penetrations of all their contacts. So
-        for each of these contacts, subtract the distance that its ``particle`` moved along its
-        normal, and add the distance that its ``other`` moved along the normal. The book's listing
-        omits this update (E-8).
+        update each of these contacts: subtract the distance that its ``particle`` moved along its
+        normal, and add the distance that its ``other`` moved along it. The book's listing omits
+        this update (E-8).
 
-        Stop after ``limit`` resolutions, or when no contact is deeper than ``DEPTH_TOLERANCE``. Of
-        several equally deep contacts, take the first. In every contact at least one particle can
-        move.
+        Stop after ``limit`` resolutions, or when no contact is deeper than ``DEPTH_TOLERANCE``. If
+        several contacts are equally deep, take the first. In every contact at least one particle
+        can move.
 
         Returns:
             The number of resolutions.
@@ -286,13 +287,13 @@ class ContactResolver:
 
 
 def a_restitution(name: str, value: float) -> float:
-    """Return a restitution as a float, or raise ValueError if it is not from 0 to 1."""
+    """Return ``value`` as a float. Raise ValueError with ``name`` if it is not from 0 to 1."""
     if not_negative(name, value) > 1.0:
         raise ValueError(f"{name} must be from 0 to 1, got {value!r}")
     return float(value)
 
 
 def direction_of(offset: Vector3) -> Vector3:
-    """Return the unit vector along an offset as a new vector, or +Y if the offset is zero."""
+    """Return the unit vector in the direction of ``offset``, or +Y if ``offset`` is zero."""
     direction = offset.normalized()
     return direction if direction.squared_magnitude() else Vector3(0.0, 1.0, 0.0)

@@ -1,9 +1,9 @@
 """Detectors, which find the current contacts and predict the next impact.
 
-A resolver asks a detector after each step which particles touch, by calling ``contacts()``. The
-contacts are always in the order of the particles. Particles that just touch have a contact too,
-with a penetration of 0. ``time_division_step`` must know before a step when something will touch,
-so that it can stop there. It calls ``next_impact(duration)``, which predicts the next impact.
+After each step, a resolver calls ``contacts()`` of a detector to find out which particles touch.
+The contacts are always in the order of the particles. Particles that just touch also have a
+contact, with a penetration of 0. Before a step, ``time_division_step`` calls
+``next_impact(duration)``. It needs to know the time of the next impact so that it can stop there.
 
 Lengths are in m, times in s. A detector does not copy its list of particles, so you may add
 particles to the list later. Constructors raise ValueError for a number that is negative or not
@@ -36,20 +36,20 @@ _AFTER = [cell for cell in product((-1, 0, 1), repeat=3) if cell > (0, 0, 0)]
 
 
 class Detector(Protocol):
-    """The interface of a detector. A detector need not inherit from this class."""
+    """The interface of a detector. A detector does not have to inherit from this class."""
 
     def contacts(self) -> Iterable[Contact]:
         """Return the current contacts."""
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Return the time and contact of the first impact within ``duration`` s, or None."""
+        """Return the first impact within ``duration`` s as (time, contact), or None."""
 
 
 class GroundPlane:
-    """Exercise 7.5: level ground at a height, for points or for spheres of one radius.
+    """Exercise 7.5: level ground at ``height``, for points or for spheres with one ``radius``.
 
-    Everything below the height is ground. Even a fast particle therefore cannot pass through: if it
-    ends a step below the height, it is in contact.
+    Everything below the height is ground. So even a fast particle cannot pass through the ground:
+    if it is below the height at the end of a step, it is in contact.
     """
 
     def __init__(
@@ -80,13 +80,13 @@ class GroundPlane:
         return found
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Return the time and contact of the first impact on the ground within ``duration`` s.
+        """Find the first impact on the ground within ``duration`` s.
 
         After t seconds a particle is at p + v t + a t^2 / 2, where a is its ``last_acceleration``.
-        It hits the ground at the time that ``time_to_close`` returns for the gap below it. A
+        ``time_to_close`` computes when the gap between the particle and the ground closes. A
         particle that lies on the ground and is accelerated downward always has an impact at time 0.
         Immovable particles have no impacts. If two particles hit the ground at the same time, take
-        the one that is earlier in the list.
+        the particle that is earlier in the list.
 
         Returns:
             (time, contact), where the contact has a penetration of 0, or None if there is no
@@ -107,7 +107,7 @@ class GroundPlane:
 
 
 class ParticlePairs:
-    """Finds contacts between pairs of spheres, which all have the same positive ``radius``."""
+    """Finds contacts between pairs of spheres. All spheres have the same positive ``radius``."""
 
     def __init__(
         self, particles: Sequence[Particle], radius: float, restitution: float = 0.0
@@ -119,12 +119,12 @@ class ParticlePairs:
     def contacts(self) -> list[Contact]:
         """Return a contact for each pair of spheres that touch or overlap.
 
-        The contacts are in the order of the list, and the ``particle`` of each contact is earlier
-        in the list than its ``other``. The normal points from ``other`` to ``particle``. If both
-        positions are equal, the normal is +Y. Two immovable particles have no contact.
+        The contacts are in the order of the list. In each contact, ``particle`` comes earlier in
+        the list than ``other``. The normal points from ``other`` to ``particle``. If both positions
+        are equal, the normal is +Y. Two immovable particles have no contact.
 
-        If you compared every pair, the cost would grow with the square of the number of particles.
-        Find the pairs in another way. For example, sort the particles into the cells of a grid.
+        If you compare every pair, the cost grows with the square of the number of particles. So
+        find the pairs in another way. For example, sort the particles into the cells of a grid.
         Then only particles in the same cell or in neighboring cells can touch.
         """
         found = []
@@ -138,11 +138,11 @@ class ParticlePairs:
         return found
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Return the time and contact of the first impact of two spheres within ``duration`` s.
+        """Find the first impact of two spheres within ``duration`` s.
 
         After t seconds a particle is at p + v t + a t^2 / 2, where a is its ``last_acceleration``.
         Two particles with the same acceleration therefore move in a straight line relative to each
-        other. Immovable particles stay where they are and have no acceleration.
+        other. Immovable particles do not move and have no acceleration.
 
         Two spheres have an impact when they touch or overlap and close faster than
         ``VELOCITY_TOLERANCE``. If this is already true at the start, the time is 0. A slower
@@ -150,8 +150,8 @@ class ParticlePairs:
         impacts happen at the same time, take the first in the order of ``contacts()``.
 
         Returns:
-            (time, contact), or None if there is no impact. The contact's normal is the one at the
-                time of the impact, and its penetration is 0.
+            (time, contact), or None if there is no impact. The contact has the normal at the time
+                of the impact, and a penetration of 0.
 
         Raises:
             ValueError: if the duration is negative or not finite, or if the accelerations of any
@@ -168,7 +168,7 @@ class ParticlePairs:
         return first
 
     def _near_pairs(self) -> list[tuple[int, int]]:
-        """Return pairs of indices, lower first: all that touch, and some that do not."""
+        """Return index pairs, lower index first: all pairs that touch, and some other pairs."""
         size = 2.001 * self.radius  # so that spheres that just touch are never two cells apart
         cells: dict[tuple[int, int, int], list[int]] = {}
         for i, particle in enumerate(self.particles):
@@ -184,7 +184,7 @@ class ParticlePairs:
         return pairs
 
     def _time_to_touch(self, a: Particle, b: Particle) -> float:
-        """Return the time of the impact of two spheres, or math.inf if there is none."""
+        """Return the time of the impact of two spheres, or math.inf if they have no impact."""
         (v, pull), (w, other) = _flight(a), _flight(b)
         if (pull - other).magnitude() > _SAME * (pull.magnitude() + other.magnitude()):
             seen = f"{pull!r} and {other!r}"
@@ -201,24 +201,26 @@ class ParticlePairs:
 
 
 def _flight(particle: Particle) -> tuple[Vector3, Vector3]:
-    """Return the velocity and acceleration of a particle, which are zero if it is immovable."""
+    """Return the velocity and acceleration of a particle. Both are zero if it is immovable."""
     if not particle.inverse_mass:
         return Vector3(), Vector3()
     return particle.velocity, particle.last_acceleration
 
 
 class Detectors:
-    """Combines several detectors, such as the ground and pairs of spheres, into one."""
+    """Combines several detectors, such as one for the ground and one for spheres, into one."""
 
     def __init__(self, *detectors: Detector) -> None:
         self.detectors = detectors
 
     def contacts(self) -> list[Contact]:
-        """Return the contacts of all detectors, in their order."""
+        """Return the contacts of all detectors, in the order of the detectors."""
         return [contact for detector in self.detectors for contact in detector.contacts()]
 
     def next_impact(self, duration: float) -> Impact | None:
-        """Return the earliest impact of any detector. At equal times, the first detector wins.
+        """Return the earliest impact that any detector finds.
+
+        If several impacts have the same time, take the impact of the first detector.
 
         Raises:
             ValueError: if one of the detectors raises it.
@@ -230,15 +232,15 @@ class Detectors:
 def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
     """Return the first time in s at which a gap is 0 or negative and still decreasing.
 
-    After t seconds the gap is gap + v t + a t^2 / 2, where v is the velocity in m/s and a is the
-    acceleration in m/s^2. A negative v makes the gap smaller. If the gap is already 0 or negative
-    at the start, the sign of v decides:
+    After t seconds the gap is gap + v t + a t^2 / 2. Here v is ``velocity`` in m/s, and a is
+    ``acceleration`` in m/s^2. A negative v makes the gap smaller. If the gap is already 0 or
+    negative at the start, the result depends on v:
 
     - If v is negative, or if v is 0 and a is negative, the result is 0.
     - If v is positive and a is negative, the result is the time at which the gap returns to 0. If
-      the gap never becomes positive, it is the time at which v reverses.
+      the gap never becomes positive, the result is the time at which v reverses.
 
-    A very slow velocity may be only rounding. So if a is not negative, a velocity of
+    A very slow velocity may be a rounding error. So if a is not negative, a velocity of
     -VELOCITY_TOLERANCE or more does not close the gap. Return ``math.inf`` if the gap never closes,
     or if the velocity reverses exactly when the gap is 0. The arguments are not checked.
     """
@@ -253,7 +255,7 @@ def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
 
 
 def some_particles(particles: Sequence[Particle]) -> Sequence[Particle]:
-    """Return ``particles`` if it is a list or tuple of particles, or raise TypeError."""
+    """Return ``particles``. Raise TypeError if it is not a list or tuple of particles."""
     if not isinstance(particles, (list, tuple)):
         raise TypeError(f"particles must be a list or tuple, got {particles!r}")
     for i, particle in enumerate(particles):

@@ -1,4 +1,4 @@
-"""A blob of particles, held together by bonds that weaken, break and heal (book 8.2)."""
+"""A blob of particles that are held together by bonds. Bonds weaken, break and heal (book 8.2)."""
 
 from __future__ import annotations
 
@@ -25,13 +25,16 @@ GRAVITY = Vector3(0.0, -9.81, 0.0)
 
 
 class Bond:
-    """A soft spring between two particles that has an elastic limit, breaks and heals.
+    """A soft spring between two particles. It has an elastic limit, can break, and can heal.
 
-    Up to the length ``limit`` it is a spring with a ``stiffness`` in N/m. The part of its length
-    beyond the limit pulls with only the fraction ``share`` of the stiffness (exercise 6.1). A bond
-    that gets longer than ``break_length`` breaks. From then on it exerts no force, until its ends
-    are ``rest_length`` or less apart and it heals. ``holds`` is False while the bond is broken.
-    Lengths are in m. Register the bond for both particles.
+    Up to the length ``limit`` the bond is an ordinary spring with a ``stiffness`` in N/m. Beyond
+    the limit it is softer: the extra length pulls with only the fraction ``share`` of the
+    stiffness, as in exercise 6.1. The bond breaks when it gets longer than ``break_length``, and a
+    broken bond exerts no force. It heals when the distance between its ends is ``rest_length`` or
+    less. ``holds`` is False while the bond is broken.
+
+    All lengths are in m. Register the bond for both particles, because each call of
+    ``update_force`` pulls on one end only.
 
     Raises:
         ValueError: if rest_length <= limit <= break_length does not hold, or ElasticLimitSpring
@@ -59,10 +62,10 @@ class Bond:
         self.holds = True
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Break or heal the bond according to its length, and pull on the particle if it holds.
+        """Break or heal the bond if its length requires it. If it holds, pull on ``particle``.
 
         Check the length before you compute the force, so that a bond that breaks or heals does so
-        at once for both ends.
+        for both ends in the same step.
         """
         length = (self.b.position - self.a.position).magnitude()
         if self.holds:
@@ -75,9 +78,9 @@ class Bond:
 
 
 def spread(particles: Sequence[Particle]) -> float:
-    """Return the root mean square distance in m of the particles from their center of mass.
+    """Return the root mean square distance of the particles from their center of mass, in m.
 
-    Use it as a measure of the blob's size. Each particle counts in proportion to its mass.
+    The result measures the size of the blob. Each particle is weighted by its mass.
 
     Raises:
         ValueError: if there are no particles, or one of them is immovable.
@@ -98,14 +101,16 @@ def spread(particles: Sequence[Particle]) -> float:
 
 
 class Blob:
-    """A blob that falls on the ground: ``particles``, ``bonds`` between every two, and a ``world``.
+    """A blob that falls to the ground: its ``particles``, ``bonds`` and ``world``.
 
-    The blob is flat, with all particles at z = 0, and its middle starts at ``height`` in m. If
-    ``cables`` is True, a cable keeps each bond from getting longer than its ``break_length``, so no
-    bond can break. ``push`` is the force in N that acts on each particle, as a vector.
+    The blob is flat: all particles start at z = 0. The middle of the blob starts at ``height``, in
+    m. Every two particles are joined by a bond. If ``cables`` is True, they are also joined by a
+    cable as long as the bond's ``break_length``. The cables keep the bonds from breaking.
+
+    Set ``push`` to a force in N to push the blob. It acts on each particle in every step.
 
     Raises:
-        ValueError: if the height is not finite, or is less than ``RADIUS``, so that the blob would
+        ValueError: if the height is not finite, or is less than ``RADIUS``. The blob would then
             start inside the ground.
     """
 
@@ -133,9 +138,9 @@ class Blob:
                 self.world.contact_generators.append(Cable(a, b, BREAK * rest))
 
     def step(self, duration: float) -> None:
-        """Make one time step of this duration in s, with the push on every particle.
+        """Make one time step. ``duration`` is in s. The force ``push`` acts on every particle.
 
-        If the push is not finite, ``add_force`` rejects it.
+        If the push is not finite, ``add_force`` raises its usual error.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.

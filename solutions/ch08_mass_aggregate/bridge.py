@@ -1,6 +1,6 @@
 """A rope bridge made of planks and cables, and a heavy ball that rolls over it (book 8.2).
 
-The numbers and positions of its parts are in bridge_plan.py.
+The dimensions of the bridge are in bridge_plan.py.
 """
 
 from __future__ import annotations
@@ -34,14 +34,16 @@ ITERATIONS = 200
 
 
 def links_of(rows: Sequence[Row]) -> list[ContactGenerator]:
-    """Return the links that hold the rows of planks, given at their start positions.
+    """Return the rods and cables that hold ``rows`` of planks together.
+
+    The planks must be at their start positions.
 
     - A Rod of length ``WIDTH`` joins the two ends of each row.
-    - A Cable of ``CABLE_LENGTH`` joins each end to the end of the next row on the same side.
+    - A Cable of ``CABLE_LENGTH`` joins each end to the end on the same side of the next row.
     - An AnchoredCable of ``support_length(row number)`` joins each end to its anchor,
       ``anchor_of(end)``.
 
-    The restitution of all cables is 0.
+    All cables have a restitution of 0.
     """
     links: list[ContactGenerator] = [Rod(a, b, WIDTH) for a, b in rows]
     for row, following in pairwise(rows):
@@ -54,7 +56,9 @@ def links_of(rows: Sequence[Row]) -> list[ContactGenerator]:
 
 
 class Deck:
-    """Generates the contacts of a ball with rows of planks, which are given in order along X.
+    """A contact generator for a ball that rolls over rows of planks.
+
+    ``radius`` is the radius of the ball in m. ``rows`` must be in order along X.
 
     Raises:
         ValueError: if the radius is not positive and finite, the restitution is not from 0 to 1, or
@@ -72,12 +76,15 @@ class Deck:
         self.restitution = a_restitution("restitution", restitution)
 
     def nearest(self) -> tuple[int, float] | None:
-        """Return the index of the row nearest to the ball along X, and the height of the deck in m.
+        """Return the index of the row nearest to the ball, and the deck's height there in m.
 
-        The position of a row is the midpoint of its two ends. The deck runs in straight lines from
-        row to row, and is level before the first row and after the last one. Its height is measured
-        directly below the ball. If two rows are equally near, return the first one. Return None if
-        the ball is more than half a ``SPACING`` beyond the first or last row.
+        The distance is measured along X. The position of a row is the midpoint of its two ends. The
+        deck is a line of straight segments that connect these midpoints. It continues at the same
+        height before the first row and after the last one. The returned height is the height of
+        this line directly below the ball.
+
+        If two rows are equally near, return the first one. Return None if the ball is more than
+        half a ``SPACING`` beyond the first or last row.
         """
         x = self.ball.position.x
         places = [(a.position + b.position) * 0.5 for a, b in self.rows]
@@ -93,11 +100,12 @@ class Deck:
     def contacts(self) -> list[Contact]:
         """Return the ball's contacts with both ends of the nearest row, if it touches the deck.
 
-        A contact's ``particle`` is the ball, its ``other`` is the end of the row, and its normal is
-        +Y. The penetration is the depth of the ball's lowest point below the deck. Return an empty
-        list if the ball is above the deck or beyond the bridge. Also return an empty list if the
-        penetration is more than the ball's diameter, because the ball has then fallen through the
-        deck.
+        In each contact, ``particle`` is the ball, ``other`` is one end of the row, and the normal
+        is +Y. The penetration is the depth of the ball's lowest point below the deck.
+
+        Return an empty list if the ball is above the deck or beyond the ends of the bridge. Also
+        return an empty list if the penetration is more than the ball's diameter. In that case the
+        ball has already fallen through the deck.
         """
         found = self.nearest()
         if found is None:
@@ -113,7 +121,8 @@ class Deck:
 class Bridge:
     """A rope bridge above the ground: ``rows`` of planks, a ``ball`` and their ``world``.
 
-    ``pace`` is the speed of the ball along X in m/s.
+    ``ball_mass`` is in kg, and ``x`` is the start position of the ball along X in m. ``pace`` is
+    the speed in m/s at which the ball is moved along X.
 
     Raises:
         ValueError: if the ball's mass is not positive and finite, or x is not finite.
@@ -135,7 +144,7 @@ class Bridge:
         )
 
     def step(self, duration: float) -> None:
-        """Make one time step of this duration in s, with the ball moving at its pace.
+        """Make one time step. ``duration`` is in s. The ball moves along X at ``pace``.
 
         Raises:
             ValueError: if the duration is not positive and finite, or the pace is not finite. In

@@ -1,8 +1,9 @@
 """Going further: particles at rest fall asleep and cost almost nothing until something wakes them.
 
 Most bodies in a game lie still most of the time, but the engine spends as much time on them as on
-moving ones. If a particle is made immovable while it is at rest, the rest of the engine skips it.
-The world stores the inverse mass of each sleeping particle and restores it when the particle wakes.
+moving bodies. The rest of the engine already skips immovable particles. So the world makes a
+particle immovable while it sleeps. It stores the particle's inverse mass, and restores it when the
+particle wakes.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ SAME = 0.01  # a change of the acceleration by this fraction or less wakes nothi
 
 @dataclass(frozen=True)
 class Sleep:
-    """The values that a particle gets back when it wakes, and the state that must not change."""
+    """What the world stores about a sleeping particle: values to restore, and values to compare."""
 
     inverse_mass: float  # 1/kg
     place: tuple[float, float, float]  # m
@@ -37,15 +38,15 @@ class Sleep:
 
 
 class SleepingWorld(ParticleWorld):
-    """A ParticleWorld in which particles at rest fall asleep, together with the ones they touch.
+    """A ParticleWorld in which groups of touching particles fall asleep when they are at rest.
 
-    A particle is slow if its kinetic energy per kg of mass is at most ``sleep_energy`` in J/kg at
-    the end of a step. After ``sleep_frames`` slow steps in a row it is tired, and a group falls
-    asleep when all of its particles are tired. A sleeping particle has no velocity and a mass of
+    A particle is slow if its kinetic energy per kg of mass is at most ``sleep_energy``, in J/kg, at
+    the end of a step. It is tired after ``sleep_frames`` slow steps in a row. A group falls asleep
+    when all of its particles are tired. A sleeping particle has no velocity, and its mass is
     ``math.inf``. The dict ``asleep`` maps each sleeping particle to its Sleep.
 
-    The world cannot notice every change. Wake a sleeping particle yourself before you move the
-    ground or an anchor under it, join something new to it, or make it immovable.
+    The world cannot notice every change. Call ``wake`` for a sleeping particle yourself before you
+    move the ground or an anchor under it, join something new to it, or make it immovable.
 
     Raises:
         ValueError: if ``sleep_energy`` is negative or not finite, or ``sleep_frames`` is less than
@@ -74,11 +75,11 @@ class SleepingWorld(ParticleWorld):
         self._frame = 0
 
     def wake(self, particle: Particle) -> None:
-        """Wake a particle, its neighbors, their neighbors, and so on.
+        """Wake ``particle``, its neighbors, their neighbors, and so on.
 
         Particles that fell asleep together therefore wake together. Each of them gets its mass
-        back, unless it was given another finite mass by hand. The count of its slow steps starts
-        again at 0. This also happens if the particle was already awake.
+        back, unless you have given it another finite mass in the meantime. Their counts of slow
+        steps restart at 0, and so does the count of ``particle`` if it was already awake.
         """
         waking = [particle]
         while waking:
@@ -91,7 +92,7 @@ class SleepingWorld(ParticleWorld):
                 waking += [other for other in sleep.neighbors if other in self.asleep]
 
     def wake_moved(self) -> None:
-        """Wake the sleeping particles that were changed by hand since they fell asleep.
+        """Wake every sleeping particle that was changed by hand since it fell asleep.
 
         A sleeping particle was changed if it has a velocity, a new position, a finite mass, or a
         force in its accumulator.
@@ -101,16 +102,16 @@ class SleepingWorld(ParticleWorld):
             self.wake(particle)
 
     def wake_pushed(self, duration: float) -> None:
-        """Wake the sleeping particles on which the force generators now act differently.
+        """Wake every sleeping particle on which the force generators now act differently.
 
-        The current acceleration is a + f / m, where f is the sum of the generators' forces. Compare
-        it with the acceleration when the particle fell asleep. The particle wakes if the change is
-        more than ``SAME`` times the larger of two numbers: the current |a| + |f / m|, and the
-        magnitude of the old acceleration.
+        The current acceleration of a particle is a + f / m, where f is the sum of the generators'
+        forces. Compare it with the acceleration that the particle had when it fell asleep. The
+        particle wakes if the change is more than ``SAME`` times the larger of two numbers: the
+        current |a| + |f / m|, and the magnitude of the old acceleration.
 
-        Call only generators that are registered for sleeping particles. While they are called, each
-        sleeping particle must have the mass that it had when it was awake. The accumulators of
-        sleeping particles are empty before and after.
+        Call only generators that are registered for sleeping particles. Give each sleeping particle
+        its original mass during these calls, because a generator may use the mass. The accumulators
+        of sleeping particles are empty before and after.
         """
         self._ask_for_sleepers(duration)
         for particle, sleep in [*self.asleep.items()]:
@@ -119,9 +120,9 @@ class SleepingWorld(ParticleWorld):
                 self.wake(particle)
 
     def wake_touched(self, contacts: Iterable[Contact]) -> bool:
-        """Wake the sleeping particles that are in contact with a particle that can move.
+        """Wake every sleeping particle that is in contact with a particle that can move.
 
-        Return whether any particle woke.
+        Return True if any particle woke, and False otherwise.
         """
         woken = False
         for contact in contacts:
@@ -137,12 +138,14 @@ class SleepingWorld(ParticleWorld):
     def fall_asleep(self, contacts: Iterable[Contact]) -> None:
         """Count one step, and put to sleep every group in which all particles are tired.
 
-        Two particles are in the same group if they were in contact in one of the last
-        ``sleep_frames`` steps, or if a generator of the registry joins them, directly or through
-        other particles. A group falls asleep as a whole or not at all, because a particle that
-        still moves would soon push the sleeping ones. Immovable particles do not connect groups,
-        and they never sleep. When a particle falls asleep, it is added to ``asleep``, and its
-        ``velocity`` and ``inverse_mass`` become 0.
+        Two particles are connected if they were in contact in one of the last ``sleep_frames``
+        steps, or if a generator of the registry joins them. Particles that are connected, directly
+        or through other particles, form a group. Immovable particles do not connect groups, and
+        they never sleep.
+
+        A group falls asleep as a whole or not at all, because a particle that still moves would
+        soon push the sleeping ones. When a particle falls asleep, add it to ``asleep``, and set its
+        ``velocity`` and ``inverse_mass`` to 0.
         """
         awake = [particle for particle in self.particles if particle.inverse_mass]
         self._count_slow_frames(awake)
@@ -157,7 +160,7 @@ class SleepingWorld(ParticleWorld):
                 self._put_to_sleep(particle, neighbors.get(particle, []))
 
     def run_physics(self, duration: float) -> None:
-        """Move all particles that are awake forward by one time step of this duration in s.
+        """Move all particles that are awake forward by one time step. ``duration`` is in s.
 
         - Wake the particles that were moved by hand. In every LOOK_EVERY-th step, also wake the
           particles on which the generators now act differently.
@@ -187,7 +190,7 @@ class SleepingWorld(ParticleWorld):
         self.fall_asleep(contacts)
 
     def _count_slow_frames(self, awake: Iterable[Particle]) -> None:
-        """Count for how many steps in a row each particle has been slow."""
+        """Update how many steps in a row each particle has been slow."""
         for particle in awake:
             slow = particle.kinetic_energy() <= self.sleep_energy * particle.mass
             self._slow[particle] = self._slow.get(particle, 0) + 1 if slow else 0
@@ -195,8 +198,8 @@ class SleepingWorld(ParticleWorld):
     def _note_contacts(self, contacts: Iterable[Contact]) -> None:
         """Remember which particles touch in this step, and forget old contacts.
 
-        A body that lies on another one sometimes loses its contact for one step because of
-        rounding. So a contact counts for several steps.
+        A body that rests on another body sometimes loses its contact for one step because of
+        rounding. So each contact is remembered for several steps.
         """
         for pair in touching(contacts):
             self._touched[pair] = self._frame
@@ -204,7 +207,7 @@ class SleepingWorld(ParticleWorld):
         self._touched = {pair: last for pair, last in self._touched.items() if last > since}
 
     def _put_to_sleep(self, particle: Particle, neighbors: Iterable[Particle]) -> None:
-        """Stop a particle, make it immovable, and store what it needs to wake."""
+        """Stop a particle, make it immovable, and store what is needed to wake it."""
         x, y, z = particle.position
         acceleration = particle.last_acceleration
         sleep = Sleep(particle.inverse_mass, (x, y, z), acceleration, tuple(neighbors))
@@ -213,7 +216,7 @@ class SleepingWorld(ParticleWorld):
         particle.inverse_mass = 0.0
 
     def _ask_for_sleepers(self, duration: float) -> None:
-        """Call the generators of sleeping particles, each particle with its own mass."""
+        """Call the generators of the sleeping particles, each with its original mass."""
         for particle, generator in self.registry.pairs():
             sleep = self.asleep.get(particle)
             if sleep is not None:
@@ -239,7 +242,8 @@ def _is_pushed_otherwise(
 ) -> bool:
     """Return whether a + f / m differs from the old acceleration by more than SAME.
 
-    Plain numbers take a third of the time of vectors, and a sleeping world does little else.
+    This function uses plain numbers because they take a third of the time of vectors, and a
+    sleeping world does little else.
     """
     mass, own, old = sleep.inverse_mass, particle.acceleration, sleep.acceleration
     x, y, z = force[0] * mass, force[1] * mass, force[2] * mass
@@ -251,7 +255,7 @@ def _is_pushed_otherwise(
 
 
 def _neighbors(pairs: Iterable[Pair]) -> dict[Particle, list[Particle]]:
-    """Return the neighbors of each particle that is in a pair."""
+    """Return a dict that maps each particle in ``pairs`` to its neighbors."""
     neighbors: dict[Particle, list[Particle]] = {}
     for a, b in pairs:
         neighbors.setdefault(a, []).append(b)
@@ -262,7 +266,7 @@ def _neighbors(pairs: Iterable[Pair]) -> dict[Particle, list[Particle]]:
 def _connected(
     starts: Iterable[Particle], neighbors: Mapping[Particle, Iterable[Particle]]
 ) -> set[Particle]:
-    """Return the particles that are connected to one of the starts, directly or through others."""
+    """Return all particles that are connected to one of ``starts``, directly or through others."""
     found = set(starts)
     waiting = [*found]
     while waiting:

@@ -1,8 +1,8 @@
 """A platform that tilts on a pivot, and a weight that tips it (book 8.2.2, mini-project 8.1).
 
 Seen from the side, the platform is a V made of rods. The tip of the V is a pivot on the ground, and
-the right end is farther from the pivot than the left end. There are two such Vs, at z = -1 and z =
-1, which are joined by rods. Arguments of the wrong type raise TypeError.
+the right end is farther from the pivot than the left end. The platform consists of two such Vs, at
+z = -1 and z = 1, with rods between them. Arguments of the wrong type raise TypeError.
 """
 
 from __future__ import annotations
@@ -34,11 +34,11 @@ ITERATIONS = 100  # per phase
 
 
 def rods_of(particles: Sequence[Particle]) -> list[Rod]:
-    """Return rods between the particles that let the platform tilt, but not move in any other way.
+    """Return rods that make the platform rigid, so that it can tilt but not move in any other way.
 
-    You choose which particles to join, and may use more rods than necessary. The particles are in
-    the order of ``PLACES``. The first two are the pivot, and are immovable. The length of each rod
-    is the current distance between its ends.
+    ``particles`` are in the order of ``PLACES``. The first two are the pivot, and are immovable.
+    You choose which particles to join, and you may use more rods than necessary. The length of each
+    rod is the current distance between its ends.
     """
     rods: list[Rod] = []
     for a, b in combinations(particles, 2):
@@ -49,11 +49,12 @@ def rods_of(particles: Sequence[Particle]) -> list[Rod]:
 
 
 def balancing_mass(masses: Sequence[float], places: Sequence[float], x: float) -> float:
-    """Return the mass in kg that, placed at x, balances the others on a pivot at 0.
+    """Return the mass in kg that balances the platform when it is placed at ``x``.
 
-    Each mass exerts a torque that is proportional to its mass times its position. The platform is
-    balanced if all torques add up to zero. ``masses`` are in kg. ``places`` are their positions in
-    m along the platform, which are negative on the left of the pivot.
+    The pivot is at 0. ``masses`` are the masses in kg that are already on the platform. ``places``
+    are their positions in m along the platform, and are negative to the left of the pivot. Each
+    mass exerts a torque that is proportional to its mass times its position. The platform is
+    balanced if all torques add up to zero.
 
     Raises:
         ValueError: if a number is not finite, a mass is negative, ``places`` and ``masses`` differ
@@ -79,7 +80,7 @@ def balancing_mass(masses: Sequence[float], places: Sequence[float], x: float) -
 class TiltingPlatform:
     """A platform on an immovable pivot: its ``particles``, its ``rods`` and its ``world``.
 
-    The particles are in the order of ``PLACES``, which are their start positions.
+    The particles are in the order of their start positions, ``PLACES``.
     """
 
     def __init__(self) -> None:
@@ -95,11 +96,11 @@ class TiltingPlatform:
         )
 
     def free_pivot(self) -> None:
-        """Free the pivot: give its two particles a mass, so that they only stand on the ground.
+        """Make the pivot movable, so that it only stands on the ground (8.1).
 
-        Each of the two gets ``MASS`` (8.1). The platform must stay rigid, so if no rod joins the
-        two particles of the pivot yet, add one to ``self.rods`` and to the generators of the world.
-        There is no friction. The method is called only once.
+        Give each of its two particles the mass ``MASS``. The platform must stay rigid. If no rod
+        joins these two particles yet, add one to ``self.rods`` and to the generators of the world.
+        The ground has no friction. This method is called only once.
         """
         a, b = self.particles[:2]
         for pivot in (a, b):
@@ -109,11 +110,13 @@ class TiltingPlatform:
         self.world.contact_generators.append(axle)
 
     def put_weight(self, mass: float, x: float) -> None:
-        """Replace the weight by one of this mass in kg at x, which is from ``LEFT`` to ``RIGHT``.
+        """Replace the current weight with a weight of ``mass`` at ``x``.
 
-        No particle is at x, so the two ends carry the weight. Divide it between them so that their
-        torque about the pivot is that of the weight at x. Each end consists of two particles, and
-        each of these carries half of the end's part in addition to its own ``MASS``.
+        ``mass`` is in kg. ``x`` is the position along the platform in m, from ``LEFT`` to
+        ``RIGHT``. There is no particle at this position, so the two ends of the platform carry the
+        weight. Divide the mass between the ends so that their torque about the pivot equals the
+        torque of the weight at ``x``. Each end consists of two particles. Each of these particles
+        carries half of the mass at its end, in addition to its own ``MASS``.
 
         Raises:
             ValueError: if the mass is negative or not finite, or x is not between the ends. In that
@@ -128,10 +131,13 @@ class TiltingPlatform:
                 end.mass = MASS + 0.5 * share
 
     def tilt(self) -> float:
-        """Return the tilt in radians: 0 at the start, and positive when the right end is higher."""
+        """Return the tilt angle in radians.
+
+        It is 0 at the start, and positive if the right end is higher.
+        """
         across = self.particles[4].position - self.particles[2].position
         return math.atan2(across.y, across.x)
 
     def step(self, duration: float) -> None:
-        """Make one time step of this duration in s."""
+        """Make one time step. ``duration`` is in s."""
         self.world.step(duration)

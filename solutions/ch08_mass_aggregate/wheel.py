@@ -1,6 +1,6 @@
 """A wheel of rods around an immovable hub, driven at its rim (mini-project 8.3).
 
-It rotates in the X-Y plane. A positive spin is counter-clockwise.
+The wheel rotates in the X-Y plane. A positive angular velocity is counter-clockwise.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ ITERATIONS = 200  # per phase
 
 
 def rods_of(hub: Particle, rim: Sequence[Particle]) -> list[Rod]:
-    """Return the rods of a wheel: its spokes, and the rods from each rim particle to the next.
+    """Return the rods of a wheel: its spokes, and the rods along its rim (8.3a).
 
-    The rim has three or more particles, in order. A spoke joins the hub to each of them, and the
-    last particle is joined to the first one. The length of each rod is the current distance between
-    its ends (8.3a).
+    ``rim`` has three or more particles, in order. A spoke joins the hub to each rim particle.
+    Another rod joins each rim particle to the next one, and the last rim particle to the first one.
+    The length of each rod is the current distance between its ends.
     """
     ends = [(hub, particle) for particle in rim]
     ends += [(particle, rim[(i + 1) % len(rim)]) for i, particle in enumerate(rim)]
@@ -33,18 +33,18 @@ def rods_of(hub: Particle, rim: Sequence[Particle]) -> list[Rod]:
 
 
 class RimDrive:
-    """A force generator that drives a rim around its hub, with a constant force in N (8.3b)."""
+    """A force generator that rotates a rim around ``hub``. ``force`` is constant, in N (8.3b)."""
 
     def __init__(self, hub: Particle, force: float) -> None:
         self.hub = hub
         self.force = finite("force", force)
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Add the force in N at a right angle to the spoke, in the X-Y plane.
+        """Add the force in N, in the X-Y plane and at a right angle to the spoke of ``particle``.
 
-        A positive force turns the wheel counter-clockwise. The magnitude of the force does not
+        A positive force rotates the wheel counter-clockwise. The magnitude of the force does not
         depend on the distance from the hub. A particle at the hub's position gets no force, because
-        there the force would have no direction.
+        the direction would be undefined there.
         """
         spoke = particle.position - self.hub.position
         length = math.hypot(spoke.x, spoke.y)
@@ -56,9 +56,10 @@ class RimDrive:
 def spin(hub: Particle, rim: Sequence[Particle]) -> float:
     """Return the angular velocity of a wheel about its hub in rad/s.
 
-    The angular velocity is the angular momentum divided by the moment of inertia: the sum of m (x
-    v_y - y v_x), divided by the sum of m (x^2 + y^2). Positions and velocities are relative to the
-    hub, which may move. Return 0 if the moment of inertia is zero.
+    The angular velocity is the angular momentum divided by the moment of inertia. The angular
+    momentum is the sum of m (x v_y - y v_x), and the moment of inertia is the sum of m (x^2 + y^2).
+    Positions and velocities are relative to the hub, which may itself move. Return 0 if the moment
+    of inertia is zero.
     """
     turning, inertia = 0.0, 0.0
     for particle in rim:
@@ -70,9 +71,9 @@ def spin(hub: Particle, rim: Sequence[Particle]) -> float:
 
 
 def deformation(rods: Sequence[Rod]) -> float:
-    """Return the largest error in length of a rod, as a fraction of the rod's length (8.3c).
+    """Return the largest relative error in the length of a rod (8.3c).
 
-    Return 0 if there are no rods.
+    The relative error is the error divided by the rod's length. Return 0 if there are no rods.
     """
     return max(
         (abs((rod.b.position - rod.a.position).magnitude() / rod.length - 1.0) for rod in rods),
@@ -83,7 +84,7 @@ def deformation(rods: Sequence[Rod]) -> float:
 class Wheel:
     """A wheel: its ``hub``, ``rim``, ``rods`` and ``world``.
 
-    A ``drive`` pushes each of the first ``driven`` particles of the rim with a ``force`` in N.
+    A RimDrive with a ``force`` in N pushes each of the first ``driven`` particles of the rim.
 
     Raises:
         ValueError: if the force is not finite, or ``driven`` is not from 0 to ``COUNT``.
@@ -105,5 +106,5 @@ class Wheel:
             self.world.registry.add(particle, self.drive)
 
     def step(self, duration: float) -> None:
-        """Make one time step of this duration in s."""
+        """Make one time step. ``duration`` is in s."""
         self.world.step(duration)

@@ -16,7 +16,7 @@ Point = tuple[float, float]
 
 
 def wrap_angle(angle: float) -> float:
-    """Return the angle in the range -pi < angle <= pi that has the same direction (9.1.1).
+    """Return the equivalent angle in the range -pi < angle <= pi (9.1.1).
 
     Angles that differ by 2 pi have the same direction, so wrap angles before you compare them. For
     both pi and -pi the result is pi.
@@ -32,10 +32,10 @@ def angle_to_vector(angle: float) -> Point:
 
 
 def rotate_point(point: Point, angle: float, origin: Point) -> Point:
-    """Return the world position of a point of an object (Eq. 9.2).
+    """Return the world position of a point that is given relative to an object (Eq. 9.2).
 
-    ``point`` is given relative to the object. ``angle`` is the object's orientation in the world,
-    and ``origin`` is its position. Rotate the point first, and then add ``origin``.
+    ``angle`` is the object's orientation in the world, and ``origin`` is its position. Rotate
+    ``point`` first, and then add ``origin``.
 
     >>> x, y = rotate_point((1.5, -0.75), 3 * math.pi / 8, (4, 3.85))  # a headlight of a car
     >>> round(x, 2), round(y, 2)
@@ -50,7 +50,7 @@ def rotate_point(point: Point, angle: float, origin: Point) -> Point:
 def center_of_mass(masses: Sequence[float], positions: Sequence[Point]) -> Point:
     """Return the mean of the positions, weighted by the masses (9.1.3).
 
-    Masses are in kg and positions in m. The positions are in the order of the masses.
+    ``masses`` are in kg. ``positions`` are in m, in the same order as the masses.
 
     Raises:
         ValueError: also if there are no masses, if the numbers of masses and positions differ, or

@@ -98,10 +98,10 @@ def throws() -> dict[str, float]:
     return {
         "400": machine.design.counterweight,
         "5": stone.mass,
-        "27.7": stone.velocity.x,
-        "14.1": stone.velocity.y,
-        "31.1": stone.velocity.magnitude(),
-        "2,412": stone.kinetic_energy(),
+        "27.6": stone.velocity.x,
+        "14.0": stone.velocity.y,
+        "30.9": stone.velocity.magnitude(),
+        "2,394": stone.kinetic_energy(),
         "7,848": fall,
         "56": math.sqrt(2 * fall / stone.mass),
     }

@@ -138,7 +138,10 @@ def model_answer(chapter: Chapter, exercise: Exercise, root: Path = ROOT) -> Sec
 
 
 def _section(lines: list[str], start: int, end: int) -> Section:
-    """Read one section. Its heading is line ``start``, and the next section starts at line ``end``."""
+    """Read one section.
+
+    Its heading is line ``start``, and the next section starts at line ``end``.
+    """
     heading = lines[start]
     first = start + 1
     while first < end and not lines[first].strip():

@@ -36,7 +36,10 @@ class Run:
 
     @property
     def five(self) -> list[float]:
-        """The minimum, the quartiles and the maximum. The list is empty if no percentage is known."""
+        """The minimum, the quartiles and the maximum.
+
+        The list is empty if no percentage is known.
+        """
         values = self.known
         if len(values) < 2:
             return values * 5

@@ -59,7 +59,10 @@ class Fault:
 
     @property
     def first_line(self) -> str:
-        """The type and the text on one line, as at the end of a traceback. Long text is shortened."""
+        """The type and the text on one line, as at the end of a traceback.
+
+        Long text is shortened.
+        """
         first = (self.text.splitlines() or [""])[0][:500]
         return f"{self.type}: {first}" if first else self.type
 

@@ -82,7 +82,7 @@ class InProcess:
         limit_acts(code)
 
     def after_collection(self) -> None:
-        """Exclude existing objects from garbage collection, so that copies share more memory."""
+        """Exclude existing objects from garbage collection, so that forks share more memory."""
         gc.freeze()
 
     def _import(self, module: str) -> None:

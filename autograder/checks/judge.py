@@ -186,7 +186,10 @@ def _pass_on(stream: IO[str], lines: queue.Queue[str]) -> None:
 
 
 def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
-    """Kill ``process``. If the system has process groups, also kill the programs that it started."""
+    """Kill ``process``.
+
+    If the system has process groups, also kill the programs that it started.
+    """
     with contextlib.suppress(ProcessLookupError, PermissionError):
         if sys.platform == "win32":
             assert isinstance(process, subprocess.Popen)  # Windows cannot fork judges
@@ -196,7 +199,10 @@ def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
 
 
 def environment() -> dict[str, str]:
-    """Return the environment variables of a check process. They keep pytest from loading plugins."""
+    """Return the environment variables of a check process.
+
+    They keep pytest from loading plugins.
+    """
     path = os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH", "")]))
     return os.environ | {
         "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",

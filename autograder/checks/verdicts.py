@@ -165,7 +165,10 @@ class Recorder:
         return report
 
     def _without_folders(self, text: str) -> str:
-        """Remove the paths of the engine's folders from ``text``. These paths differ in the grader."""
+        """Remove the paths of the engine's folders from ``text``.
+
+        These paths differ in the grader.
+        """
         for folder in self.engine.engine:
             text = text.replace(f"{folder}{os.sep}", "")
         return text

@@ -15,7 +15,10 @@ YEARS = range(1970, 3000)  # near the years 1 and 9999, converting to another zo
 
 
 def read_zone(name: Any, path: Path, mistakes: Mistakes) -> ZoneInfo | None:
-    """Return the time zone ``name``, such as Europe/Berlin. Record a mistake if it does not exist."""
+    """Return the time zone ``name``, such as Europe/Berlin.
+
+    Record a mistake if it does not exist.
+    """
     if isinstance(name, str) and name in available_timezones():
         return ZoneInfo(name)
     wanted = nearest(str(name), available_timezones()) or "Names look like Europe/Berlin."

@@ -176,6 +176,9 @@ class Chooser:
 
 
 def _only(chapter: Chapter, exercises: Mapping[str, Exercise]) -> Chapter | None:
-    """Return a copy of ``chapter`` that contains only ``exercises``. If it has none, return None."""
+    """Return a copy of ``chapter`` that contains only ``exercises``.
+
+    If it has none, return None.
+    """
     mine = [exercises[e.id] for e in chapter.exercises if e.id in exercises]
     return replace(chapter, exercises=mine) if mine else None

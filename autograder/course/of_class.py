@@ -23,9 +23,9 @@ from autograder.submissions.find import Submission
 def lateness(
     deadline: Deadline, chapters: list[Chapter], folder: Path, submissions: list[Submission]
 ) -> tuple[dict[str, Late], list[str]]:
-    """Compute how late each submission is. Return the lateness by student, and notes.
+    """Compute how late each submission is.
 
-    The notes are for the instructor.
+    Return the lateness of each student, and notes for the instructor.
 
     Raises:
         ValueError: A file that contains submission times is not valid.

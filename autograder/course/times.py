@@ -98,7 +98,10 @@ def _of_gradescope(folder: Path) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_github(folder: Path) -> Iterator[tuple[str, HandedIn]]:
-    """Yield the times from GitHub Classroom's grades. They are listed by the student's repository."""
+    """Yield the times from GitHub Classroom's grades.
+
+    They are listed by the student's repository.
+    """
     path = folder / OF_GITHUB
     if not path.is_file():
         return

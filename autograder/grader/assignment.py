@@ -73,7 +73,7 @@ class Assignment:
         )
 
     def whole(self, chapter: Chapter) -> Chapter:
-        """Return the chapter with all exercises of its manifest, even those that are not graded."""
+        """Return ``chapter`` with all exercises of its manifest, even if they are not graded."""
         return load_chapter(self.root / "chapters" / chapter.name)
 
 

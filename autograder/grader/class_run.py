@@ -53,7 +53,7 @@ class ClassRun:
     def collect(
         self, submissions: list[Submission], arriving: Generator[StudentReport]
     ) -> list[StudentReport]:
-        """Show the progress while reports arrive. Return them in the order of the submissions."""
+        """Show the progress as reports arrive. Return them in the order of ``submissions``."""
         columns = (
             TextColumn("{task.description}", markup=False),
             BarColumn(),

@@ -81,7 +81,7 @@ class InWorker:
         self.send = send
 
     def after_collection(self) -> None:
-        """Find out which modules can be imported, so that no check wastes time on a broken one."""
+        """Find out which modules can be imported, so that checks skip the broken modules."""
         compiled: dict[str, bytes] = {}
         for module, file in self._files().items():
             if module not in self.broken and (code := self._code_of(module, file)):
@@ -159,9 +159,9 @@ class InWorker:
         return {name for name in names if type(name) is str} or None
 
     def _worker(self, new: bool = False) -> Session:
-        """Return the session of the current worker and reset its time limit.
+        """Return the session of the current worker, with its full time limit.
 
-        If ``new`` is set, start a new worker.
+        If ``new`` is set or there is no usable worker, start a new worker.
         """
         if new or self.session is None or self.session.dead:
             self.start()

@@ -139,7 +139,7 @@ class Ending:
 
 
 def judge(run: Run) -> Ending:
-    """Start a process for the checks of ``run`` that have no verdict yet, and wait until it ends."""
+    """Start a process for the checks of ``run`` that have no verdict yet. Wait until it ends."""
     order, silent = run.order, False
     # On Windows, the files of a process stay locked for a moment after it has ended.
     with tempfile.TemporaryDirectory(prefix="checks-", ignore_cleanup_errors=True) as name:

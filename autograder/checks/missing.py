@@ -50,12 +50,12 @@ def does_not_define(module: str, name: str, *, is_empty: bool = False) -> str:
 
 
 def file_of(module: str) -> str:
-    """Return the path of a module in the form that students know, such as ch02_vectors/vector.py."""
+    """Return the path of ``module`` as students know it, such as ch02_vectors/vector.py."""
     return module.replace(".", "/") + ".py"
 
 
 def broken_module(name: str, why: Message) -> ModuleType:
-    """Create a module named ``name`` in which the use of any name fails with the message ``why``."""
+    """Create the module ``name``. Using any name in it fails with the message ``why``."""
     module = ModuleType(name)
     module.__dict__["__getattr__"] = lambda wanted: _placeholder(MissingName(name, wanted), why)
     return module

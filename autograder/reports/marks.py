@@ -117,9 +117,9 @@ def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
 
 
 def apply_marks(report: StudentReport, marks: Marks) -> StudentReport:
-    """Return the report with exactly these marks in it, in place of any earlier marks.
+    """Replace all marks in ``report`` with ``marks``, and return the new report.
 
-    A written exercise without a mark is shown as waiting for one.
+    If a written exercise has no mark, the report shows that it is waiting for one.
     """
     exercises = []
     given: list[float] = []
@@ -147,7 +147,7 @@ def _marked(exercise: ExerciseReport, mark: Mark | None) -> ExerciseReport:
 
 
 def _rows(path: Path) -> tuple[str, Iterator[tuple[int, int, list[str]]]]:
-    """Return the separator, and the rows below the header with their first and last lines."""
+    """Return the separator and the rows below the header. Each row has its first and last line."""
     table = read_csv(path)
     if table.header != HEADER:
         wanted = ",".join(HEADER)
@@ -166,7 +166,7 @@ def _written(where: str, given: str, exercises: dict[str, Exercise]) -> Exercise
 
 
 def _names(students: Iterable[str]) -> dict[str, str]:
-    """Return the students, keyed by each spelling of their names that is not ambiguous."""
+    """Map each spelling of a student's name to the student. Ambiguous spellings are left out."""
     forms: dict[str, set[str]] = {}
     for name in students:
         for form in (name, _key(name), _key(as_cell(name))):
@@ -176,5 +176,5 @@ def _names(students: Iterable[str]) -> dict[str, str]:
 
 
 def _key(name: str) -> str:
-    """Normalize a name, so that two encodings of the same accented letter compare equal."""
+    """Normalize ``name``, so that two encodings of the same accented letter are equal."""
     return unicodedata.normalize("NFC", name.strip())

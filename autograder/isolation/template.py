@@ -132,7 +132,7 @@ class Template:
         return descriptor
 
     def _numbered_next(self) -> _Worker:
-        """Wait for the process number of the worker that was ordered in advance. Return it."""
+        """Return the worker that was ordered in advance. Wait until its process number is known."""
         assert self._next is not None
         if not self._next.number:
             self._next.number = int(self._answer())

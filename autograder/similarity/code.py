@@ -43,9 +43,9 @@ class Function:
 
 
 def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list[Function], int]:
-    """Return the functions in the file ``text``, and the number of the last readable line.
+    """Return the functions in the file ``text``, and the line at which reading stopped.
 
-    The number is 0 if the whole file is readable. Methods have names such as Particle.mass, and
+    The line is 0 if the whole file is readable. Methods have names such as Particle.mass, and
     setters have names such as Particle.mass.setter. Signatures, comments and docstrings are left
     out, because they are given or do not change what the code does. All strings count as equal, and
     so do 2 and 2.0. ``known`` contains the names in the engine, which all students use.
@@ -80,7 +80,7 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
 
 
 def names_in(text: str) -> Iterator[str]:
-    """Yield Python's own names and the public names in ``text`` that the student did not choose."""
+    """Yield Python's own names and the public names in ``text``, which is not a student's file."""
     yield from (*dir(builtins), *dir(math))
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
         if token.type == tokenize.NAME and not (

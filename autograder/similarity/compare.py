@@ -84,7 +84,7 @@ class Comparison:
         self.measure = measure
 
     def stands_out(self, pair: Pair) -> bool:
-        """Return whether a pair is too similar for chance to be a likely reason in this class."""
+        """Return whether ``pair`` is too similar to be explained by chance in this class."""
         if self.line is None or pair.surprise is None:
             return False
         return pair.surprise >= self.line

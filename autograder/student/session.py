@@ -50,7 +50,10 @@ class Session:
         return True
 
     def choose(self) -> None:
-        """If exercises were edited, make one of them the current one, preferably an open one."""
+        """If exercises were edited, make one of them the current exercise.
+
+        An open exercise is preferred.
+        """
         edited = self.edits.look()
         if edited:
             chapter, exercise, names = min(

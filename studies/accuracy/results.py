@@ -152,7 +152,7 @@ def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
 
 
 def side_of(points: Sequence[Point], tolerance: float) -> Side:
-    """Return the side with its fastest model that meets ``tolerance``."""
+    """Return a ``Side`` with the fastest of these models that meets ``tolerance``."""
     models = models_of(points)
     open_ones = [own for own in models.values() if not stalls(own)]
     times = {name: time for name, own in models.items() if (time := time_to(own, tolerance))}

@@ -35,10 +35,7 @@ class Axis:
 
 
 def axis_for(values: Iterable[float], start: float, end: float) -> Axis:
-    """Create an axis that covers ``values`` and at least one power of ten.
-
-    They must be positive.
-    """
+    """Create an axis that covers the positive ``values`` and at least one power of ten."""
     seen = [*values]
     low, high = min(seen) / 1.6, max(seen) * 1.6
     while math.ceil(math.log10(low)) > math.floor(math.log10(high)):

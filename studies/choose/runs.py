@@ -47,7 +47,7 @@ class Tried:
         self.halved = halved(self.runs, ratio, model.order, may_repeat=may_repeat)
 
     def is_enough(self, tolerance: float) -> bool:
-        """Return whether the errors are known, and three runs in a row meet ``tolerance``."""
+        """Return whether the errors are known, and the last three runs meet ``tolerance``."""
         found = self.halved
         within = all(error <= tolerance for error in found.errors[-3:])
         return found.is_exact or (found.is_steady and within)

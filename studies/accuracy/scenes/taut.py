@@ -106,7 +106,7 @@ class TautMotion:
         ]
 
     def run(self, places: Any, speeds: Any, times: Sequence[float]) -> Any:
-        """Return the positions at the given times, one row per time, from the state at time 0."""
+        """Start from the state at time 0. Return the positions at ``times``, one row per time."""
         state = numpy.concatenate([numpy.ravel(places), numpy.ravel(speeds)]).astype(float)
         time, found = 0.0, []
         for _ in range(EVENTS):

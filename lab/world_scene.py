@@ -24,10 +24,7 @@ class WorldScene(Scene):
     iterations = Choice(100, "most iterations per phase", [1, 3, 10, 30, 100, 300], live=True)
 
     def run(self, step: Callable[[float], object], world: ParticleWorld) -> None:
-        """Set the world of the scene, and record the contacts of the world.
-
-        ``step`` is the function that makes a time step.
-        """
+        """Advance ``world`` with the function ``step`` from now on, and record its contacts."""
         self.make_step = step
         self.owed = 0.0  # s that have passed but have not been simulated yet
         self.contacts = ContactView(world.resolver)

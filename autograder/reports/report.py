@@ -97,9 +97,9 @@ class StudentReport:
 
     ``points`` is the number of points that checks can give. ``by_hand`` is the number of points
     that people have given, and ``waiting`` is the number that they can still give. ``earlier``
-    lists the earlier chapters that the student's graded chapters use. ``submission`` is the digest
-    of the graded files. ``seconds`` is the time that grading took. ``late`` is None if the work has
-    no due date.
+    lists the student's own earlier chapters that the graded chapters use. ``submission`` is the
+    digest of the graded files. ``seconds`` is the time that grading took. ``late`` is None if the
+    work has no due date.
     """
 
     student: str

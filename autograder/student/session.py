@@ -23,7 +23,10 @@ TROUBLE = (GraderError, ValueError, OSError)  # errors of one run, after which w
 
 
 class Session:
-    """The state of the command watch. The current exercise may be open or finished."""
+    """The state of the command watch.
+
+    It knows the current exercise and, if this exercise is finished, the next exercise.
+    """
 
     def __init__(
         self, progress: Progress, engine: list[Path], console: Console, *, has_keys: bool

@@ -1,16 +1,16 @@
 """Check, grade and hand out the chapters of the companion.
 
-These words have a fixed meaning in all packages below:
+All packages below use these words in the same sense:
 
-- An *exercise* is a part of a chapter that a student writes. The *manifest* of a chapter,
-  chapter.toml, lists its exercises, and names the functions to write for each of them.
-- A *check* is a pytest test that decides whether an exercise works. *Physics* checks test the
-  physics, and *robust* checks test bad arguments, overflow and NaN.
-- A *stub* is a file from which students start. The *reference* is our solution in solutions/.
-- An *engine* is a list of folders with chapters. A file in an earlier folder takes precedence over
-  the same file in a later one.
-- A *given* chapter is taken from the reference instead of from the student.
-- A check that fails only because of an earlier chapter is *inherited*. It is *blocked* if an
-  exercise on which it builds fails.
-- A *hand-out* is the folder that students receive. It contains no reference.
+- *Exercise*: A part of a chapter that a student writes. The *manifest* of the chapter,
+  chapter.toml, lists the exercises and, for each exercise, the functions to write.
+- *Check*: A pytest test that decides whether an exercise works. *Physics* checks test the physics.
+  *Robust* checks test bad arguments, overflow and NaN.
+- *Stub*: A file from which students start. The *reference* is our solution in solutions/.
+- *Engine*: A list of folders with chapters. If a file exists in several folders, the first folder
+  takes precedence.
+- *Given* chapter: A chapter that is taken from the reference instead of from the student.
+- *Inherited*: A check is inherited if it fails only because of an earlier chapter. A check is
+  *blocked* if its exercise builds on another exercise that fails.
+- *Hand-out*: The folder that students receive. It does not contain the reference.
 """

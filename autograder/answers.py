@@ -1,6 +1,7 @@
-"""Read written answers from answers.md: each question has a heading, the quoted text and an answer.
+"""Read the written answers from answers.md.
 
-In solutions/ the answer is the model answer, followed by a line RUBRIC and the rubric.
+For each question, the file contains a heading, the quoted question and an answer. In solutions/ the
+answer is the model answer, which is followed by a line RUBRIC and the rubric.
 """
 
 from __future__ import annotations
@@ -22,9 +23,10 @@ ENOUGH = 2  # the fewest words that count as an answer
 
 @dataclass(frozen=True)
 class Section:
-    """One section of answers.md: a question, its answer and, in solutions/, a rubric.
+    """A section of answers.md, with a question and its answer. In solutions/ it also has a rubric.
 
-    ``line`` is the line of the file where the answer begins or belongs.
+    ``line`` is the number of the line where the answer begins. If the answer is missing, it is the
+    line where the answer belongs.
     """
 
     id: str
@@ -54,7 +56,7 @@ class Section:
 
 @dataclass(frozen=True)
 class Question:
-    """A written exercise, with the student's section for it and the problems found there."""
+    """A written exercise, with the student's section and the problems in this section."""
 
     exercise: Exercise
     file: Path
@@ -63,12 +65,12 @@ class Question:
 
     @property
     def answered(self) -> bool:
-        """Whether there is an answer, and no problem has to be corrected before it counts."""
+        """Whether the student has given an answer that has no problems."""
         return self.section is not None and self.section.has_words and not self.problems
 
     @property
     def place(self) -> str:
-        """Where the answer belongs, as path:line, or only the path if the section is missing."""
+        """Where the answer belongs, as path:line. If the section is missing, only the path."""
         return f"{self.file}:{self.section.line}" if self.section else str(self.file)
 
 
@@ -82,10 +84,10 @@ def blank_answers(text: str) -> str:
 
 
 def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
-    """Return the sections of an answers.md file in order.
+    """Split the text of an answers.md file into its sections.
 
     A section begins with a second-level heading. A student may accidentally delete a # or a space,
-    so any heading whose first word is one of the ``ids`` also begins a section.
+    so a heading of any form also begins a section if its first word is in ``ids``.
     """
     known = {*ids}
     lines = text.splitlines()
@@ -95,7 +97,7 @@ def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
 
 
 def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
-    """Return the written exercises of a chapter, each with the student's answer if there is one."""
+    """Return the written exercises of ``chapter``, with the student's answers from ``engine``."""
     exercises = [exercise for exercise in chapter.exercises if exercise.kind == "written"]
     if not exercises:
         return []
@@ -124,9 +126,9 @@ def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
 
 
 def model_answer(chapter: Chapter, exercise: Exercise, root: Path = ROOT) -> Section | None:
-    """Return the section with the model answer and the rubric.
+    """Return the section with the model answer and the rubric of ``exercise``.
 
-    A hand-out has none, so return None.
+    A hand-out contains no model answers, so the result is None there.
     """
     file = root / "solutions" / chapter.name / FILE
     if not file.is_file():
@@ -136,7 +138,10 @@ def model_answer(chapter: Chapter, exercise: Exercise, root: Path = ROOT) -> Sec
 
 
 def _section(lines: list[str], start: int, end: int) -> Section:
-    """Return the section whose heading is at line ``start`` and which ends before line ``end``."""
+    """Read one section.
+
+    Its heading is line ``start``, and the next section starts at line ``end``.
+    """
     heading = lines[start]
     first = start + 1
     while first < end and not lines[first].strip():
@@ -161,7 +166,7 @@ def _first_word(heading: str) -> str:
 
 
 def _is_place(line: str) -> bool:
-    """Return whether a line is the placeholder, or what an edit has left of it."""
+    """Return whether ``line`` is the placeholder, even if the student has damaged it."""
     words, wanted = (" ".join(re.findall(r"\w+", text)) for text in (line.lower(), PLACE.lower()))
     return SequenceMatcher(None, words.strip("_"), wanted.strip("_")).ratio() > 0.8
 
@@ -169,7 +174,10 @@ def _is_place(line: str) -> bool:
 def _problems(
     exercise: Exercise, own: list[Section], strangers: list[Section], file: Path
 ) -> list[str]:
-    """Return the problems that the student must correct before the answer counts, as sentences."""
+    """Describe the problems that the student must correct before the answer counts.
+
+    Each problem is a sentence.
+    """
     heading = f"## {exercise.id}"
     if not file.is_file():
         return [f"{file} is missing. Create it again, with the line '{heading}' above your answer."]

@@ -27,7 +27,7 @@ def clean_line(text: str) -> str:
 
 
 def visible(character: str) -> str:
-    """Return a printable character unchanged, and any other character as an escape sequence."""
+    """Return ``character`` unchanged if it is printable. Otherwise return an escape sequence."""
     return character if character.isprintable() else character.encode("unicode_escape").decode()
 
 

@@ -34,9 +34,8 @@ MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of
 def prepare() -> bool:
     """Set up the output streams, and return whether the required packages are installed.
 
-    If a package is missing, print how to install it. If file names are not encoded in UTF-8,
-    restart the program in Python's UTF-8 mode. This happens, for example, with LC_ALL=C and
-    PYTHONUTF8=0.
+    If a package is missing, print how to install it. If file names are not encoded in UTF-8, as
+    with LC_ALL=C and PYTHONUTF8=0, restart the program in Python's UTF-8 mode.
     """
     if sys.getfilesystemencoding() != "utf-8" and os.environ.get("PYTHONUTF8") != "1":
         os.environ["PYTHONUTF8"] = "1"  # also affects the processes that are started later
@@ -55,19 +54,21 @@ def prepare() -> bool:
 
 
 def advice(error: BaseException) -> str:
-    """Return advice about an error of the file system, or an empty text for any other error."""
+    """Return advice on a file system error. For any other error, return an empty string."""
     number = error.errno if isinstance(error, OSError) else None
     return next((words for numbers, words in ADVICE.items() if number in numbers), "")
 
 
 def sentence(error: Exception) -> str:
-    """Return the text of an error for people to read, with advice if there is any."""
+    """Return the text of ``error`` as a sentence, followed by advice if there is any."""
     what, words = clean(str(error)), advice(error)
     return f"{what}. {words}" if words else what
 
 
 def find_engine(folder: str) -> list[Path]:
-    """Return the folders that make up an engine. Files in the first folder take precedence.
+    """Return the engine for ``folder``, which is a list of folders with chapters.
+
+    If a file exists in several folders, the first folder takes precedence.
 
     Raises:
         ValueError: The folder does not exist.
@@ -80,10 +81,10 @@ def find_engine(folder: str) -> list[Path]:
 
 
 def command(name: str, **variables: str) -> str:
-    """Return the command line that runs a command: with make, or with Python if make is missing.
+    """Return the command line for the command ``name``.
 
-    A browser has no command line, but the buttons on the page have the same names as the make
-    commands.
+    The command line uses make, or Python if make is missing. A student in the browser has no
+    command line, but the buttons on the page have the same names as the make commands.
     """
     if sys.platform == "emscripten" or shutil.which("make"):
         return " ".join(["make", name, *(f"{key}={value}" for key, value in variables.items())])
@@ -97,10 +98,7 @@ def command(name: str, **variables: str) -> str:
 
 
 def engine_variables(engine: list[Path]) -> dict[str, str]:
-    """Return the make variables that select an engine.
-
-    For the student's own engine, none are needed.
-    """
+    """Return the make variables that select ``engine``. The student's own engine needs none."""
     if engine[0] == ROOT / "chapters":
         return {}
     inside = engine[0].is_relative_to(ROOT)
@@ -108,5 +106,8 @@ def engine_variables(engine: list[Path]) -> dict[str, str]:
 
 
 def check_command(engine: list[Path], **arguments: str) -> str:
-    """Return the command that checks this engine again, which is printed as a next step."""
+    """Return the command that checks ``engine`` again.
+
+    Commands print it as the next step.
+    """
     return command("check", **arguments, **engine_variables(engine))

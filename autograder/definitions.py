@@ -23,7 +23,7 @@ def functions(tree: ast.Module) -> dict[str, ast.FunctionDef]:
 
 
 def read_definitions(file: Path) -> set[str] | None:
-    """Return the names that a module defines. Return None if it is missing, empty or unreadable."""
+    """Return the names that ``file`` defines. If it is missing, empty or invalid, return None."""
     try:
         return bound_names(ast.parse(file.read_bytes())) or None
     except (OSError, SyntaxError, ValueError, MemoryError, RecursionError):
@@ -31,10 +31,10 @@ def read_definitions(file: Path) -> set[str] | None:
 
 
 def bound_names(tree: ast.Module) -> set[str]:
-    """Return all names that a module and its classes bind with def, class, = or import.
+    """Return all names that a module and its classes define with def, class, = or import.
 
-    The names have the same form as in ``functions``. A name that is bound with = may be a property,
-    so its setter is included too.
+    The names have the same form as in ``functions``. A name that is assigned with = may be a
+    property, so the result also includes its setter.
     """
     found = set(_bound(tree))
     for node in tree.body:
@@ -44,7 +44,7 @@ def bound_names(tree: ast.Module) -> set[str]:
 
 
 def _bound(scope: ast.AST) -> Iterator[str]:
-    """Yield the names that a module or a class binds itself, but not those in nested scopes."""
+    """Yield the names that a module or a class defines. Names in nested scopes are not included."""
     for node in ast.iter_child_nodes(scope):
         match node:
             case ast.FunctionDef():
@@ -60,7 +60,10 @@ def _bound(scope: ast.AST) -> Iterator[str]:
 
 
 def own_name(edited: str) -> str:
-    """Return the name of a function without its module and class, from its manifest entry."""
+    """Return the name of a function without its module and class.
+
+    ``edited`` is the function's entry in the manifest, such as vector.Vector3.dot.
+    """
     return edited.split(".", 2)[-1]
 
 

@@ -1,4 +1,4 @@
-"""Write files atomically, so that no other program ever reads a half-written file."""
+"""Write files atomically, so that another program never reads a half-written file."""
 
 from __future__ import annotations
 
@@ -9,10 +9,11 @@ LITTLE = 1_000_000  # bytes
 
 
 def replace_bytes(path: Path, content: bytes) -> None:
-    """Write to a temporary file, and then move it to ``path``.
+    """Replace the content of the file ``path`` with ``content``.
 
-    If the program is killed or the disk is full, the old content remains. If ``path`` is a link,
-    the file that it points to is replaced, and the link remains.
+    The content is first written to a temporary file, which is then moved to ``path``. If the
+    program is killed or the disk is full, the old content remains. If ``path`` is a link, the file
+    that it points to is replaced.
     """
     path = path.resolve()
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -30,18 +31,19 @@ def replace_bytes(path: Path, content: bytes) -> None:
 
 
 def is_full(folder: Path) -> bool:
-    """Return whether so little space is left on a folder's disk that programs may fail."""
+    """Return whether the disk of ``folder`` has so little free space that programs may fail."""
     return shutil.disk_usage(folder).free < LITTLE
 
 
 def temporary_of(path: Path) -> Path:
-    """Return the path of the temporary file that will be moved to ``path``."""
+    """Return the path of the temporary file that is later moved to ``path``."""
     return path.with_name(path.name + ".tmp")
 
 
 def is_new(folder: Path, first: Path) -> bool:
-    """Return whether a folder is missing or empty.
+    """Return whether ``folder`` is missing or empty.
 
-    A folder in which a run was killed while it wrote ``first`` counts as empty.
+    A run writes the file ``first`` before any other. If a run was killed while it wrote ``first``,
+    the folder counts as empty.
     """
     return not folder.exists() or {*folder.iterdir()} <= {temporary_of(first)}

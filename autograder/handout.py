@@ -68,11 +68,11 @@ def student_tools(root: Path = ROOT) -> Iterator[Path]:
 def make_handout(
     chapters: list[Chapter], given: list[Chapter], out: Path, root: Path = ROOT, *, about: str = ""
 ) -> None:
-    """Write a hand-out into a new folder, and print a summary of its contents.
+    """Write a hand-out into the new folder ``out``, and print a summary of its contents.
 
-    The hand-out contains ``chapters`` as stubs with their checks. ``given`` chapters are complete
-    and have no checks. Exercises of the manifest that a chapter lacks become optional. ``about`` is
-    the section about the assignment in the README.
+    The hand-out contains ``chapters`` as stubs with their checks. It also contains the ``given``
+    chapters, which are complete and have no checks. If an exercise of the manifest is missing from
+    ``chapters``, it becomes optional. ``about`` is the README section about the assignment.
 
     Raises:
         ValueError: A chapter is in both lists, or the folder is not empty.
@@ -150,7 +150,7 @@ def _remove_dead_links(out: Path) -> None:
 
 
 def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:
-    """Write a chapter's manifest and exercise table with the points of the assigned exercises."""
+    """Write the manifest and the exercise table of ``chapter`` with its points."""
     whole = for_students(load_chapter(source), chapter)
     text = (source / "chapter.toml").read_text(encoding="utf-8")
     if whole != load_chapter(source):

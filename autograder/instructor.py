@@ -15,7 +15,7 @@ from autograder.release import commands as release
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add the instructor's commands to the command line.
 
-    The module that a command needs is imported only when the command runs, so that `check` starts
+    Each command imports the modules that it needs only when it runs. As a result, `check` starts
     quickly.
     """
     unsafe = "grade without a sandbox if this machine has none; only for a class that you trust"

@@ -1,8 +1,8 @@
-"""A base for the servers of local pages, which answer requests only from their own page.
+"""Provide a base for local servers, which answer only requests from their own page.
 
-A site listens on 127.0.0.1 only. Its addresses begin with a random token that no other page and no
-other user of the machine can guess. Requests for another host name, or from a page of another
-origin, are refused.
+A site listens only on 127.0.0.1. Its addresses begin with a random token, which other pages and
+other users of the machine cannot guess. A request is refused if it is for another host name or
+comes from a page of another origin.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class Site:
         return f"http://127.0.0.1:{self.port}/{self.token}/"
 
     def listen(self, application: Application, port: int = 0) -> None:
-        """Start to serve on this port, or on any free port if it is 0.
+        """Start to listen on ``port``. If ``port`` is 0, use any free port.
 
         The caller must have a running event loop.
         """
@@ -46,13 +46,16 @@ class Site:
         HTTPServer(application).add_sockets(sockets)
 
     def check_host(self, request: HTTPServerRequest) -> None:
-        """Refuse a request for another host name. A foreign page may point its own name at us."""
+        """Refuse a request for another host name.
+
+        A foreign page may point its own name at this server.
+        """
         if request.host not in (f"127.0.0.1:{self.port}", f"localhost:{self.port}"):
             raise HTTPError(403)
 
 
 def is_own_page(request: HTTPServerRequest, origin: str) -> bool:
-    """Return whether a request comes from our own page, which alone may change data."""
+    """Return whether ``request`` comes from our own page. No other page may change data."""
     try:
         return urlsplit(origin).netloc == request.host
     except ValueError:  # no address at all, such as http://[

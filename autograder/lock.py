@@ -1,4 +1,4 @@
-"""Read stubs.lock, which contains a hash of every file from which students start."""
+"""Read stubs.lock, which contains a hash of each file that students start from."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ LOCK_NAME = "stubs.lock"
 
 
 def stub_hash(text: str) -> str:
-    """Return the hash of a text, as it is stored in stubs.lock."""
+    """Compute the hash of ``text`` that is stored in stubs.lock."""
     return hashlib.sha256(text.encode("utf-8")).hexdigest()
 
 
 def read_lock(root: Path = ROOT) -> dict[str, str]:
-    """Return the hashes in stubs.lock, keyed by path. If there is no lock, return an empty dict."""
+    """Read stubs.lock, and return the hash of each path. If the file is missing, return {}."""
     path = root / LOCK_NAME
     if not path.exists():
         return {}

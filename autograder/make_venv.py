@@ -1,8 +1,8 @@
 """Create .venv, and install the packages that requirements.lock pins.
 
 `make` runs this script before its first command. Without make, run it directly: python3
-autograder/make_venv.py. It uses only syntax that Python 3.6 understands. An old Python can
-therefore run it and report that it is too old, instead of failing with a syntax error.
+autograder/make_venv.py. The script uses only syntax that Python 3.6 understands. If Python is too
+old, the script can therefore report that, instead of failing with a syntax error.
 """
 
 import os
@@ -18,7 +18,7 @@ NETWORK_WORDS = ("connection broken", "name resolution", "read timed out", "is u
 
 
 def stop(sentence: str) -> None:
-    """Print a sentence and exit. Because .venv/ready is missing, the next run starts over."""
+    """Print ``sentence`` and exit. The next run starts over, because .venv/ready is missing."""
     sys.exit(f"Cannot set up: {sentence}")
 
 

@@ -16,11 +16,10 @@ FOLDER_NAME = re.compile(r"ch(\d\d)_[a-z0-9_]+")
 
 @dataclass(frozen=True)
 class Exercise:
-    """One exercise or build task of a chapter.
+    """An exercise or build task of a chapter.
 
-    In an assignment of a course, an exercise may be ``extra`` credit, whose points are added on top
-    of the total. In the hand-out of an assignment, exercises that are not assigned are
-    ``optional``.
+    In an assignment, an exercise can be ``extra`` credit. Its points are then added on top of the
+    total. If an exercise is not assigned, it is ``optional`` in the hand-out of the assignment.
     """
 
     id: str
@@ -42,13 +41,12 @@ class Exercise:
 
 @dataclass(frozen=True)
 class Chapter:
-    """A chapter: its folder name (which is also its package), number, title and exercises.
+    """A chapter with its folder name (which is also its package), number, title and exercises.
 
     ``complete`` lists the modules that students use unchanged, such as cloth.py. ``builds_on``
-    lists the numbers of the chapters that its modules import, and None stands for all earlier
-    chapters. ``summary`` describes the chapter in one sentence. ``you_can`` lists what students can
-    do when they have finished it. ``picture`` is the name of the plot that illustrates the chapter
-    best.
+    lists the numbers of the chapters that its modules import. None means all earlier chapters.
+    ``summary`` describes the chapter in one sentence. ``you_can`` lists what students can do after
+    the chapter. ``picture`` names the plot that illustrates the chapter best.
     """
 
     name: str
@@ -74,11 +72,14 @@ class Chapter:
 
     @property
     def handed_in(self) -> list[str]:
-        """All files that are copied from a submission: the edited modules and the data files."""
+        """All files that are copied from a submission.
+
+        These are the edited modules and the data files.
+        """
         return [*self.edited_files, *self.data_files]
 
     def exercise(self, exercise_id: str) -> Exercise:
-        """Return the exercise with this id.
+        """Return the exercise whose id is ``exercise_id``.
 
         Raises:
             ValueError: The chapter has no such exercise.
@@ -128,14 +129,15 @@ def _read_chapter(path: Path, text: str) -> Chapter:
 
 
 def load_chapters(root: Path = ROOT) -> list[Chapter]:
-    """Read the manifest of every chapter below root/chapters, ordered by chapter number."""
+    """Read the manifest of every chapter in ``root``/chapters. Sort the chapters by number."""
     return [load_chapter(path.parent) for path in sorted(root.glob("chapters/*/chapter.toml"))]
 
 
 def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], list[Chapter]]:
-    """Split chapters into those that a text such as "2,4-6" names as given, and the others.
+    """Split ``chapters`` into the given chapters and the other chapters.
 
-    An empty text names no chapter.
+    ``numbers`` lists the given chapters, such as "2,4-6". An empty text means that no chapter is
+    given.
 
     Raises:
         ValueError: All chapters are given, or ``select_chapters`` rejects the text.
@@ -148,7 +150,10 @@ def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], l
 
 
 def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
-    """Raise ValueError if the chapter of an exercise is among the given chapters, such as "2-5"."""
+    """Raise ValueError if ``chapter`` is one of the given chapters.
+
+    ``numbers`` lists the given chapters, such as "2-5".
+    """
     if numbers and chapter in select_chapters(numbers):
         raise ValueError(
             f"exercise {exercise.id} is in chapter {chapter.number}, which is given. The "
@@ -165,7 +170,9 @@ def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
 
 
 def select_chapters(numbers: str) -> list[Chapter]:
-    """Return the chapters that a text such as "2,4-6" names. An empty text names all chapters.
+    """Return the chapters whose numbers are in ``numbers``, such as "2,4-6".
+
+    If ``numbers`` is empty, return all chapters.
 
     Raises:
         ValueError: The text has another form, or it names a chapter that does not exist.
@@ -188,7 +195,7 @@ def select_chapters(numbers: str) -> list[Chapter]:
 
 
 def numbers_of(chapters: list[Chapter]) -> str:
-    """Return the numbers of chapters in the form that commands accept, such as 2 or 2-5."""
+    """Format the numbers of ``chapters`` as commands accept them, such as "2" or "2-5"."""
     first, last = chapters[0].number, chapters[-1].number
     return str(first) if first == last else f"{first}-{last}"
 
@@ -220,10 +227,10 @@ def _are_words(value: object) -> bool:
 
 
 def _check_needs(path: Path, chapter: Chapter) -> None:
-    """Check that ids are unique, and that exercises need only those listed before them.
+    """Check that the ids are unique and that each exercise is listed after its prerequisites.
 
     Raises:
-        ValueError: An id appears twice, or an exercise needs one that is not listed before it.
+        ValueError: An id appears twice, or an exercise is listed before one of its prerequisites.
     """
     seen: set[str] = set()
     for exercise in chapter.exercises:

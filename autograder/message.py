@@ -1,4 +1,7 @@
-"""The message of a check as data, which screens, pages and files format in their own ways."""
+"""Represent the message of a check as data.
+
+Screens, pages and files format it in different ways.
+"""
 
 from __future__ import annotations
 
@@ -40,13 +43,13 @@ class Place:
 
 @dataclass(frozen=True)
 class Message:
-    """The message in which a check reports its outcome to a student. Empty parts are not shown.
+    """The message that tells a student the outcome of a check. Empty parts are not shown.
 
-    ``title`` is a sentence that fits under none of the labels. ``got`` must equal ``wanted`` to
-    within ``tolerance``, or exactly if the tolerance is 0. ``where`` is a line of the student's
-    code. ``likely`` is the likely cause of the failure, and ``other`` is a second possible cause.
-    ``exercise`` names the exercise that contains a function that is not written yet. ``blocked_by``
-    lists the exercises that must pass first.
+    ``title`` is a sentence without a label. ``got`` must equal ``wanted`` to within ``tolerance``,
+    or exactly if the tolerance is 0. ``where`` is a line of the student's code. ``likely`` is the
+    likely cause of the failure, and ``other`` is a second possible cause. If a function is not
+    written yet, ``exercise`` names the exercise in which to write it. ``blocked_by`` lists the
+    exercises that must pass first.
     """
 
     title: str = ""
@@ -68,7 +71,7 @@ class Message:
         return self != NOTHING
 
     def changed(self, change: Callable[[str], str]) -> Message:
-        """Return a copy of the message in which ``change`` has been applied to every text."""
+        """Return a copy of the message with ``change`` applied to every text."""
         values: dict[str, Any] = {
             field.name: change(value)
             for field in fields(self)
@@ -114,7 +117,7 @@ class Message:
 
 
 def one_per_line(call: str) -> str:
-    """Put each statement of a long call on its own line. Text inside brackets is kept together."""
+    """Put each statement of a long call on its own line. Do not split text inside brackets."""
     if len(call) <= LONG_CALL:
         return call
     lines, depth = [""], 0
@@ -128,9 +131,9 @@ def one_per_line(call: str) -> str:
 
 
 def laid_out(rows: list[Row]) -> str:
-    """Format rows as text, with each label in front and its text beginning at column 10.
+    """Format ``rows`` as text. Each row starts with its label, and its text starts at column 10.
 
-    Continuation lines are indented too, so that their text cannot be mistaken for a label.
+    Continuation lines are indented too, so that nobody mistakes their text for a label.
     """
     lines = []
     for label, words in rows:
@@ -143,7 +146,10 @@ NOTHING = Message()
 
 
 class ExpectationError(AssertionError):
-    """Raised when a student's code does not meet an expectation. It carries the check's message."""
+    """Raised when a student's code does not meet an expectation.
+
+    It contains the check's message.
+    """
 
     def __init__(self, message: Message) -> None:
         super().__init__(message)

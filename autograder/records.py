@@ -1,8 +1,7 @@
 """Convert frozen dataclasses to JSON data and back.
 
-The data may come from another process or from an older version of the program, so it may not fit.
-Every value is therefore checked against the type of its field. If one does not match, the error
-names it.
+The data may come from another process or from an older version of the program, so every value is
+checked against the type of its field. If a value does not match, the error names the value.
 """
 
 from __future__ import annotations
@@ -43,9 +42,9 @@ def to_json(value: Any) -> Any:
 
 
 def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
-    """Build a record of the given kind from JSON data.
+    """Create a record of type ``kind`` from JSON data.
 
-    ``what`` names the data in error messages.
+    ``what`` is a name for the data in error messages.
 
     Raises:
         RecordError: A value is missing, unknown or of the wrong type.
@@ -69,9 +68,9 @@ def _fields(kind: type) -> list[tuple[str, Any]]:
 
 @cache
 def _reader(kind: Any) -> Callable[[Any, str], Any]:
-    """Return a function that reads data of this type.
+    """Return a function that reads a value of type ``kind``.
 
-    The function takes the data and a name for them, which appears in error messages.
+    The function takes the data and a name for the data, which appears in error messages.
     """
     origin, arguments = typing.get_origin(kind), typing.get_args(kind)
     if is_dataclass(kind):
@@ -112,9 +111,9 @@ def _record_reader(kind: type) -> Callable[[Any, str], Any]:
 
 
 def _union_reader(kinds: tuple[Any, ...]) -> Callable[[Any, str], Any]:
-    """Return a function that reads any one of several types.
+    """Return a function that reads a value of any type in ``kinds``.
 
-    If none of them fits, the function raises the error of the first type.
+    If no type fits, the function raises the error of the first type.
     """
     readers = [_reader(kind) for kind in kinds if kind is not type(None)]
 

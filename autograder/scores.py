@@ -17,8 +17,8 @@ PHYSICS_SHARE = 0.85  # of an exercise's points, if it also has robust checks
 class Result:
     """The result of an exercise, with the verdicts on its checks.
 
-    The score is None while it is unknown. This is the case for a written answer that nobody has
-    marked yet, and for an exercise on which the grader failed.
+    The score is None while it is unknown. It is unknown if nobody has marked a written answer yet,
+    or if the grader failed on the exercise.
     """
 
     exercise: Exercise
@@ -56,11 +56,11 @@ def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
 
 
 def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
-    """Return the result of one exercise. It earns points by the weight of the checks that pass.
+    """Compute the result of ``exercise``. The points depend on the weights of the passing checks.
 
     If the exercise has both tiers, the physics checks earn PHYSICS_SHARE of the points and the
-    robust checks earn the rest. The status depends on the physics checks alone until all of them
-    pass. An exercise without checks is an error of the grader, so it does not score zero.
+    robust checks earn the rest. The status depends only on the physics checks until all of them
+    pass. If an exercise has no checks, this is an error of the grader, so the score is not zero.
     """
     if exercise.kind == "written":
         return Result(exercise, "waiting", None, [])
@@ -87,9 +87,9 @@ def _passing(checks: Sequence[Verdict]) -> float:
 
 
 def total(results: Iterable[Result]) -> tuple[float | None, float]:
-    """Return the points earned, and the points that checks can give without written answers.
+    """Return the points earned and the possible points. Written answers are not included.
 
-    If the grader failed on an exercise, the points earned are None, because they are unknown. Extra
+    If the grader failed on an exercise, the points earned are unknown, so they are None. Extra
     credit adds to the points earned but not to the possible points. Optional exercises do not
     count.
     """

@@ -1,8 +1,8 @@
-"""Generate the stubs in chapters/, from which students start, from the solutions.
+"""Generate the stubs in chapters/ from the solutions. Students start from the stubs.
 
-The bodies of the functions that a manifest names become ``raise NotImplementedError``. Their
-signatures and docstrings stay. stubs.lock contains a hash of every stub. The hash shows whether a
-stub has been edited, and an edited stub is never overwritten.
+The manifest names the functions that students write. In a stub, their bodies become ``raise
+NotImplementedError``, and their signatures and docstrings stay. stubs.lock contains a hash of every
+stub, which shows whether the stub has been edited. An edited stub is never overwritten.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ KEPT = "stubs"  # the folder of a hand-out with the original stubs
 
 
 def make_stubs(root: Path = ROOT) -> dict[str, str]:
-    """Return the text of every stub, keyed by its path, such as chapters/ch02_vectors/vector.py."""
+    """Generate all stubs. Return their texts by path, such as chapters/ch02_vectors/vector.py."""
     stubs = {}
     for chapter in load_chapters(root):
         solution = root / "solutions" / chapter.name
@@ -45,7 +45,7 @@ def make_stubs(root: Path = ROOT) -> dict[str, str]:
 
 
 def stub_of(chapter: Chapter, file: str, root: Path = ROOT) -> str:
-    """Return the text of the stub for one module, such as vector.py.
+    """Generate the stub of the module ``file``, such as vector.py, and return its text.
 
     Raises:
         OSError: The solution cannot be read.
@@ -56,12 +56,12 @@ def stub_of(chapter: Chapter, file: str, root: Path = ROOT) -> str:
 
 @cache
 def _stub_of_text(source: str, messages: tuple[tuple[str, str], ...]) -> str:
-    """Return the stub for a source text. The result is cached, because libcst is slow."""
+    """Generate the stub for a source text. The result is cached, because libcst is slow."""
     return stub_module(source, dict(messages))
 
 
 def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
-    """Return the original stub of a module, or None if it is not available.
+    """Return the original stub of a module, or None if the stub is not available.
 
     The stub is generated from the reference. A hand-out does not contain the reference, so it keeps
     its original stubs in a folder.
@@ -73,9 +73,9 @@ def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
 
 
 def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
-    """Write the stubs and the lock. Return the paths that were written, and those left alone.
+    """Write the stubs and the lock. Return the paths of written stubs and of edited stubs.
 
-    A stub that has been edited is left alone.
+    A stub that has been edited is not overwritten.
     """
     locked = read_lock(root)
     written, left_alone = [], []
@@ -119,9 +119,9 @@ def complete_hashes(root: Path = ROOT) -> dict[str, str]:
 
 
 def _read(file: Path) -> str | None:
-    """Return the text of a file, or None if the file does not exist.
+    """Return the text of ``file``, or None if the file does not exist.
 
-    Invalid UTF-8 is replaced with other characters, so a file that contains any counts as edited.
+    Invalid UTF-8 is replaced with other characters, so a file with invalid UTF-8 counts as edited.
     """
     return file.read_text(encoding="utf-8", errors="replace") if file.exists() else None
 
@@ -160,7 +160,7 @@ def stub_module(source: str, messages: dict[str, str], kept: Collection[str] = (
 
 
 def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
-    """Return the message that the stub of each edited function in a file raises, keyed by name."""
+    """Return the messages that stubs of the module ``file`` raise, by the function's name."""
     prefix = file.removesuffix(".py") + "."
     return {
         name.removeprefix(prefix): f"Exercise {exercise.id}: {exercise.title}"
@@ -228,7 +228,7 @@ def _private_constant(statement: cst.CSTNode) -> str | None:
 
 
 def without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
-    """Return the module with a raise statement in place of each body that ``messages`` names."""
+    """Replace the body of each function in ``messages`` with a raise statement."""
     bodies = {
         name: f"raise NotImplementedError({json.dumps(message)})"
         for name, message in messages.items()
@@ -237,7 +237,7 @@ def without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
 
 
 def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
-    """Return the module with new bodies for the named functions. Their docstrings are kept."""
+    """Replace the bodies of the functions in ``bodies``. Keep their docstrings."""
 
     def changed(node: Any, prefix: str = "") -> Any:
         if isinstance(node, cst.ClassDef):

@@ -83,7 +83,7 @@ def _serve(options: argparse.Namespace) -> int:
 def _play(options: argparse.Namespace) -> int:
     """Play a scene in a window.
 
-    If there is no display, or on request, record it to files instead.
+    If there is no display, or if the options ask for it, record the scene to files instead.
     """
     find(options.scene)
     if options.seconds is not None and not 0.0 < options.seconds < math.inf:
@@ -122,6 +122,8 @@ def settings_of(options: argparse.Namespace) -> dict[str, str]:
 
 def first_query(scene: str, chapter: int | None, settings: dict[str, str]) -> str:
     """Return the query string of the address that the browser opens first.
+
+    It contains ``scene``, or else the first scene of ``chapter``, and the values in ``settings``.
 
     Raises:
         ValueError: The scene does not exist, or the chapter has no scenes.

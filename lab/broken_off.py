@@ -10,10 +10,10 @@ TIME_LIMIT = 2.5  # s per message; a message normally takes a few milliseconds
 
 
 def why_it_broke_off(stack: str, engine: list[Path]) -> str:
-    """Return an explanation of why the engine stopped.
+    """Explain why the process of the engine stopped.
 
-    If its time was up, ``stack`` is the stack trace that it wrote. If the stack is empty, the
-    process ended by itself.
+    If the process ran out of time, ``stack`` is the stack trace that it wrote. If ``stack`` is
+    empty, the process ended by itself.
     """
     if stack:
         return str(explain_hang(stack, TIME_LIMIT, engine))

@@ -15,7 +15,7 @@ FOLDER = Path(__file__).parent / "scenes"
 
 @dataclass(frozen=True)
 class Entry:
-    """Where a scene is defined. This information is available without importing an engine."""
+    """The place where a scene is defined. Reading an entry does not import an engine."""
 
     name: str
     title: str
@@ -45,10 +45,10 @@ def entries() -> tuple[Entry, ...]:
 
 
 def find(name: str) -> Entry:
-    """Return the entry of the scene with this name.
+    """Return the entry of the scene ``name``.
 
     Raises:
-        ValueError: There is no such scene. The message lists all scenes.
+        ValueError: The scene does not exist. The message lists all scenes.
     """
     for entry in entries():
         if entry.name == name:
@@ -59,7 +59,7 @@ def find(name: str) -> Entry:
 
 
 def load(name: str) -> type[Scene]:
-    """Import a scene, together with the chapters of the engine that it uses."""
+    """Import the scene ``name``, and return its class. This also imports the engine's chapters."""
     entry = find(name)
     scene: type[Scene] = getattr(importlib.import_module(entry.module), entry.kind)
     return scene

@@ -1,7 +1,7 @@
-"""The process that runs a student's code and exchanges JSON messages, one per line.
+"""Run a student's code in a process that exchanges JSON messages, one per line.
 
-If the answer to a message takes longer than TIME_LIMIT, the process writes a stack trace to the
-file that ``--stack`` names, and exits.
+If an answer takes longer than TIME_LIMIT, the process writes a stack trace to the file that
+``--stack`` names, and exits.
 """
 
 from __future__ import annotations
@@ -60,11 +60,11 @@ def answered(host: Host, line: bytes) -> list[str]:
 
 
 def as_json(answer: Message) -> str:
-    """Return an answer as one line of JSON.
+    """Format ``answer`` as one line of JSON.
 
     Raises:
-        ValueError: A number in it is infinite or NaN, which JSON does not allow.
-        TypeError: It contains something that is not plain data.
+        ValueError: The answer contains an infinite number or NaN. JSON allows neither.
+        TypeError: The answer contains a value that is not plain data.
     """
     return json.dumps(answer, separators=(",", ":"), allow_nan=False)
 

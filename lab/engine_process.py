@@ -1,4 +1,4 @@
-"""Start, query and stop the processes that run students' code. The server uses this module."""
+"""Start the processes that run students' code, send them messages, and stop them."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ LONGEST_RECORDING = 120.0  # s
 class EngineProcess:
     """The process that runs an engine for one open page.
 
-    It starts when the first message arrives.
+    The process starts when the first message arrives.
     """
 
     def __init__(self, engine: str, given: str = "") -> None:

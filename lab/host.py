@@ -1,7 +1,7 @@
-"""The engine host, which runs one scene on an engine and is controlled by messages.
+"""Run one scene on an engine, controlled by messages.
 
-The host does not depend on pages, sockets or processes, so the local server and the course's site
-can both use it. A message is a dict with a ``kind``. It contains only numbers, texts, lists and
+The host does not depend on pages, sockets or processes, so both the local server and the course's
+site can use it. A message is a dict with a ``kind``. It contains only numbers, texts, lists and
 dicts, so that it can be sent as JSON.
 """
 
@@ -35,7 +35,7 @@ class Host:
         self.cost = 0.0  # microseconds per frame, a running mean
 
     def receive(self, message: Message) -> list[Message]:
-        """Return the answers to a message. An invalid message also gets an answer."""
+        """Carry out ``message``, and return the answers. An invalid message gets an answer too."""
         try:
             return self._answer(message)
         except (Exception, SystemExit) as error:
@@ -73,7 +73,7 @@ class Host:
         return [self._frame()]
 
     def _load(self, name: str, values: dict[str, object], peer: str) -> list[Message]:
-        """Build a scene. Any invalid value is rejected, and the default is used instead."""
+        """Build the scene ``name``. If a value is invalid, use the default and report the error."""
         self.scene = None
         kind = load(name)
         if peer and peer not in kind.peers:
@@ -93,7 +93,7 @@ class Host:
         return [self._frame()]
 
     def _set(self, name: str, value: object) -> list[Message]:
-        """Change a parameter. Rebuild the scene unless it is running and the parameter is live."""
+        """Change a parameter. Rebuild the scene, unless it is running and the parameter is live."""
         assert self.kind is not None, "a scene must be loaded first"
         if refused := self._keep(name, value):
             return refused
@@ -103,7 +103,7 @@ class Host:
         return [self._frame()]
 
     def _keep(self, name: str, value: object) -> list[Message]:
-        """Store the value of a parameter. If it is invalid, return a message that explains why."""
+        """Store the value of a parameter. If it is invalid, return a message with the reason."""
         assert self.kind is not None
         parameter = parameters_of(self.kind).get(name)
         if parameter is None:
@@ -124,7 +124,7 @@ class Host:
         return [self._frame()]
 
     def _frame(self) -> Message:
-        """Return the current state: drawn items, charted values, the cost and a description."""
+        """Describe the current state: drawn items, charted values, the cost and a sentence."""
         scene = self.scene
         assert scene is not None
         pen = Pen()

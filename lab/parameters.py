@@ -8,11 +8,11 @@ from typing import Any
 
 
 class Parameter:
-    """A value that the reader can change, defined as a class attribute of a scene.
+    """A value that the reader can change. It is defined as a class attribute of a scene.
 
-    On an instance of the scene, the attribute holds the current value, so ``self.stiffness`` is a
-    number. A ``live`` parameter can change while the scene runs. If any other parameter changes,
-    the scene is built again.
+    On an instance of the scene, the attribute is the current value, so ``self.stiffness`` is a
+    number. A ``live`` parameter can change while the scene runs. When another parameter changes,
+    the scene is rebuilt.
     """
 
     def __init__(self, default: Any, label: str, unit: str, *, live: bool) -> None:
@@ -29,7 +29,7 @@ class Parameter:
         return self if scene is None else scene.values[self.name]
 
     def checked(self, value: object) -> Any:
-        """Return the value, converted to the right type. Raise ValueError if it is not allowed."""
+        """Convert ``value`` to the right type. Raise ValueError if it is not allowed."""
         raise NotImplementedError
 
     def described(self) -> dict[str, Any]:
@@ -44,7 +44,7 @@ class Parameter:
 
 
 class Slider(Parameter):
-    """A number between ``low`` and ``high``, which the reader sets with a slider.
+    """A number that the reader sets with a slider between ``low`` and ``high``.
 
     The slider moves in steps of ``step``. If ``log`` is true, its scale is logarithmic.
     """
@@ -68,7 +68,7 @@ class Slider(Parameter):
         self.log = log
 
     def checked(self, value: object) -> float:
-        """Return the number as a float. Raises ValueError if it is outside the range."""
+        """Convert ``value`` to a float. Raise ValueError if it is outside the range."""
         if isinstance(value, str):
             try:
                 value = float(value)
@@ -123,6 +123,6 @@ class Choice(Parameter):
 
 
 def _plain(name: object) -> str:
-    """Return the name of an option in the form in which it is typed on a command line."""
+    """Convert the name of an option to the form that is typed on a command line."""
     text = f"{name:g}" if isinstance(name, float) else str(name)
     return text.lower().replace(" ", "-")

@@ -1,7 +1,6 @@
 """Play a scene in a window, or record a scripted run of the scene to files.
 
-The files are an animation, an overview of still pictures from it, and a table of the charted
-values.
+The files are an animation, an overview with still pictures, and a table of the charted values.
 """
 
 from __future__ import annotations
@@ -72,7 +71,7 @@ def record(scene: Scene, folder: Path, seconds: float | None = None) -> list[Pat
 
 
 def show(scene: Scene) -> None:
-    """Play a scene in a window until the window is closed. Exceptions of the engine are raised."""
+    """Play ``scene`` in a window until the window is closed. Errors of the engine are raised."""
     for setting in matplotlib.rcParams:
         if setting.startswith("keymap."):  # leave the keys to the scene
             matplotlib.rcParams[setting] = ["q"] if setting == "keymap.quit" else []
@@ -114,7 +113,7 @@ def show(scene: Scene) -> None:
 
 
 def _row(scene: Scene) -> dict[str, float | None]:
-    """Return a row of the table: the time, the charted values, and the error if there is one."""
+    """Return a row of the table: the time, the charted values, and the error if it is known."""
     error = scene.error()
     found: dict[str, float | None] = {"time, s": round(scene.time, 6), **scene.chart()}
     return found if error is None else found | {f"error, {scene.error_unit}": error}

@@ -17,8 +17,8 @@ FRAME = 1.0 / 60.0  # s per frame
 class Question:
     """A question that the reader answers before the scene runs.
 
-    ``answer`` is a function that returns the index of the correct option for the scene's current
-    parameters. ``why`` explains, in a sentence or two, what the reader has seen after ``seconds``.
+    ``answer`` is a function that returns the index of the correct option for the current
+    parameters. The scene runs for ``seconds``. Then ``why`` explains what the reader has seen.
     """
 
     words: str
@@ -82,7 +82,7 @@ class Scene:
         return []
 
     def exact(self, time: float) -> list[float] | None:  # noqa: ARG002 - subclasses use it
-        """Return the exact coordinates at a time, or None if there is no exact solution."""
+        """Return the exact coordinates at ``time``. If there is no exact solution, return None."""
         return None
 
     def say(self) -> str:
@@ -103,7 +103,7 @@ class Scene:
         """Move the draggable circle with this name to a point."""
 
     def play(self, time: float) -> None:
-        """Act as a player would at this time.
+        """Do what a player would do at ``time``, which is in s.
 
         Recordings and tests call this method before each frame.
         """
@@ -114,7 +114,10 @@ class Scene:
         self.time += duration
 
     def error(self) -> float | None:
-        """Return the largest error of any coordinate, or None if there is no exact solution."""
+        """Return the largest error of any coordinate.
+
+        If there is no exact solution, return None.
+        """
         exact = self.exact(self.time)
         if exact is None:
             return None
@@ -133,13 +136,13 @@ def parameters_of(scene: type[Scene]) -> dict[str, Parameter]:
 
 
 def name_of(scene: type[Scene]) -> str:
-    """Return the name of a scene in addresses and commands: OneSpring becomes one-spring."""
+    """Return the scene's name for addresses and commands: OneSpring becomes one-spring."""
     letters = [f"-{c.lower()}" if c.isupper() else c for c in scene.__name__]
     return "".join(letters).removeprefix("-")
 
 
 def described(scene: type[Scene]) -> dict[str, Any]:
-    """Return the data that a page needs to show a scene before it runs."""
+    """Return the data with which a page shows ``scene`` before the scene runs."""
     question = scene.predict
     return {
         "name": name_of(scene),

@@ -1,4 +1,4 @@
-"""The lab's web server, which serves the page and connects each open page to an engine."""
+"""Run the lab's web server. It serves the page and connects each open page to an engine."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ class Lab(Site):
 
 
 class Scenes(Handler):
-    """Serves the list of scenes and engines, for which no engine has to be imported."""
+    """Serves the list of scenes and engines. This does not import any engine."""
 
     site: Lab
 
@@ -99,7 +99,7 @@ class EngineSocket(WebSocketHandler):
             raise HTTPError(403)
 
     def check_origin(self, origin: str) -> bool:
-        """Return whether a socket is opened by our own page. All others are refused."""
+        """Return whether our own page opens the socket. Sockets of other pages are refused."""
         return is_own_page(self.request, origin)
 
     def open(self) -> None:

@@ -21,7 +21,7 @@ RATES = (15.0, 30.0, 60.0, 120.0, 240.0, 480.0)
 
 
 class Stepped(Scene):
-    """A scene with particles and a force registry, which ``build`` must create."""
+    """A scene with particles and a force registry. The method ``build`` must create both."""
 
     integrator = Choice("semi-implicit Euler", "integrator", [*STEPS], live=True)
     rate = Choice(60.0, "steps per second", RATES, "Hz", live=True)

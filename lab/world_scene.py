@@ -24,7 +24,7 @@ class WorldScene(Scene):
     iterations = Choice(100, "most iterations per phase", [1, 3, 10, 30, 100, 300], live=True)
 
     def run(self, step: Callable[[float], object], world: ParticleWorld) -> None:
-        """From now on, advance this world by calling ``step``, and record the world's contacts."""
+        """Advance ``world`` with the function ``step`` from now on, and record its contacts."""
         self.make_step = step
         self.owed = 0.0  # s that have passed but have not been simulated yet
         self.contacts = ContactView(world.resolver)
@@ -48,7 +48,7 @@ class WorldScene(Scene):
         self.make_step(duration)
 
     def used(self) -> dict[str, float]:
-        """Return the number of iterations in the last step, as a value to plot over time."""
+        """Return the number of iterations in the last step as a charted value."""
         return {"iterations used": float(self.contacts.iterations_used)}
 
 

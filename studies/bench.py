@@ -51,7 +51,7 @@ def main(arguments: list[str]) -> int:
 
 
 def every(console: Console) -> list[Measurement]:
-    """Return all measurements in order, and print which libraries are not installed."""
+    """Take all measurements in order, and return them. Print which libraries are missing."""
     # These modules import chapters.
     from studies.benchmarks import (
         accuracy,

@@ -52,7 +52,7 @@ class Picture:
 
 
 def tell(figure: Figure, notes: Sequence[str]) -> None:
-    """Write below a picture why some of its scenes ended early.
+    """Write ``notes`` below the picture. They explain why some scenes ended early.
 
     At most three notes are shown in full.
     """
@@ -66,7 +66,7 @@ def tell(figure: Figure, notes: Sequence[str]) -> None:
 def arrow(
     axes: Axes, tip: Numbers, label: str, color: str, *, tail: Numbers = (0, 0, 0), style: str = "-"
 ) -> None:
-    """Draw an arrow in the X-Y plane with its label. If a number is NaN, draw nothing."""
+    """Draw an arrow in the X-Y plane with its label. If a coordinate is NaN, draw nothing."""
     if not is_drawable(tip, tail):
         return
     arrowprops = {"arrowstyle": "-|>", "color": color, "linestyle": style, "lw": 2.0}
@@ -78,7 +78,7 @@ def arrow(
 def arrow_3d(
     axes: Any, tip: Numbers, label: str, color: str, style: str = "-", tail: Numbers = (0, 0, 0)
 ) -> None:
-    """Draw an arrow in a view in which +Y points up. If a number is NaN, draw nothing.
+    """Draw an arrow in a view where +Y points up. If a coordinate is NaN, draw nothing.
 
     The label is placed beyond the tip and may be empty.
     """
@@ -104,7 +104,7 @@ def axes_3d(figure: Figure, place: Any, size: float) -> Any:
 
 
 def slope(x: Sequence[float], y: Sequence[float]) -> float:
-    """Return the slope of y over x on logarithmic axes by least squares, or NaN for a zero."""
+    """Fit a line to y over x on logarithmic axes. Return its slope, or NaN if a value is 0."""
     if not all(value > 0.0 for value in (*x, *y)):
         return math.nan
     return statistics.linear_regression([*map(math.log, x)], [*map(math.log, y)]).slope
@@ -113,10 +113,10 @@ def slope(x: Sequence[float], y: Sequence[float]) -> float:
 def growth_map(
     axes: Axes, x: Sequence[float], y: Sequence[float], grown: Sequence[Sequence[float]]
 ) -> Any:
-    """Color each cell of a map by the factor by which a step multiplies oscillations.
+    """Draw a map in which the color of a cell shows the growth of oscillations per step.
 
-    ``grown`` has one row per y. Values beyond an end of the color scale get the color of that end.
-    Pass the result to ``growth_bar``.
+    ``grown`` has one row per y. If a value is beyond an end of the color scale, its cell gets the
+    color of this end. Pass the result to ``growth_bar``.
     """
     shades = [[_shade(value) for value in row] for row in grown]
     return axes.pcolormesh(x, y, shades, cmap=GROWTH, norm=LogNorm(0.25, 4.0))

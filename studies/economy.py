@@ -1,8 +1,8 @@
-"""Measure the cost of those parts of a model that its scene does not need, and draw it as bars.
+"""Measure what parts of a model cost that its scene does not need, and draw the costs as bars.
 
 In the scene, two hundred particles fall, and nothing else happens. Each bar shows the time per
-frame with one unnecessary part, divided by the time of the same frame without this part. The two
-times are measured one after the other.
+frame with one unnecessary part, divided by the time per frame without this part. The two times are
+measured one after the other.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ def draw(lines: list[Line], png: Path) -> None:
 
 
 def parts() -> list[tuple[str, Move, Move]]:
-    """Return the name of each part, with a frame that uses it and a frame that does not."""
+    """Return the name of each part, a frame with the part, and a frame without it."""
     # These modules import chapters.
     from ch02_vectors.vector import Vector3
     from ch05_forces.forces import ForceRegistry, Gravity
@@ -99,7 +99,10 @@ def parts() -> list[tuple[str, Move, Move]]:
     )
 
     def falling(acceleration: bool = True) -> list[Particle]:
-        """Return two hundred falling particles that are far from the ground and from each other."""
+        """Return two hundred falling particles.
+
+        They are far from the ground and from each other.
+        """
         return [
             Particle(Vector3(10.0 * i, 1e7), acceleration=DOWN if acceleration else None)
             for i in range(COUNT)
@@ -165,7 +168,7 @@ def parts() -> list[tuple[str, Move, Move]]:
 
 
 def plain(dimensions: int) -> Move:
-    """Return a frame of the same particles in plain numbers, in two or three dimensions."""
+    """Return a frame of the same particles in plain numbers. ``dimensions`` is 2 or 3."""
     x, y, z, vx, vy, vz = ([1.0] * COUNT for _ in range(6))
 
     def two() -> None:

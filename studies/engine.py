@@ -27,10 +27,10 @@ def add_engine_options(parser: argparse.ArgumentParser) -> None:
 
 
 def use_engine(parser: argparse.ArgumentParser, engine: str, given: str = "") -> None:
-    """From now on, import chapters from this folder, and given chapters from the reference.
+    """Import chapters from the folder ``engine``, and ``given`` chapters from the reference.
 
     The code in the folder has the same restrictions as in grading. If a folder or a chapter does
-    not exist, this is reported as an error in the command line.
+    not exist, ``parser`` reports this as an error in the command line.
     """
     try:
         chapters = select_chapters(given) if given else []

@@ -118,7 +118,7 @@ def _shrunk(animation: Path) -> list[Image.Image]:
 
 
 def _still(animation: Path, seconds: float) -> Image.Image:
-    """Return the picture of an animation at this time, in its full size."""
+    """Return the picture of ``animation`` at ``seconds``, in its full size."""
     left = 1000.0 * seconds
     with Image.open(animation) as frames:
         for frame in ImageSequence.Iterator(frames):
@@ -129,7 +129,7 @@ def _still(animation: Path, seconds: float) -> Image.Image:
 
 
 def _palette(picture: Image.Image, count: int) -> Image.Image:
-    """Return a picture reduced to this number of colors, chosen to cover the widest range.
+    """Reduce ``picture`` to ``count`` colors, which cover the widest possible range.
 
     If the most frequent colors were chosen, the many grays at the edges of letters would take most
     of the palette, and the few colored lines would lose their colors.
@@ -138,7 +138,7 @@ def _palette(picture: Image.Image, count: int) -> Image.Image:
 
 
 def _write(pictures: list[Image.Image], place: Path) -> None:
-    """Write a picture, or several as an endless animation, and print its path and size."""
+    """Write a picture, or several pictures as an endless animation. Print its path and size."""
     place.parent.mkdir(parents=True, exist_ok=True)
     if len(pictures) == 1:
         pictures[0].save(place, optimize=True)

@@ -15,7 +15,7 @@ Found = TypeVar("Found")
 
 
 def is_written(call: Callable[[], object]) -> bool:
-    """Return whether a call runs without reaching code that is not written yet."""
+    """Return whether ``call`` runs without reaching code that is not written yet."""
     try:
         call()
     except NotImplementedError:
@@ -24,9 +24,9 @@ def is_written(call: Callable[[], object]) -> bool:
 
 
 def stopped(act: Callable[[], object]) -> str:
-    """Call a function.
+    """Call ``act``.
 
-    Return the error that the engine raised, or an empty text if there was none.
+    Return the text of the error that the engine raised. If there was no error, return "".
     """
     try:
         act()
@@ -54,9 +54,9 @@ def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
 
 
 def numbers(v: Any) -> Numbers:
-    """Return the components of an engine's vector, with NaN for anything that is not a number.
+    """Return the components of an engine's vector. A component that is not a number becomes NaN.
 
-    If an engine is wrong, its plot then lacks a curve, but drawing the plot does not fail.
+    If the engine is wrong, the plot then lacks a curve, but drawing the plot does not fail.
     """
     return (
         number(getattr(v, "x", None)),
@@ -66,7 +66,7 @@ def numbers(v: Any) -> Numbers:
 
 
 def number(value: Any) -> float:
-    """Return a number as a float, and NaN for anything that is not a number."""
+    """Convert ``value`` to a float. If it is not a number, return NaN."""
     try:
         return float(value)
     except (TypeError, ValueError):
@@ -88,7 +88,7 @@ def cross(a: Numbers, b: Numbers) -> Numbers:
 
 
 def angle_between(a: Numbers, b: Numbers) -> float:
-    """Return the angle between plain vectors in degrees, or NaN if one of them is zero."""
+    """Return the angle between ``a`` and ``b`` in degrees. If one of them is zero, return NaN."""
     if not math.hypot(*a) * math.hypot(*b) > 0.0:
         return math.nan
     return math.degrees(math.atan2(math.hypot(*cross(a, b)), dot(a, b)))

@@ -13,7 +13,7 @@ from autograder.manifest import ROOT
 
 
 def reason(error: BaseException) -> str:
-    """Return the text of an exception, the line that raised it, and its most likely cause."""
+    """Describe ``error``: its text, the line that raised it, and its most likely cause."""
     if isinstance(error, NotImplementedError):
         return f"not written yet: {error}"
     if isinstance(error, SyntaxError) and error.filename:

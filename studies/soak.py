@@ -54,7 +54,7 @@ def soak(
     rate: int,
     minutes: int,
 ) -> tuple[bool, str]:
-    """Run a scene. Return whether its energy meets the requirements, and a description of it."""
+    """Run a scene. Return whether its energy meets the requirements, and a description."""
     start = energy()
     last: list[float] = []
     for _ in track(range(minutes), name, transient=True, disable=not sys.stdout.isatty()):

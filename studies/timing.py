@@ -1,8 +1,8 @@
-"""Measure times as ratios, because ratios are similar on all machines while seconds are not.
+"""Measure times as ratios. Ratios are similar on all machines, while seconds are not.
 
 The two times of a ratio are measured directly one after the other, in one run on one machine. The
-rounds of all lines are mixed. If the machine is slow for a minute, all lines are affected a little,
-rather than one line a lot. A line reports the median and the quartiles of its rounds.
+rounds of all lines are mixed. If the machine is slow for a minute, this affects all lines a little
+instead of one line a lot. A line reports the median and the quartiles of its rounds.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ LEAST = 5e-3  # s; a shorter time is measured several times per round
 
 @dataclass(frozen=True)
 class Target:
-    """A bound for a figure, which must be at least, or at most, this large."""
+    """The bound that a figure must meet. It is an upper or a lower bound."""
 
     side: Literal["at least", "at most"]
     bound: float
@@ -41,7 +41,7 @@ class Target:
         return f"{self.side} {self.bound:,g}"
 
     def is_met(self, figure: float) -> bool:
-        """Return whether a figure meets the bound. A figure equal to the bound meets it."""
+        """Return whether ``figure`` meets the bound. A figure that equals the bound meets it."""
         return figure >= self.bound if self.side == "at least" else figure <= self.bound
 
 
@@ -67,7 +67,7 @@ class Line:
 
     @property
     def verdict(self) -> str:
-        """Return "met" or "missed", or an empty text if there is no target."""
+        """Return "met" or "missed". If there is no target, return an empty string."""
         if self.target is None:
             return ""
         return "met" if self.target.is_met(self.median) else "missed"
@@ -85,7 +85,7 @@ def statement_timer(code: str, setup: str) -> Timer:
 
 
 def both(first: Timer, second: Timer) -> tuple[float, float]:
-    """Return two times, measured directly one after the other in random order."""
+    """Measure both times directly one after the other, in random order, and return them."""
     if random.random() < 0.5:
         a = warm(first)
         return a, warm(second)
@@ -94,7 +94,7 @@ def both(first: Timer, second: Timer) -> tuple[float, float]:
 
 
 def warm(timed: Timer) -> float:
-    """Return a time. If it is shorter than LEAST, return the mean of several further runs instead.
+    """Measure a time. If it is shorter than LEAST, return the mean of further runs instead.
 
     In the first run, the caches still contain other data, which would dominate a short time.
     """
@@ -149,11 +149,10 @@ def measure(measurements: Sequence[Measurement]) -> list[Line]:
 
 
 def mixed(rounds: Sequence[int]) -> list[int]:
-    """Return a random order in which index i appears rounds[i] times.
+    """Return a random order in which the index ``i`` appears ``rounds[i]`` times.
 
     For each index, the run is divided into as many equal parts as the index has rounds. The index
-    appears once in each part, at a random time. In this way its rounds are spread over the whole
-    run.
+    appears once in each part, at a random time. This spreads its rounds over the whole run.
     """
     at = [((k + random.random()) / many, i) for i, many in enumerate(rounds) for k in range(many)]
     return [i for _, i in sorted(at)]

@@ -1,7 +1,7 @@
-"""Write class.html, a page that shows an instructor at a glance how a class did.
+"""Write class.html, a page that shows an instructor how a class did.
 
-The page shows the distribution of the scores, the most common mistakes, and how well each exercise
-worked. It names no student, so an instructor can show it in a lecture.
+The page shows the distribution of the scores, the most common mistakes and the statistics of each
+exercise. It does not name any students, so an instructor can show it in a lecture.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ TEMPLATES = Path(__file__).parent / "templates"
 
 @dataclass(frozen=True)
 class ShownMistake:
-    """A mistake as the page shows it, with links to the sections that explain the topic."""
+    """A mistake as class.html shows it, with links to the sections that explain the topic."""
 
     mistake: Mistake
     count: int
@@ -31,7 +31,7 @@ class ShownMistake:
 
 
 def write_class_page(out: Path, chapters: list[Chapter], reports: Sequence[StudentReport]) -> Path:
-    """Write class.html for the instructor of a graded class, and return its path."""
+    """Write class.html into the folder ``out``, and return the path of the page."""
     path = out / "class.html"
     clean = [clean_all(report) for report in reports]
     mistakes = mistakes_of(clean)

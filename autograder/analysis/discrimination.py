@@ -1,8 +1,8 @@
 """Measure how well an exercise separates stronger students from weaker students.
 
-The measure is the item-rest correlation: Pearson's correlation between the scores for the exercise
-and the scores for all other exercises. If every student earns either all points of the exercise or
-none, it equals the point-biserial correlation.
+The measure is the item-rest correlation. This is Pearson's correlation between the scores for the
+exercise and the scores for all other exercises. If every student earns either all points of the
+exercise or no points, it equals the point-biserial correlation.
 """
 
 from __future__ import annotations
@@ -39,9 +39,10 @@ class Discrimination:
 
 
 def discrimination(own: Sequence[float], rest: Sequence[float]) -> Discrimination:
-    """Return the correlation between the scores for one exercise and for all other exercises.
+    """Compute the item-rest correlation of an exercise.
 
-    Both sequences list one score per student, in the same order.
+    ``own`` contains each student's score for the exercise. ``rest`` contains the scores for all
+    other exercises, with the students in the same order.
     """
     count = len(own)
     if count < FEWEST:

@@ -1,7 +1,7 @@
-"""Count how well a class did in each exercise and in each of its checks.
+"""Compute how well a class did in each exercise and in each check.
 
-To keep one mistake from being counted twice, the scores come from runs in which all earlier
-chapters were taken from the reference.
+The scores come from runs in which all earlier chapters were taken from the reference. Otherwise a
+single mistake in an early chapter would also count in the chapters that use it.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ HIDDEN = "a hidden check"
 
 @dataclass(frozen=True)
 class CheckItem:
-    """A check, with the number of students for whom it passed, failed or ended in another state."""
+    """The statistics of a check: how many students passed, failed or got another result."""
 
     name: str
     robust: bool
@@ -33,7 +33,7 @@ class CheckItem:
 
 @dataclass(frozen=True)
 class ExerciseItem:
-    """An exercise, with the number of students who earned all, some or none of its points.
+    """The statistics of an exercise: how many students earned all, some or none of its points.
 
     ``mean`` is the mean score as a fraction of the points. It is None if no student has a score.
     """
@@ -53,7 +53,7 @@ class ExerciseItem:
 
 
 def items_of(chapter: Chapter, reports: Sequence[StudentReport]) -> list[ExerciseItem]:
-    """Return the statistics of each exercise of a chapter, in the order of its manifest."""
+    """Compute the statistics of each exercise in ``chapter``. The order is that of the manifest."""
     return [_item(exercise, reports) for exercise in chapter.exercises]
 
 
@@ -85,7 +85,7 @@ def _item(exercise: Exercise, reports: Sequence[StudentReport]) -> ExerciseItem:
 
 
 def _checks(results: Sequence[ExerciseReport]) -> list[CheckItem]:
-    """Return the statistics of an exercise's checks: first the physics checks, then the others."""
+    """Compute the statistics of an exercise's checks. The physics checks come first."""
     items: dict[tuple[str, bool], CheckItem] = {}
     for result in results:
         for check in result.checks:

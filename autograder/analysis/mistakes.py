@@ -17,11 +17,11 @@ NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 
 @dataclass
 class Mistake:
-    """A likely cause of failures, with the students and the exercises in which it was found.
+    """A likely cause of failures, with the students and exercises that it affects.
 
-    ``read`` lists the sections in which students can read about it. A mistake is ``robust`` if only
-    robust checks found it. It is ``in_values`` if the code runs but computes a wrong value, rather
-    than being incomplete or raising an error.
+    ``read`` lists the sections of the book and the lessons that explain the topic. ``robust`` is
+    true if only robust checks found the mistake. ``in_values`` is true if the code runs but
+    computes a wrong value. It is false if the code is incomplete or raises an error.
     """
 
     words: str
@@ -51,11 +51,12 @@ class Mistakes:
 
 
 def mistakes_of(reports: Sequence[StudentReport]) -> Mistakes:
-    """Return the mistakes found in these reports.
+    """Collect the mistakes from the reports of a class.
 
-    Only failed checks count. A blocked or inherited check fails because of a mistake elsewhere,
-    which is counted there. The numbers in a message depend on the seed, so two messages that differ
-    only in their numbers count as the same mistake.
+    Only failed checks count. A blocked or inherited check fails because of a mistake in another
+    exercise or chapter, so the mistake is counted for that exercise or chapter. The numbers in a
+    message depend on the seed. Two messages that differ only in their numbers therefore count as
+    the same mistake.
     """
     found: dict[str, Mistake] = {}
     wordings: dict[str, Counter[str]] = {}

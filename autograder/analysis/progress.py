@@ -20,9 +20,9 @@ FEWEST = 2  # assignments
 
 @dataclass(frozen=True)
 class Run:
-    """A graded assignment, with the percentage of the checks' points that each student earned.
+    """A graded assignment, with each student's points as a percentage of the points for checks.
 
-    The percentage is None if the grader failed on that student's submission.
+    The percentage is None if the grader failed on the student's submission.
     """
 
     name: str
@@ -36,7 +36,10 @@ class Run:
 
     @property
     def five(self) -> list[float]:
-        """The minimum, the quartiles and the maximum, or an empty list if nothing is known."""
+        """The minimum, the quartiles and the maximum.
+
+        The list is empty if no percentage is known.
+        """
         values = self.known
         if len(values) < 2:
             return values * 5
@@ -46,7 +49,10 @@ class Run:
 
 @dataclass(frozen=True)
 class Returning:
-    """A mistake that occurred in several assignments, with the students who made it in each."""
+    """A mistake that occurred in several assignments.
+
+    It lists the students who made the mistake in each assignment.
+    """
 
     words: str
     counts: list[int]
@@ -54,9 +60,9 @@ class Returning:
 
 
 def write_progress(folders: Sequence[Path], out: Path) -> Path:
-    """Write progress.html, which compares several graded folders, and return its path.
+    """Write progress.html, which compares several graded assignments. Return the path of the page.
 
-    The page shows the assignments in the order of the folders.
+    ``folders`` contains one graded folder per assignment. The page keeps their order.
 
     Raises:
         ValueError: There are fewer than two folders, or one of them contains no results.
@@ -79,7 +85,10 @@ def write_progress(folders: Sequence[Path], out: Path) -> Path:
 
 
 def _run(folder: Path, folders: Sequence[Path]) -> Run:
-    """Read a graded folder. It is called by its last path component if that name is unique."""
+    """Read the graded folder ``folder``.
+
+    The run is named after the last component of the path if no other folder has the same name.
+    """
     reports = [clean_all(report) for report in read_results(folder)]
     same = [other for other in folders if other.resolve().name == folder.resolve().name]
     percent = {

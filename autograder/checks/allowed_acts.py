@@ -1,10 +1,12 @@
 """Keep a student's code from writing files, starting programs or threads, and using sockets.
 
-The grader runs submissions in a sandbox that refuses all of this. When students run the checks at
-home, there is no sandbox. Instead, this module listens to Python's audit events, which announce
-most such operations before they happen, and raises the errors that the sandbox would cause. Its
-purpose is to show students early what the grader will refuse. It does not stop hostile code, and it
-cannot refuse operations without an audit event, such as os.pipe.
+The grader runs submissions in a sandbox that refuses these operations. When students run the checks
+at home, there is no sandbox. Instead, this module listens to Python's audit events. Python raises
+an audit event before it performs such an operation, and this module then raises the error that the
+sandbox would cause.
+
+Its purpose is to show students early what the grader will refuse. It does not stop hostile code,
+and it cannot refuse an operation that has no audit event, such as os.pipe.
 """
 
 from __future__ import annotations
@@ -89,7 +91,10 @@ def _list(code: StudentsCode, path: Any) -> None:
 
 
 def _allow_reading(file: Any, path: Any, more: list[Path] | None = None) -> None:
-    """Raise PermissionError for a path outside Python's library and the ``more`` folders."""
+    """Allow reading ``path`` if it is in Python's library or in a folder of ``more``.
+
+    Raise PermissionError for any other path.
+    """
     inside = os.path.join(os.fsdecode(file), "x")  # noqa: PTH118 - a folder contains itself
     if not is_inside(inside, [*READABLE, *(more or []), Path(os.devnull)]):
         raise PermissionError(*DENIED, path)

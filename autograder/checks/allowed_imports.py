@@ -1,7 +1,8 @@
 """Let a student's code import only the Python standard library and the chapters.
 
-The grader has no installed packages and only the files that were handed in. An import that would
-fail there therefore also fails here, in the same line and with the same message from Python.
+The grader has no installed packages. It has only the files that were handed in and the files that
+are given. An import that fails in the grader must therefore fail on the student's machine too, on
+the same line and with the same message from Python.
 """
 
 from __future__ import annotations
@@ -47,7 +48,10 @@ def limit_imports(code: StudentsCode) -> None:
 
 
 def _refuse(code: StudentsCode, name: str, package: str | None, fromlist: Sequence[str]) -> None:
-    """Raise the error that this import would raise in the grader. Return if it would succeed."""
+    """Raise the error that the import of ``name`` would raise in the grader.
+
+    If the import would succeed, return without an error.
+    """
     if name.startswith("."):
         try:
             name = importlib.util.resolve_name(name, package)

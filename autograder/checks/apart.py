@@ -1,9 +1,9 @@
 """Run checks in a forked copy of this process, so that one exercise cannot affect another.
 
-A student's module may contain a counter or a cache, whose contents would then leak from one check
-into the next. The grader avoids this by starting a fresh process for each check. On a student's
-machine, making a copy for each check would take twice as long as running all of the checks, so the
-checks of an exercise share one copy.
+A student's module may contain a counter or a cache. Without a copy, its contents would leak from
+one check into the next. The grader avoids this by starting a new process for each check. On a
+student's machine, a copy for each check would double the time of the run, so all checks of an
+exercise share one copy.
 """
 
 from __future__ import annotations
@@ -22,9 +22,8 @@ DONE = 87  # exit code of a copy that has finished its work
 def run_in_a_copy(work: Callable[[], object]) -> None:
     """Call ``work`` in a forked copy of this process.
 
-    If the copy dies, end this process the same way.
-
-    The runner then starts a new process for the remaining checks.
+    If the copy crashes, this process ends in the same way. The runner then starts a new process for
+    the remaining checks.
     """
     if sys.platform == "win32":
         raise OSError("Windows cannot copy a process")
@@ -48,7 +47,7 @@ def run_in_a_copy(work: Callable[[], object]) -> None:
 
 
 def how_it_ended(code: int) -> str:
-    """Return a sentence that explains how a process ended while it was running a student's code."""
+    """Explain how a process ended while it ran a student's code. ``code`` is its exit code."""
     if code < 0:
         name = signal.strsignal(-code) or f"signal {-code}"
         return f"the process ended early: Python crashed ({name})"

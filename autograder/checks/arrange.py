@@ -15,12 +15,14 @@ from autograder.message import Message
 class Behind:
     """The settings for running untrusted code in worker processes inside a sandbox.
 
-    ``level`` names the layers of the sandbox (a sandbox.Level as a dict). ``fresh`` starts a new
-    interpreter for each check. ``missing`` maps each module that was not accepted to the reason.
-    ``hidden`` is a folder of additional checks. Students see only the rationale of these checks,
-    unless ``for_instructor`` is set, which shows the full messages. Set it only if nobody but an
-    instructor reads the result. ``compiled`` is a folder that keeps the compiled code of a
-    submission between runs.
+    ``level`` names the layers of the sandbox (a sandbox.Level as a dict). If ``fresh`` is set, each
+    check gets a new interpreter. ``missing`` maps each rejected module to the reason for its
+    rejection.
+
+    ``hidden`` is a folder of additional checks. Students see only the rationale of a hidden check.
+    If ``for_instructor`` is set, the result contains the full messages, so set it only if students
+    will not read the result. ``compiled`` is a folder in which the compiled code of a submission is
+    kept between runs.
     """
 
     level: dict[str, bool]
@@ -35,7 +37,7 @@ class Behind:
 class Workers:
     """The settings with which a check process starts its worker processes.
 
-    ``probes`` is the folder of the probes, and ``compiled`` is a folder that keeps compiled code.
+    ``probes`` is the folder of the probes. ``compiled`` is the folder for compiled code.
     """
 
     level: dict[str, bool]
@@ -49,10 +51,10 @@ class Workers:
 class Arranged:
     """The files and names that a check process works with. Paths are strings, as in JSON.
 
-    ``known`` lists the exercises of the chapter, and ``edits`` lists for each of them the functions
-    that students write. ``modules`` are imported before the checks. ``complete`` lists the files
-    that students call but do not write. ``graded`` lists, for each chapter's folder, the files that
-    also exist in the grader.
+    ``known`` lists the exercises of the chapter. ``edits`` lists the functions that students write,
+    for each exercise. ``modules`` are imported before the checks. ``complete`` lists the files that
+    students call but do not write. ``graded`` maps each chapter's folder to its files that also
+    exist in the grader.
     """
 
     root: str
@@ -71,9 +73,9 @@ class Arranged:
 class Config:
     """The configuration of a check process: its files, its settings and the remaining checks.
 
-    ``apart`` runs the checks of each exercise in a forked copy of the process. ``broken`` maps each
-    module that cannot be imported to the reason. ``done`` names the checks that already have a
-    verdict.
+    If ``apart`` is set, the checks of each exercise run in a forked copy of the process. ``broken``
+    maps each module that cannot be imported to the reason. ``done`` names the checks that already
+    have a verdict.
     """
 
     arranged: Arranged
@@ -89,7 +91,7 @@ class Config:
 def arrange(
     folder: Path, chapter: Chapter, engine: list[Path], root: Path, behind: Behind | None
 ) -> Arranged:
-    """Prepare a temporary folder for a check process, and return the paths that it needs."""
+    """Prepare ``folder`` for a check process, and return the paths and names that it works with."""
     chapters = [*chapters_below(chapter, root), chapter]
     hidden = _put_hidden_checks(folder, chapter, root, behind)
     return Arranged(
@@ -110,7 +112,7 @@ def arrange(
 def root_of_checks(folder: Path, root: Path, behind: Behind | None) -> Path:
     """Return the folder that contains the checks.
 
-    If there are hidden checks, it is a merged copy.
+    If there are hidden checks, the result is a copy that contains the public and the hidden checks.
     """
     return folder / "root" if behind and behind.hidden else root
 
@@ -168,10 +170,10 @@ def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) 
 def _modules(
     chapter: Chapter, chapters: list[Chapter], engine: list[Path], root: Path
 ) -> list[str]:
-    """Return the modules to import before the checks. Each can fail without affecting the others.
+    """Return the names of the modules to import before the checks.
 
-    In some hand-outs, earlier chapters have no manifest. In that case all of their files are
-    included.
+    A module that cannot be imported does not affect the other modules. If an earlier chapter has no
+    manifest, as in some hand-outs, all of its files are included.
     """
     files = {c.name: c.edited_files for c in chapters}
     listed = {c.name for c in load_chapters(root)}

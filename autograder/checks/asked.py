@@ -1,8 +1,8 @@
-"""The context of the running check, which failure messages show to the student.
+"""Store the context of the running check, so that a failure message can show it.
 
-The context consists of the call that is being checked, the likely cause of a failure, and where to
-read about it. A check sets it before it calls the student's code. If an expectation is not met, or
-if the student's code raises an exception, the message includes this context.
+The context consists of the call that is being checked, the likely cause of a failure, and the
+section to read. A check sets the context before it calls the student's code. If an expectation
+fails or the student's code raises an exception, the message includes the context.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ Returned = TypeVar("Returned")
 
 
 class Words(TypedDict, total=False):
-    """Context that replaces the check's own for one expectation.
+    """The context for a single expectation, which replaces the context of the check.
 
     ``then`` is appended to the call.
     """
@@ -28,10 +28,10 @@ class Words(TypedDict, total=False):
 
 
 class About:
-    """The context of the running check: the call, the likely cause, and where to read.
+    """The context of the running check: the call, the likely cause, and the section to read.
 
-    Calling the object sets the parts that are passed and keeps the others. A part can also be
-    assigned to, as in about.call += "; v.x".
+    Call the object to change some parts and keep the others. You can also assign to a part, as in
+    ``about.call += "; v.x"``.
     """
 
     def __init__(self) -> None:
@@ -58,9 +58,9 @@ about = About()
 
 
 def scoped(helper: Callable[Parameters, Returned]) -> Callable[Parameters, Returned]:
-    """Make a helper restore the context when it returns.
+    """Wrap ``helper``, so that the context is restored when ``helper`` returns.
 
-    If the helper raises, its context is kept.
+    If ``helper`` raises an exception, the context stays as it is, so that the message can show it.
     """
 
     @wraps(helper)

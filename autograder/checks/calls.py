@@ -1,4 +1,4 @@
-"""Find out which of a student's functions are called by the expression in a check."""
+"""Find out which functions a check's expression calls."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ OPERATORS = {  # the operator that calls each special method
 
 
 def calls(expression: str, name: str) -> bool:
-    """Return whether a check's expression calls the function that has this name in the manifest."""
+    """Return whether ``expression`` calls a function. ``name`` is its name in the manifest."""
     short = own_name(name)
     pattern = rf"\b{short}\(|\.{short}\b(?! =)"  # a function, a method or a property
     if short in OPERATORS:
@@ -33,9 +33,9 @@ def calls(expression: str, name: str) -> bool:
 
 
 def names_class(expression: str, name: str) -> bool:
-    """Return whether an expression constructs the class of a method.
+    """Return whether ``expression`` constructs an object of the class to which a method belongs.
 
-    For a plain function, return True.
+    ``name`` is the name of the method in the manifest. For a plain function, return True.
     """
     _, *path = name.split(".")
     return len(path) == 1 or re.search(rf"\b{path[0]}\(", expression) is not None

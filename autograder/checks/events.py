@@ -12,9 +12,9 @@ from autograder.records import from_json, to_json
 
 @dataclass(frozen=True)
 class Check:
-    """A check that is going to be run.
+    """A check that will be run.
 
-    For a hidden check, ``rationale`` is the only information that students receive.
+    For a hidden check, students see only the ``rationale``.
     """
 
     name: str
@@ -85,10 +85,10 @@ def write_event(event: Event) -> str:
 
 
 def read_event(line: str) -> Event:
-    """Return the event that a line represents.
+    """Parse ``line`` and return the event.
 
     Raises:
-        ValueError: The line does not represent an event.
+        ValueError: The line does not contain an event.
     """
     event = json.loads(line)
     if not isinstance(event, dict) or len(event) != 1:

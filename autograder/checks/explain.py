@@ -156,14 +156,16 @@ STACK_LINE = re.compile(r'File "([^"\n]{1,500})", line (\d{1,6}) in (\S{1,100})'
 def explain_exception(
     error: BaseException, engine_folders: list[Path], complete: Sequence[str] = ()
 ) -> Message:
-    """Return the message for a check that ended with this exception.
+    """Create the message for a check that ended with the exception ``error``.
 
-    A failed expectation already carries its message. For any other exception, the message consists
-    of the call that the check was making, the exception, the student's line, and a likely cause.
-    The cause comes from Python's error if that is a known mistake, and from the check otherwise.
+    If an expectation failed, ``error`` already has a message. For any other exception, the message
+    consists of the call that the check made, the exception, the student's line, and a likely cause.
+    If Python's error is a known mistake, it determines the cause. Otherwise the check's own cause
+    is used.
+
     ``complete`` lists modules that the student calls but did not write, such as
-    ch02_vectors/arguments.py. If the exception was raised in a worker process, it has a ``fault``
-    attached.
+    ch02_vectors/arguments.py. An exception that was raised in a worker process has the attribute
+    ``fault``.
     """
     fault = getattr(error, "fault", None) or fault_of(error, engine_folders)
     written = [frame for frame in fault.frames if not _is_given(frame, complete)]
@@ -220,10 +222,10 @@ def explain_import(
 
 
 def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> Message:
-    """Return the message for a process that ran out of time, with the line from its stack trace.
+    """Create the message for a check that ran out of time.
 
-    The code that hangs may have written to the file of the stack trace, so the trace may contain
-    anything. The function must return a valid message for any content.
+    ``stack`` is the stack trace that the process wrote. The student's code can write to the same
+    file, so ``stack`` may contain anything, and the message must be valid for any content.
     """
     hung = Message(
         f"{Kind.HUNG.value} within {time_limit:g} seconds. Is there an endless loop?",
@@ -246,7 +248,10 @@ def _unescaped(text: str) -> str:
 
 
 def _likely(text: str, cause: str, fault: Fault) -> tuple[str, str]:
-    """Return the most likely cause of an exception, and a second cause, which may be empty."""
+    """Return the most likely cause of an exception and a second cause.
+
+    The second cause may be empty.
+    """
     meant = explain_unknown(fault.unknown) if fault.unknown else ""
     if slip := meant or slip_of(text):
         return slip, ""
@@ -255,21 +260,24 @@ def _likely(text: str, cause: str, fault: Fault) -> tuple[str, str]:
 
 
 def slip_of(text: str) -> str:
-    """Return the explanation of an obvious mistake in Python, or else an empty string."""
+    """Explain a common mistake in Python. ``text`` is the exception's text.
+
+    Return an empty string if the mistake is not known.
+    """
     return next((slip for sign, slip in SLIPS if sign in text), "")
 
 
 def _is_given(place: Place, complete: Sequence[str]) -> bool:
-    """Return whether the code at this place was given. If it was, only its caller can be wrong.
+    """Return whether the code at ``place`` was given, so that the mistake must be in its caller.
 
-    No exercise asks students to write a constructor, so a constructor that rejects its arguments is
-    given code.
+    Students never write a constructor. A constructor that rejects its arguments is therefore given
+    code.
     """
     return place.function in ("__init__", "__setattr__") or place.file in complete
 
 
 def _with_source(place: Place, engine_folders: list[Path]) -> Place:
-    """Return the place with its source line, read from the first folder that contains the file."""
+    """Add the source line to ``place``. Read it from the first folder that contains the file."""
     for folder in engine_folders:
         file = folder / place.file
         if file.is_file():

@@ -1,7 +1,7 @@
-"""Describe an error in a student's code as plain data.
+"""Describe an exception in a student's code as plain data.
 
-The code may run in this process or in a worker process. The description has the same form in both
-cases.
+The code may run in this process or in a worker process. In both cases the description has the same
+form.
 """
 
 from __future__ import annotations
@@ -21,8 +21,7 @@ MOST_FRAMES = 50
 class CheckEnded(BaseException):
     """Raised to end a check with a message.
 
-    The class does not derive from Exception, so that a student's ``except Exception`` does not
-    catch it.
+    The class derives from BaseException, so a student's ``except Exception`` does not catch it.
     """
 
     def __init__(self, message: Message) -> None:
@@ -38,17 +37,17 @@ class GraderFault(BaseException):
 
 
 class StudentLeft(BaseException):
-    """Raised when a student's code raises something other than an Exception: SystemExit, say."""
+    """Raised when student code raises something other than an Exception, such as SystemExit."""
 
     fault: Fault
 
 
 @dataclass(frozen=True)
 class Fault:
-    """An exception as plain data: its type's name, its text, and its frames in the student's code.
+    """An exception as plain data: the name of its type, its text, and the frames in student code.
 
-    A syntax error also has the file, the line and the text that Python could not parse. ``unknown``
-    describes the missing name if the exception is about one.
+    For a syntax error, it also contains the file, the line and the text that Python could not
+    parse. If the exception reports a missing name, ``unknown`` describes the name.
     """
 
     type: str
@@ -60,15 +59,18 @@ class Fault:
 
     @property
     def first_line(self) -> str:
-        """The exception on one line, as at the end of a traceback, shortened if it is long."""
+        """The type and the text on one line, as at the end of a traceback.
+
+        Long text is shortened.
+        """
         first = (self.text.splitlines() or [""])[0][:500]
         return f"{self.type}: {first}" if first else self.type
 
 
 def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
-    """Describe an exception as plain data.
+    """Describe the exception ``error`` as plain data.
 
-    Only frames in files below one of the folders are included. The innermost frame comes last.
+    Only frames of files in ``folders`` are included. The innermost frame comes last.
     """
     syntax = None
     text = text_of(error)

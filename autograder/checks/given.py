@@ -1,7 +1,8 @@
-"""Find failures that a student's chapter has inherited from earlier chapters.
+"""Find the failures of a chapter that are caused by earlier chapters.
 
-To find them, the checks of the chapter are run a second time, with the earlier chapters taken from
-the reference. A check that fails only in the first run has failed because of an earlier chapter.
+The checks of the chapter are run a second time, with the earlier chapters from the reference. A
+check that passes in the second run failed only because of an earlier chapter, and is marked as
+inherited.
 """
 
 from __future__ import annotations
@@ -26,10 +27,10 @@ Run = Callable[[Chapter, list[Path]], list[Verdict]]  # runs a chapter's checks 
 def with_given(
     given: Sequence[Chapter], engine: list[Path], root: Path = ROOT
 ) -> Iterator[list[Path]]:
-    """Yield an engine in which the given chapters are replaced by those of the reference.
+    """Create an engine in which the chapters of ``given`` come from the reference.
 
     Raises:
-        ValueError: The reference of a chapter is not in this folder, as in a hand-out.
+        ValueError: The reference of a chapter does not exist in ``root``, as in a hand-out.
     """
     if not given:
         yield engine
@@ -60,11 +61,11 @@ def run_on_given(
     run: Run,
     root: Path = ROOT,
 ) -> list[Verdict]:
-    """Run the checks again, with the chapters ``below`` taken from the reference.
+    """Run the checks a second time, with the chapters of ``below`` from the reference.
 
-    Return the verdicts of this second run. The result is empty, and nothing is run, in three cases:
-    the reference is not available, all failures come from functions that the student has not
-    written yet, or a loop in this chapter does not end.
+    Return the verdicts of the second run. There is no second run, and the result is empty, if the
+    reference is not available, if all failures come from functions that the student has not written
+    yet, or if a loop in this chapter does not end.
 
     Raises:
         GraderError: The checks cannot be run.
@@ -79,7 +80,10 @@ def run_on_given(
 
 
 def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
-    """Return the verdicts. A failed check that passed in the second run is marked as inherited."""
+    """Mark each failed check as inherited if it passed in the second run.
+
+    ``verdicts`` are the verdicts of the first run. ``again`` are the verdicts of the second run.
+    """
     passed = {verdict.name for verdict in again if verdict.status == "passed"}
     return [
         replace(verdict, status="inherited")
@@ -90,10 +94,11 @@ def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdic
 
 
 def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
-    """Return the verdicts of the first run, but replace the verdicts of checks that failed in both.
+    """Replace the verdict of each check that failed in both runs with the second verdict.
 
-    For those checks, the verdict of the second run is better, because only the student's own
-    chapter can be its cause.
+    ``verdicts`` are the verdicts of the first run. ``again`` are the verdicts of the second run.
+    The second verdict explains the failure better, because only the student's own chapter can be
+    the cause.
     """
     second = {verdict.name: verdict for verdict in again if verdict.status in LOST}
     return [
@@ -107,8 +112,8 @@ def suspects(
 ) -> list[Chapter]:
     """Return the earlier chapters that fail some of their own checks.
 
-    This is used when a second run is not possible. It is then unknown which failures are inherited,
-    but the student should know that an earlier chapter may be the cause.
+    Call this function if a second run is not possible. Without a second run, it is unknown which
+    failures are inherited, but the student should know that an earlier chapter may be the cause.
     """
     lost = [verdict for verdict in verdicts if verdict.status in LOST]
     if all(_is_unwritten(verdict) for verdict in lost):
@@ -126,7 +131,7 @@ def suspects(
 def below_and_not_given(
     chapter: Chapter, given: Sequence[Chapter], root: Path = ROOT
 ) -> list[Chapter]:
-    """Return the earlier chapters that a chapter builds on and that are the student's own work."""
+    """Return the earlier chapters that ``chapter`` uses and that the student has written."""
     return [other for other in chapters_below(chapter, root) if other not in given]
 
 

@@ -1,8 +1,8 @@
-"""Explain a failure that occurs because the student's file no longer defines a function.
+"""Explain that a check fails because a function was removed from the student's file.
 
-The manifest of a chapter lists the functions to write. If a student deletes or renames one of them,
-Python's error says only that a name is missing. This module adds that the stub has been removed,
-and how to restore it.
+The manifest of a chapter lists the functions to write. If a student deletes or renames a function,
+Python's error says only that a name is missing. This module adds to the message that the stub was
+removed, and how to restore it.
 """
 
 from __future__ import annotations
@@ -26,10 +26,9 @@ Defined = Callable[
 def explain_gone(
     message: Message, exercise: str, edits: Mapping[str, Sequence[str]], defined: Defined
 ) -> Message:
-    """Return the message of a failed check, with an explanation if a function was removed.
+    """Add an explanation to ``message`` if the check failed because a function was removed.
 
-    ``edits`` lists, for each exercise, the functions that students write, such as
-    vector.Vector3.dot.
+    ``edits`` maps each exercise to the functions that students write, such as vector.Vector3.dot.
     """
     for owner, name in _candidates(message, exercise, edits):
         module, _, path = name.partition(".")
@@ -43,9 +42,10 @@ def explain_gone(
 def _candidates(
     message: Message, exercise: str, edits: Mapping[str, Sequence[str]]
 ) -> list[tuple[str, str]]:
-    """Return the functions whose removal may have caused a failure.
+    """Return the functions whose removal may have caused the failure.
 
-    The functions that the message names come first, then those that the check's expression calls.
+    The functions in the text of ``message`` come first, then the functions that the check's
+    expression calls.
     """
     every = [(owner, name) for owner, names in edits.items() for name in names]
     own = [(exercise, name) for name in edits.get(exercise, ()) if calls(message.called, name)]
@@ -54,7 +54,7 @@ def _candidates(
 
 
 def _names(says: str, name: str) -> bool:
-    """Return whether the text of an error says that this name, or its class, is missing."""
+    """Return whether the error text ``says`` reports ``name`` or its class as missing."""
     module, *path = name.removesuffix(".setter").split(".")
     short, outer = path[-1], path[0]
     signs = [f"name '{short}' is not defined", f"/{does_not_define(module, outer)}"]

@@ -1,7 +1,7 @@
-"""Run the checks and the student's code in the same process, which is fast but not secure.
+"""Run the checks and the student's code in the same process. This is fast but not secure.
 
-This is how students run the checks at home. The code is still restricted: it can import only the
-modules, and perform only the operations, that the grader allows.
+Students run the checks at home in this way. The code is still restricted, because it can import
+only the modules and perform only the operations that the grader allows.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ class InProcess:
     def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
         """Import the student's modules one by one before the checks import them.
 
-        In this way, a module that cannot be imported affects only the checks that use it.
+        If a module cannot be imported, only the checks that use it fail.
         """
         self.surround()
         for module, message in broken.items():
@@ -82,7 +82,7 @@ class InProcess:
         limit_acts(code)
 
     def after_collection(self) -> None:
-        """Exclude existing objects from garbage collection, so that copies share more memory."""
+        """Exclude existing objects from garbage collection, so that forks share more memory."""
         gc.freeze()
 
     def _import(self, module: str) -> None:
@@ -101,7 +101,7 @@ class InProcess:
             sys.dont_write_bytecode = False
 
     def definitions(self, file: Path) -> set[str] | None:
-        """Return the names that a student's module defines, or None if they are unknown."""
+        """Return the names that the module in ``file`` defines, or None if they are unknown."""
         return read_definitions(file)
 
     def start(self) -> None:
@@ -121,9 +121,10 @@ class InProcess:
         return printed
 
     def start_clock(self) -> None:
-        """Start the time limit. When it expires, write a stack trace and end the process.
+        """Start the time limit of a check.
 
-        This works whatever the code is doing at that moment.
+        When the time is up, the process writes a stack trace and ends, even if the code is busy in
+        a loop.
         """
         faulthandler.dump_traceback_later(self.time_limit, exit=True, file=self.stack_file)
 

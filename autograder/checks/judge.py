@@ -38,9 +38,9 @@ _stopping = threading.Event()
 
 @contextlib.contextmanager
 def stopping() -> Iterator[None]:
-    """End the runs in all threads, and prevent new runs until the context ends.
+    """End the runs in all threads. No run can start until the context ends.
 
-    Each run that is ended raises GraderError.
+    Each run that was ended raises GraderError.
     """
     _stopping.set()
     for process in list(_processes):
@@ -132,14 +132,14 @@ class Ending:
     stderr: str = ""
 
     def explain(self, time_limit: float, engine: list[Path]) -> Message:
-        """Return the message for the check that was running when the process ended."""
+        """Create the message for the check that was running when the process ended."""
         if self.stack or self.silent:
             return explain_hang(self.stack, time_limit, engine)
         return Message(how_it_ended(self.code), kind=Kind.LEFT)
 
 
 def judge(run: Run) -> Ending:
-    """Start a process for the checks that have no verdict yet, and follow it until it ends."""
+    """Start a process for the checks of ``run`` that have no verdict yet. Wait until it ends."""
     order, silent = run.order, False
     # On Windows, the files of a process stay locked for a moment after it has ended.
     with tempfile.TemporaryDirectory(prefix="checks-", ignore_cleanup_errors=True) as name:
@@ -186,7 +186,10 @@ def _pass_on(stream: IO[str], lines: queue.Queue[str]) -> None:
 
 
 def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
-    """Kill a process. If the system has process groups, also kill all processes that it started."""
+    """Kill ``process``.
+
+    If the system has process groups, also kill the programs that it started.
+    """
     with contextlib.suppress(ProcessLookupError, PermissionError):
         if sys.platform == "win32":
             assert isinstance(process, subprocess.Popen)  # Windows cannot fork judges
@@ -196,7 +199,10 @@ def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
 
 
 def environment() -> dict[str, str]:
-    """Return the environment of a check process, in which pytest loads no plugins automatically."""
+    """Return the environment variables of a check process.
+
+    They keep pytest from loading plugins.
+    """
     path = os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH", "")]))
     return os.environ | {
         "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",

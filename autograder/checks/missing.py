@@ -1,7 +1,7 @@
-"""Placeholders for modules that cannot be imported and for names that do not exist.
+"""Provide placeholders for modules that cannot be imported and for names that do not exist.
 
-A placeholder lets the checks be imported even if something is missing. A check then fails only if
-it actually uses the missing name, and its message explains the reason.
+With a placeholder, the checks can be imported even if a name is missing. A check then fails only if
+it uses the missing name, and its message explains the reason.
 """
 
 from __future__ import annotations
@@ -18,7 +18,10 @@ from autograder.message import Message
 
 @dataclass(frozen=True)
 class MissingName:
-    """A name that a student's module does not define, with the most similar name that exists."""
+    """A name that a student's module does not define.
+
+    It also contains the most similar name that the module does define.
+    """
 
     module: str
     name: str
@@ -41,25 +44,25 @@ class MissingNameError(CheckEnded):
 
 
 def does_not_define(module: str, name: str, *, is_empty: bool = False) -> str:
-    """Return a sentence that says that a module does not define a name."""
+    """Return the sentence that says that ``module`` does not define ``name``."""
     empty = " is empty and" if is_empty else ""
     return f"{file_of(module)}{empty} does not define {name}"
 
 
 def file_of(module: str) -> str:
-    """Return the file of a module as students know it, such as ch02_vectors/vector.py."""
+    """Return the path of ``module`` as students know it, such as ch02_vectors/vector.py."""
     return module.replace(".", "/") + ".py"
 
 
 def broken_module(name: str, why: Message) -> ModuleType:
-    """Return a module in which using any name fails with this message."""
+    """Create the module ``name``. Using any name in it fails with the message ``why``."""
     module = ModuleType(name)
     module.__dict__["__getattr__"] = lambda wanted: _placeholder(MissingName(name, wanted), why)
     return module
 
 
 def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
-    """Return a __getattr__ function that supplies placeholders for names a module lacks."""
+    """Return a __getattr__ function that creates placeholders for names missing from ``module``."""
     is_empty = all(name.startswith("__") for name in vars(module))
 
     def answer(name: str) -> Any:
@@ -70,7 +73,7 @@ def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
 
 
 def while_imported(module: str, message: Message) -> Message:
-    """Return the message for a module whose import did not finish, or ended the process."""
+    """Create the message for a module whose import did not finish or ended the process."""
     return Message(
         f"{file_of(module)} cannot be imported: {message.title}",
         where=message.where,
@@ -79,7 +82,7 @@ def while_imported(module: str, message: Message) -> Message:
 
 
 def _placeholder(missing: MissingName, message: Message) -> Any:
-    """Return a placeholder for a missing name: a class that raises an error when it is called."""
+    """Create a placeholder for a missing name. It is a class that raises an error when called."""
     if missing.name.startswith("__"):
         raise AttributeError(missing.name)
 

@@ -1,8 +1,8 @@
 """Suggest the intended name when code uses a name or an attribute that does not exist.
 
-Python's error says only what is missing. The names that do exist are known only in the process that
-ran the code. The search for a similar name therefore happens there, and its result is passed on as
-plain data.
+Python's error contains only the missing name. Only the process that ran the code knows which names
+exist. The process therefore searches for a similar name itself, and returns the result as plain
+data.
 """
 
 from __future__ import annotations
@@ -30,10 +30,10 @@ IMPORTED = re.compile(r"cannot import name '(\w+)'")
 class Unknown:
     """A name that does not exist.
 
-    ``of`` is the type, or the file, that lacks the name; it is empty for a plain name. ``nearest``
-    is the most similar name that exists. If the code assigned an attribute that the object cannot
-    hold, ``slots`` lists those that it can hold. ``module`` says that the name is a module of
-    Python's library that was not imported.
+    ``of`` is the type or the file that lacks the name. It is empty for a plain name. ``nearest`` is
+    the most similar name that exists. ``slots`` lists the attributes that an object can have, if
+    the code assigned a different attribute. ``module`` is true if the name is a module of Python's
+    library that was not imported.
     """
 
     name: str
@@ -44,7 +44,10 @@ class Unknown:
 
 
 def unknown_of(error: BaseException) -> Unknown | None:
-    """Return the name that an error reports as missing, or None for any other error."""
+    """Return the missing name that ``error`` reports.
+
+    Return None if ``error`` is not about a missing name.
+    """
     try:
         if isinstance(error, UnboundLocalError):
             return None
@@ -60,9 +63,10 @@ def unknown_of(error: BaseException) -> Unknown | None:
 
 
 def nearest(name: str, there: Iterable[str], cutoff: float = 0.6) -> str:
-    """Return the most similar name in ``there``, or an empty string if no name is similar enough.
+    """Return the name in ``there`` that is most similar to ``name``.
 
-    Names that begin and end with two underscores are never suggested.
+    Return an empty string if no name is similar enough. Names that begin and end with two
+    underscores are never suggested.
     """
     names = [other for other in there if not (other.startswith("__") and other.endswith("__"))]
     if not SHORTEST <= len(name) <= LONGEST:
@@ -71,7 +75,7 @@ def nearest(name: str, there: Iterable[str], cutoff: float = 0.6) -> str:
 
 
 def explain_unknown(unknown: Unknown) -> str:
-    """Return a suggestion for a missing name, or an empty string if no name is similar."""
+    """Suggest a name in place of the missing one. If no name is similar, return an empty string."""
     name, near = unknown.name, unknown.nearest
     if unknown.slots:
         held = ", ".join(unknown.slots)
@@ -155,11 +159,11 @@ def _attributes(value: Any) -> set[str]:
 
 
 def _slots(kind: type) -> list[str]:
-    """Return the slots to suggest for a class, or an empty list if any attribute may be assigned.
+    """Return the slots of a class that a student may assign to.
 
-    A private slot such as _damping is suggested only if the class has a property named damping. The
-    other private slots are internal to the class. If no slot is left after that, all of them are
-    suggested.
+    The list is empty if the class accepts any attribute. A private slot such as _damping is
+    suggested only if the class has a property named damping, because the other private slots are
+    internal to the class. If this leaves no slots, all of them are suggested.
     """
     if kind.__dictoffset__:
         return []

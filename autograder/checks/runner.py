@@ -30,7 +30,10 @@ ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # the address of an object, which d
 
 @dataclass(frozen=True)
 class Limits:
-    """The time limits in seconds for one check, which takes milliseconds, and for a whole run."""
+    """The time limits in seconds for one check and for a whole run.
+
+    A check usually takes only a few milliseconds.
+    """
 
     check: float = 3.0
     run: float = 90.0
@@ -40,7 +43,7 @@ Judging = Callable[["Run"], Ending]
 
 
 class GraderError(Exception):
-    """Raised when the checks could not be run and the checked code is not to blame."""
+    """Raised when the checks could not be run for a reason outside the student's code."""
 
 
 @dataclass(frozen=True)
@@ -75,11 +78,11 @@ def run_checks(
     root: Path = ROOT,
     judge: Judging = judge,
 ) -> list[Verdict]:
-    """Run the checks of a chapter on an engine, and return a verdict for each check.
+    """Run the checks of ``chapter`` on ``engine``, and return a verdict for each check.
 
-    ``exercises`` limits the run to some exercises and to those on which they build. ``on_verdict``
-    is called with the number of verdicts so far and the total number of checks. The other arguments
-    are explained in ``Order`` and ``Run``.
+    If ``exercises`` is given, run only the checks of these exercises and their prerequisites.
+    ``on_verdict`` is called after each verdict with the number of verdicts so far and the total
+    number of checks. For the other arguments, see ``Order`` and ``Run``.
 
     Raises:
         GraderError: The checks could not be run.
@@ -102,8 +105,8 @@ def run_checks(
 class Run:
     """The state of a run of checks, which may need several processes.
 
-    ``judge`` is a function that starts a process, passes its events to the run, and returns how the
-    process ended.
+    ``judge`` is a function that starts a process and passes its events to the run. It returns an
+    ``Ending``, which describes how the process ended.
     """
 
     def __init__(
@@ -143,9 +146,9 @@ class Run:
 
     @property
     def progress(self) -> tuple[int, int]:
-        """The number of verdicts plus broken modules so far.
+        """The number of verdicts and the number of broken modules so far.
 
-        It grows whenever the run makes progress.
+        At least one of them grows whenever the run makes progress.
         """
         return len(self.verdicts), len(self.broken)
 
@@ -155,7 +158,10 @@ class Run:
         return mark_blocked(self.order.chapter, verdicts)
 
     def one_process(self) -> None:
-        """Run the checks that have no verdict yet in one process, until that process ends."""
+        """Run the checks that have no verdict yet in one process.
+
+        Return when the process has ended.
+        """
         self.current = None
         ending = self.judge(self)
         self.stderr = ending.stderr
@@ -206,7 +212,10 @@ class Run:
                 self.finished, self.current = doing is None, doing
 
     def _break_off(self, doing: events.Importing | events.Started, why: Message) -> None:
-        """Record the outcome of the check or import that was running when the process ended."""
+        """Record why the running check or import did not finish.
+
+        ``why`` is the message for students.
+        """
         if isinstance(doing, events.Importing):
             self.broken[doing.module] = while_imported(doing.module, why)
             return
@@ -251,10 +260,12 @@ class Run:
         self.finished = True
 
     def _note_hang(self, exercise: str) -> None:
-        """Record that a check of this exercise hung, and fail its other checks if need be.
+        """Record that a check of ``exercise`` hung.
 
-        The other checks fail if an exercise on which this one builds has hung too. All of them
-        would probably run into the same loop, and each would use up its whole time limit.
+        Fail its other checks if a prerequisite hung too.
+
+        All of these checks would probably run into the same loop. Each check would then use up its
+        whole time limit.
         """
         if self.hung & needs_of(self.order.chapter, exercise):
             why = Message("not run: another check of this exercise did not finish")
@@ -265,9 +276,9 @@ class Run:
 
 
 def presentable(message: Message) -> Message:
-    """Return a message that is safe to show: cleaned, without memory addresses, and not too long.
+    """Make a message safe to show. Clean its text, remove memory addresses, and shorten it.
 
-    All text that originates from a student's code passes through this function.
+    All text from a student's code passes through this function.
     """
     message = message.changed(lambda text: ADDRESS.sub("", clean(text)))
     return message if len(str(message)) <= LONGEST_MESSAGE else message.changed(_cut)

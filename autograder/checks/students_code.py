@@ -1,4 +1,4 @@
-"""Tell the student's code apart from other code, and find out whether it made the current call."""
+"""Recognize the student's code, and find out whether it made the current call."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ PACKAGES = ("site-packages", "dist-packages")  # these may be inside the library
 
 
 def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
-    """Return, for each chapter's folder, the files that exist in the grader.
+    """Map the folder of each chapter to its files that exist in the grader.
 
-    These are the files that students hand in and the files that are given complete.
+    In the grader, a chapter has the files that students hand in and the files that are given.
     """
     return {chapter.name: [*chapter.handed_in, *chapter.complete] for chapter in chapters}
 
 
 class StudentsCode:
-    """The student's code, which is found in the folders of an engine.
+    """The student's code, which is recognized by the folders of an engine.
 
-    ``graded`` lists, for each chapter's folder, the files that also exist in the grader. In a
-    folder that it does not mention, all files count. ``ours`` lists files that the student did not
-    write, such as ch06_springs/cloth.py.
+    ``graded`` maps the folder of each chapter to its files that also exist in the grader. If a
+    folder is not in ``graded``, all of its files count. ``ours`` lists files that the student did
+    not write, such as ch06_springs/cloth.py.
     """
 
     def __init__(
@@ -56,11 +56,10 @@ class StudentsCode:
         self._known: dict[str, bool | None] = {}
 
     def is_calling(self) -> bool:
-        """Return whether the call that is being checked was made by the student's code.
+        """Return whether the student's code made the current call.
 
-        The innermost function on the stack that does not belong to Python's library decides this.
-        The steps that Python itself performs to import a module do not count as calls of the
-        student's code.
+        The answer depends on the innermost function on the stack that does not belong to Python's
+        library. Python's own steps during an import do not count as calls by the student's code.
         """
         frame = sys._getframe(2)
         while frame is not None:
@@ -82,7 +81,10 @@ class StudentsCode:
         return None if library else False
 
     def is_graded(self, package: str, file: str) -> bool:
-        """Return whether a file of a chapter exists in the grader. Probes always exist there."""
+        """Return whether ``file`` of the chapter ``package`` exists in the grader.
+
+        Probes always exist in the grader.
+        """
         return (
             package not in self.graded or file in self.graded[package] or file.endswith("probes.py")
         )

@@ -1,7 +1,8 @@
 """Run a student's code in the same environment as in the grader.
 
-The working folder is the root folder. There are no command-line arguments, and the user's
-environment variables are removed. Memory and recursion depth have the same limits as in the grader.
+The working folder is the root folder. The program has no command-line arguments and does not see
+the user's environment variables. The limits of memory and recursion depth are the same as in the
+grader.
 """
 
 from __future__ import annotations
@@ -43,9 +44,10 @@ def leave_home() -> None:
 
 
 class Depth:
-    """Limits the recursion depth of a student's code to that in the grader.
+    """Limits the recursion depth of a student's code to the depth that the grader allows.
 
-    The stack may already be deeper here than in the grader, so the limit is adapted to it.
+    The stack may already be deeper here than in the grader, so the limit is adjusted by the
+    difference.
     """
 
     def __init__(self, deepest: int = DEPTH) -> None:
@@ -53,9 +55,10 @@ class Depth:
         self.limit = sys.getrecursionlimit()
 
     def adapt(self, more: int) -> None:
-        """Set the recursion limit for code that will run ``more`` calls deeper than the caller.
+        """Set the recursion limit for the student's code.
 
-        If the student's code has changed the limit, that limit is kept.
+        ``more`` is the number of calls between the caller of this method and the student's code. If
+        the student's code has changed the limit, keep the changed limit.
         """
         if sys.getrecursionlimit() != self.limit:
             return

@@ -36,7 +36,10 @@ def needs_of(chapter: Chapter, exercise: str) -> set[str]:
 
 
 def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
-    """Return these exercises (by default all) and their dependencies, in the manifest's order."""
+    """Return ``exercises`` and their prerequisites in the order of the manifest.
+
+    If ``exercises`` is None, return all exercises of the chapter.
+    """
     everything = [exercise.id for exercise in chapter.exercises]
     if exercises is None:
         return everything
@@ -45,15 +48,15 @@ def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
 
 
 def asked_for(chapter: Chapter) -> list[str]:
-    """Return the exercises that are not optional, and those on which they depend."""
+    """Return the exercises that are not optional, together with their prerequisites."""
     return with_needs(chapter, [e.id for e in chapter.exercises if not e.optional])
 
 
 def mark_blocked(chapter: Chapter, verdicts: list[Verdict]) -> list[Verdict]:
-    """Change the verdicts of an exercise from failed to blocked if an exercise it depends on fails.
+    """Change failed verdicts of an exercise to blocked if one of its prerequisites fails.
 
-    Only failing physics checks block other exercises. Failing robust checks never do. A check that
-    passes even though its exercise is blocked keeps its verdict and earns its points.
+    An exercise blocks others only if its physics checks fail. Failed robust checks do not block. A
+    check that passes keeps its verdict and earns its points, even if its exercise is blocked.
     """
     failing = {v.exercise for v in verdicts if v.status != "passed" and not v.robust}
     marked = []

@@ -1,8 +1,8 @@
-"""The program that runs the checks: pytest, with a plugin that reports each verdict immediately.
+"""Run the checks with pytest, and report each verdict immediately.
 
-The runner starts it as ``python -m autograder.checks.verdicts FILE`` and reads one JSON object per
-line. The first object lists the checks. After that, the start of each check and its verdict are
-reported. Verdicts come from pytest's own reports, never from printed text.
+The runner starts this program as ``python -m autograder.checks.verdicts FILE`` and reads one JSON
+object per line. The first object lists the checks. The next objects report when each check starts
+and what its verdict is. Verdicts come from pytest's own reports, and never from printed text.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ MOST_KEPT = (40, 2000)  # lines and characters of the printed output
 class Recorder:
     """A pytest plugin that selects the checks to run, limits their time and reports verdicts.
 
-    ``engine`` runs the student's code. By default, the configuration determines which kind is used.
+    ``engine`` runs the student's code. By default, the configuration selects the kind of engine.
     """
 
     def __init__(self, config: Config, send: Send, engine: InProcess | None = None) -> None:
@@ -73,7 +73,7 @@ class Recorder:
     def pytest_collection_modifyitems(
         self, config: pytest.Config, items: list[pytest.Item]
     ) -> None:
-        """Sort the checks by the manifest, report the list, and leave out those that are done."""
+        """Sort the checks by the manifest, report the list, and remove the checks that are done."""
         order = {exercise: place for place, exercise in enumerate(self.config.exercises)}
         for item in items:
             if exercise_of(item) not in self.config.arranged.known:
@@ -130,7 +130,7 @@ class Recorder:
     ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
         """Report the verdict on a check.
 
-        An error outside the body of the check is the grader's fault.
+        If an error occurs outside the body of the check, the grader is at fault.
         """
         # Nobody reads pytest's traceback, and formatting it takes four times as long as all the
         # rest.
@@ -165,13 +165,16 @@ class Recorder:
         return report
 
     def _without_folders(self, text: str) -> str:
-        """Return a text without the engine's folders, whose paths are different in grading."""
+        """Remove the paths of the engine's folders from ``text``.
+
+        These paths differ in the grader.
+        """
         for folder in self.engine.engine:
             text = text.replace(f"{folder}{os.sep}", "")
         return text
 
     def _defined(self, module: str) -> set[str] | None:
-        """Return the names that a module of the chapter defines, or None if they are unknown."""
+        """Return the names that ``module`` defines, or None if they are unknown."""
         if module not in self.definitions:
             arranged = self.config.arranged
             places = [Path(folder) / arranged.chapter for folder in arranged.engine]
@@ -229,12 +232,12 @@ def _marker(item: pytest.Item) -> pytest.Mark:
 
 
 def _is_robust(item: pytest.Item) -> bool:
-    """Return whether a check is a robust check of its exercise rather than a physics check."""
+    """Return whether ``item`` is a robust check. All other checks are physics checks."""
     return item.get_closest_marker("robust") is not None
 
 
 def main() -> int:
-    """Run the checks that are listed in the configuration file named on the command line."""
+    """Run the checks in the configuration file. Its path is the argument on the command line."""
     config = from_json(Config, json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")))
     wire = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # student output must not mix with verdicts

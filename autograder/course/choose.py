@@ -1,4 +1,7 @@
-"""Find out which work a command refers to: an assignment in the course file, or some chapters."""
+"""Find out which work a command is about.
+
+The work is an assignment in the course file or a list of chapters.
+"""
 
 from __future__ import annotations
 
@@ -25,8 +28,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def work_of(arguments: argparse.Namespace, *, handed_out: bool = False) -> Work:
     """Return the work that the command-line options select.
 
-    If the work is ``handed_out``, its list of chapters does not contain the given chapters, because
-    the hand-out includes them separately.
+    If ``handed_out`` is set, the chapters of the work do not include the given chapters, because a
+    hand-out adds them separately.
 
     Raises:
         ValueError: The course file contains mistakes, or the options contradict each other.

@@ -15,7 +15,10 @@ YEARS = range(1970, 3000)  # near the years 1 and 9999, converting to another zo
 
 
 def read_zone(name: Any, path: Path, mistakes: Mistakes) -> ZoneInfo | None:
-    """Return the time zone with a name such as Europe/Berlin. Record a mistake if there is none."""
+    """Return the time zone ``name``, such as Europe/Berlin.
+
+    Record a mistake if it does not exist.
+    """
     if isinstance(name, str) and name in available_timezones():
         return ZoneInfo(name)
     wanted = nearest(str(name), available_timezones()) or "Names look like Europe/Berlin."
@@ -26,7 +29,10 @@ def read_zone(name: Any, path: Path, mistakes: Mistakes) -> ZoneInfo | None:
 def read_time(
     value: Any, path: Path, zone: tzinfo | None, mistakes: Mistakes, *, is_zone_wrong: bool = False
 ) -> datetime | None:
-    """Return a time with a time zone. A time without an offset is in the time zone of the file."""
+    """Return ``value`` as a time with a time zone.
+
+    If ``value`` has no offset, use ``zone``, the time zone of the course file.
+    """
     key = path[-1]
     example = "2026-10-23T23:59:00+02:00"
     if isinstance(value, date) and value.year not in YEARS:  # a datetime is a date, too

@@ -16,7 +16,7 @@ from autograder.scores import possible, shown
 
 @dataclass(frozen=True)
 class Chosen:
-    """The chapters of an assignment, reduced to its exercises, and the chapters that are given."""
+    """The exercises of an assignment, grouped by chapter, and the given chapters."""
 
     chapters: list[Chapter]
     given: list[Chapter]
@@ -24,9 +24,9 @@ class Chosen:
 
 
 class Chooser:
-    """Determines the exercises of one assignment, and records mistakes in the assignment's table.
+    """Chooses the exercises of an assignment, and records the mistakes in its table.
 
-    ``before`` contains the exercises of earlier assignments, on which this assignment may build.
+    ``before`` contains the exercises of earlier assignments. The assignment may build on them.
     """
 
     def __init__(
@@ -130,14 +130,14 @@ class Chooser:
         return [other for other in earlier if numbers is None or other.number in numbers]
 
     def _where(self, name: str) -> tuple[str]:
-        """Return the key in the course file that adds an exercise to the assignment."""
+        """Return the key in the course file that adds the exercise ``name`` to the assignment."""
         lists = {key: self.table.get(key) for key in ("exercises", "extra_credit")}
         return (
             next((k for k, v in lists.items() if isinstance(v, list) and name in v), "chapters"),
         )
 
     def _points(self, ids: set[str], extra: set[str]) -> dict[str, Exercise]:
-        """Return the exercises with the points that they have in this assignment."""
+        """Return the exercises in ``ids`` with their points in the assignment."""
         chosen = {
             name: replace(home.exercise(name), extra=name in extra)
             for name, home in self.home.items()
@@ -158,7 +158,7 @@ class Chooser:
         return self._rescaled(chosen)
 
     def _rescaled(self, chosen: dict[str, Exercise]) -> dict[str, Exercise]:
-        """Scale the points to the total in the course file. Without a total, they stay the same."""
+        """Scale the points to the total in the course file. Without a total, keep the points."""
         out_of = self.mistakes.number(self.table, self.path, "out_of")
         total = self.mistakes.number(self.table, self.path, "total")
         now = possible(chosen.values())
@@ -176,6 +176,9 @@ class Chooser:
 
 
 def _only(chapter: Chapter, exercises: Mapping[str, Exercise]) -> Chapter | None:
-    """Return a chapter reduced to these exercises, or None if it contains none of them."""
+    """Return a copy of ``chapter`` that contains only ``exercises``.
+
+    If it has none, return None.
+    """
     mine = [exercises[e.id] for e in chapter.exercises if e.id in exercises]
     return replace(chapter, exercises=mine) if mine else None

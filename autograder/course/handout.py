@@ -18,7 +18,7 @@ POINTS = re.compile(r"(?m)^points = .*$")
 
 
 def for_students(whole: Chapter, assigned: Chapter) -> Chapter:
-    """Return a complete chapter in which the exercises have the points of an assignment.
+    """Return the chapter ``whole`` with the points of ``assigned``, its part in the assignment.
 
     Exercises that are not assigned become optional.
     """
@@ -28,9 +28,9 @@ def for_students(whole: Chapter, assigned: Chapter) -> Chapter:
 
 
 def manifest_of(text: str, chapter: Chapter) -> str:
-    """Return the text of a manifest, updated with the points of a chapter's exercises.
+    """Update the text of a manifest with the points of the exercises in ``chapter``.
 
-    Exercises that count as extra credit or have become optional are marked as such.
+    Extra-credit exercises and exercises that have become optional are marked as such.
     """
     first, *rest = START.split(text)
     return first + "".join(_entry(part, chapter) for part in rest)
@@ -49,7 +49,7 @@ def _entry(text: str, chapter: Chapter) -> str:
 
 
 def about(work: Work, root: Path = ROOT) -> str:
-    """Return the README section about the assignment, or an empty text if there is none."""
+    """Return the README section about the assignment, or an empty string if there is none."""
     if not work.name:
         return ""
     title = f"{work.name}: {work.title}" if work.title else work.name

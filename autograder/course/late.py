@@ -13,9 +13,9 @@ from autograder.scores import shown
 
 @dataclass(frozen=True)
 class HandedIn:
-    """What a platform reports about when a submission was handed in.
+    """The platform's information about when a submission was handed in.
 
-    Canvas reports only whether a submission is ``late``, not the time.
+    Canvas reports no time. It only reports whether a submission is ``late``.
     """
 
     source: str
@@ -24,10 +24,10 @@ class HandedIn:
 
 
 def days_late(due: datetime, submitted: datetime) -> int:
-    """Return the number of days by which a submission is late. A day counts as soon as it begins.
+    """Return how many days after ``due`` a submission was handed in.
 
-    Each day ends at the time of day at which the work was due, in the time zone of the due date. A
-    day on which the clocks change therefore has 23 or 25 hours.
+    A day counts as soon as it begins. It ends at the time of day at which the work was due, in the
+    time zone of ``due``. A day on which the clocks change therefore has 23 or 25 hours.
     """
     at = submitted.astimezone(UTC)
     if at <= due.astimezone(UTC):
@@ -39,12 +39,18 @@ def days_late(due: datetime, submitted: datetime) -> int:
 
 
 def _end(time: datetime) -> datetime:
-    """Return the last moment at which the clocks show this local time, or would have shown it."""
+    """Return the last moment at which a clock shows the local time ``time``.
+
+    If the clocks skip this time, return the moment at which they would have shown it.
+    """
     return max(time.replace(fold=fold).astimezone(UTC) for fold in (0, 1))
 
 
 def deduction(policy: LatePolicy, days: int, possible: float) -> float:
-    """Return the points deducted for a number of late days, out of ``possible`` points."""
+    """Return the points that a submission loses for ``days`` late days.
+
+    ``possible`` is the number of points that the assignment can give.
+    """
     price = policy.per_day * days
     if policy.cap is not None:
         price = min(price, policy.cap)
@@ -54,10 +60,10 @@ def deduction(policy: LatePolicy, days: int, possible: float) -> float:
 def late_of(
     deadline: Deadline, names: Iterable[str], said: HandedIn | None, possible: float
 ) -> Late:
-    """Return how late a submission is, and the points that this costs.
+    """Compute how late a submission is, and how many points it loses.
 
-    ``names`` are the names under which its students may have been granted an extension. If several
-    of them have an extension, the latest due date applies.
+    ``names`` are the names of its students. If several of them have an extension, the latest due
+    date applies.
     """
     granted = [deadline.extensions[name] for name in names if name in deadline.extensions]
     due = max([deadline.due, *granted], key=lambda time: time.astimezone(UTC))

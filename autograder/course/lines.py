@@ -37,12 +37,12 @@ class Lines:
                     self._first.setdefault(path, number)
 
     def of(self, path: Path, word: str = "") -> int:
-        """Return the line of a value or, if it is missing, of its table.
+        """Return the line of the value at ``path``.
 
-        If both are missing, return 1.
+        If the value is missing, return the line of its table.
 
-        If a value spans several lines, return the first of its lines that contains ``word`` in
-        quotes.
+        If the table is missing too, return 1. If the value spans several lines, return the first of
+        them that contains ``word`` in quotes.
         """
         while path and path not in self._first:
             path = path[:-1]
@@ -56,5 +56,5 @@ class Lines:
 
 
 def _parts(dotted: str) -> Path:
-    """Split a dotted key such as assignment.late into its parts, without quotes."""
+    """Split a dotted key, such as assignment.late, into its parts. Remove the quotes."""
     return tuple(part.strip("\"'") for part in PART.findall(dotted))

@@ -24,11 +24,17 @@ class Mistakes:
         self._found: list[tuple[int, str]] = []
 
     def add(self, path: Path, words: str, word: str = "") -> None:
-        """Record a mistake in the value with this path, or in the item ``word`` of that value."""
+        """Record a mistake in the value at ``path``.
+
+        If ``word`` is given, the mistake is in this item of the value.
+        """
         self._found.append((self._lines.of(path, word), words))
 
     def raise_any(self) -> None:
-        """Raise ValueError if there are any mistakes. Its message lists them by line."""
+        """Raise ValueError if mistakes were recorded.
+
+        The message lists them in the order of the file.
+        """
         if not self._found:
             return
         found = sorted(dict.fromkeys(self._found), key=lambda mistake: mistake[0])
@@ -80,7 +86,7 @@ class Mistakes:
 
 
 def shown(value: Any) -> str:
-    """Return a value as it is written in TOML, shortened if it is long."""
+    """Format ``value`` as in TOML. Long values are shortened."""
     text = {True: "true", False: "false"}.get(value) if type(value) is bool else None
     text = text or (f'"{value}"' if isinstance(value, str) else str(value))
     text = clean_line(text)
@@ -88,7 +94,7 @@ def shown(value: Any) -> str:
 
 
 def nearest(name: str, known: Iterable[str], most: int = MOST_SIMILAR) -> str:
-    """Return a question that suggests the most similar names, or "" if no name is similar."""
+    """Ask whether a similar name was meant. If no name in ``known`` is similar, return ""."""
     names = {other.lower(): other for other in known}
     wanted = name.lower()
     bare = re.sub(r"^[a-z]\s*(?=\d)", "", wanted)

@@ -13,10 +13,10 @@ from autograder.manifest import Chapter
 
 @dataclass(frozen=True)
 class LatePolicy:
-    """The points that a late submission loses per day, and the maximum that it can lose.
+    """The points that a late submission loses per day, and the most that it can lose.
 
-    Each day counts in full as soon as it has begun. A percentage refers to the points that the
-    assignment can give.
+    A day counts in full as soon as it has begun. A percentage is a percentage of the points that
+    the assignment can give.
     """
 
     per_day: float
@@ -35,7 +35,7 @@ class LatePolicy:
 class Deadline:
     """The due date of an assignment, and the later due dates of students with an extension.
 
-    Every time has a time zone. If there is no policy, lateness is reported but costs no points.
+    Every time has a time zone. Without a policy, lateness is reported but costs no points.
     """
 
     due: datetime
@@ -47,9 +47,9 @@ class Deadline:
 class Work:
     """One assignment: what students have to do, and how it is graded.
 
-    ``chapters`` contain only the exercises of the assignment, with the points that they have in it.
-    ``given`` chapters are complete. ``earlier`` lists the exercises of earlier assignments on which
-    this one builds. ``roster`` is the class list.
+    ``chapters`` contain only the exercises of the assignment, with their points in the assignment.
+    ``given`` chapters are complete. ``earlier`` lists exercises of earlier assignments that the
+    assignment builds on. ``roster`` is the path of the class list.
     """
 
     name: str

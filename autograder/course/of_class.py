@@ -23,7 +23,9 @@ from autograder.submissions.find import Submission
 def lateness(
     deadline: Deadline, chapters: list[Chapter], folder: Path, submissions: list[Submission]
 ) -> tuple[dict[str, Late], list[str]]:
-    """Return how late each student's submission is, and notes for the instructor.
+    """Compute how late each submission is.
+
+    Return the lateness of each student, and notes for the instructor.
 
     Raises:
         ValueError: A file that contains submission times is not valid.
@@ -67,9 +69,9 @@ def _some(names: list[str]) -> str:
 def late_on_gradescope(
     deadline: Deadline, chapters: list[Chapter], metadata: dict[str, Any]
 ) -> Late:
-    """Return how late a submission is, according to the metadata that Gradescope provides.
+    """Compute how late a submission is from Gradescope's ``metadata``.
 
-    An extension applies if it lists the name or the e-mail address of any of the submitters.
+    If the name or the e-mail address of any submitter has an extension, the extension applies.
     """
     try:
         at: datetime | None = parse_time(metadata["created_at"], deadline.due.tzinfo or UTC)
@@ -83,14 +85,15 @@ def late_on_gradescope(
 
 
 def points_of(chapters: Iterable[Chapter]) -> float:
-    """Return the points that chapters can give, including the points for written answers."""
+    """Return the total points of ``chapters``, including the points for written answers."""
     return possible(exercise for chapter in chapters for exercise in chapter.exercises)
 
 
 def scaled_marks(marks: Marks, chapters: Iterable[Chapter], manifests: list[Chapter]) -> Marks:
-    """Return marks rescaled to the points of an assignment.
+    """Rescale ``marks`` to the points of the assignment.
 
-    Instructors give marks according to the rubrics, whose points may differ from the assignment's.
+    Instructors give marks by the rubrics. A rubric's points can differ from the points that the
+    same exercise has in the assignment.
     """
     rubric = {e.id: e.points for chapter in manifests for e in chapter.exercises}
     assigned = {e.id: e.points for chapter in chapters for e in chapter.exercises}

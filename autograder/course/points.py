@@ -7,10 +7,10 @@ from fractions import Fraction
 
 
 def rescaled(points: Mapping[str, float], out_of: float, unit: str = "0.01") -> dict[str, float]:
-    """Rescale points in proportion to multiples of ``unit`` that add up to ``out_of``.
+    """Rescale ``points`` in proportion, so that they add up to ``out_of``.
 
-    All points are first rounded down. The units that are left over then go to the exercises that
-    lost the most by rounding.
+    The results are multiples of ``unit``. All points are first rounded down. The remaining units
+    then go to the exercises that lost the most by rounding.
     """
     step = Fraction(unit)
     total = sum(map(Fraction, points.values()))
@@ -24,7 +24,10 @@ def rescaled(points: Mapping[str, float], out_of: float, unit: str = "0.01") -> 
 
 
 def scaled_alike(value: float, out_of: float, total: float) -> float:
-    """Rescale extra credit in the same way as ``total`` points that were rescaled to ``out_of``."""
+    """Rescale extra credit by the same factor as the regular points.
+
+    ``value`` is the extra credit. The regular points were rescaled from ``total`` to ``out_of``.
+    """
     return _plain(Fraction(round(value * out_of / total, 2)).limit_denominator(100))
 
 

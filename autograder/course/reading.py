@@ -25,7 +25,9 @@ NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
 
 
 def read_course(path: Path, root: Path = ROOT) -> Course:
-    """Read a course file. Relative paths in it start from the folder that contains it.
+    """Read the course file ``path``.
+
+    Relative paths in the file start from the folder that contains the file.
 
     Raises:
         ValueError: The file contains mistakes. The message lists all of them with their lines.
@@ -133,7 +135,10 @@ class Reader:
         return Deadline(due, policy, times)
 
     def _policy(self, table: Mapping[str, Any], path: tuple[str | int, ...]) -> LatePolicy | None:
-        """Return the late policy in a table, or None if there is none or late days cost nothing."""
+        """Read the late policy of ``table``.
+
+        Return None if there is no policy, or if late days cost nothing.
+        """
         mistakes, at = self.mistakes, (*path, "late")
         late = mistakes.value(table, path, "late", dict)
         if late is None:
@@ -160,7 +165,7 @@ class Reader:
         return LatePolicy(per_day, "percent" if unit == "percent" else "points", cap)
 
     def _path(self, table: Mapping[str, Any], path: tuple[str | int, ...], key: str) -> Path | None:
-        """Return the path that a key contains, and record a mistake if it does not exist."""
+        """Return the path in the value of ``key``. Record a mistake if the path does not exist."""
         name = self.mistakes.value(table, path, key, str)
         if name is None:
             return None
@@ -178,7 +183,7 @@ class Reader:
     ) -> Path | None:
         """Return the folder of the hidden checks.
 
-        If it has no subfolder for any assigned chapter, that is recorded as a mistake.
+        Record a mistake if the folder contains no subfolder for any assigned chapter.
         """
         hidden = self._path(table, path, "hidden_checks")
         if hidden and chapters and not any((hidden / c.name).is_dir() for c in chapters):

@@ -1,7 +1,7 @@
-"""Find out when each submission was handed in, from files that accompany the submissions.
+"""Find out when each submission was handed in.
 
-The modification times of the submitted files are not used, because copying or unpacking a file
-changes them.
+The times come from files that accompany the submissions. The modification times of the submitted
+files are not used, because copying or unpacking a file changes them.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ REPOSITORY, SUBMITTED = "student_repository_name", "submission_timestamp"
 
 
 def times_of(folder: Path, submissions: list[Submission], zone: tzinfo) -> dict[str, HandedIn]:
-    """Return what is known about the time of each submission, keyed by student.
+    """Return when each submission was handed in, by student.
 
-    If several sources have a time for the same student, times.csv takes precedence. Times without a
-    time zone are interpreted in ``zone``.
+    If several files contain a time for the same student, times.csv takes precedence. A time without
+    a time zone is interpreted in ``zone``.
 
     Raises:
         ValueError: A file is not valid. The message names the affected lines.
@@ -86,7 +86,7 @@ def _of_instructor(path: Path, zone: tzinfo) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_gradescope(folder: Path) -> Iterator[tuple[str, HandedIn]]:
-    """Yield the times in Gradescope's metadata, which names the folders of the submissions."""
+    """Yield the times from Gradescope's metadata. They are listed by submission folder."""
     path = folder / OF_GRADESCOPE
     if not path.is_file():
         return
@@ -98,7 +98,10 @@ def _of_gradescope(folder: Path) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_github(folder: Path) -> Iterator[tuple[str, HandedIn]]:
-    """Yield the times in the grades of GitHub Classroom, which names the students' repositories."""
+    """Yield the times from GitHub Classroom's grades.
+
+    They are listed by the student's repository.
+    """
     path = folder / OF_GITHUB
     if not path.is_file():
         return
@@ -111,7 +114,7 @@ def _of_github(folder: Path) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_canvas(submissions: list[Submission]) -> Iterator[tuple[str, HandedIn]]:
-    """Yield whether each submission is late, which Canvas shows in the file name.
+    """Yield whether each submission is late. Canvas marks late submissions in the file name.
 
     The file name does not contain a time.
     """
@@ -121,7 +124,7 @@ def _of_canvas(submissions: list[Submission]) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _time(value: Any) -> datetime | None:
-    """Return a platform's time, or None if the value is not a time.
+    """Parse a platform's time. Return None if ``value`` is not a time.
 
     A text without a time zone is interpreted as UTC.
     """
@@ -133,7 +136,7 @@ def _time(value: Any) -> datetime | None:
 
 @contextmanager
 def _readable(path: Path) -> Iterator[None]:
-    """Add the name of the file to the error if a file cannot be read as CSV or YAML."""
+    """If ``path`` cannot be read as CSV or YAML, add its name to the error."""
     try:
         yield
     except (csv.Error, yaml.YAMLError, ValueError, RecursionError) as error:
@@ -142,5 +145,5 @@ def _readable(path: Path) -> Iterator[None]:
 
 
 def _key(name: str) -> str:
-    """Normalize a name, so that two encodings of the same accented letter compare equal."""
+    """Normalize ``name``, so that two encodings of the same accented letter are equal."""
     return unicodedata.normalize("NFC", name.strip())

@@ -1,4 +1,4 @@
-"""The assignment on which a class is graded, and verdicts that all submissions share."""
+"""The assignment that a class is graded on, and the verdicts that all submissions share."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from autograder.submissions.stage import stage
 
 @dataclass(frozen=True)
 class Assignment:
-    """The assignment on which a class is graded. It is the same for every submission.
+    """The assignment that a class is graded on. It is the same for every submission.
 
-    ``chapters`` contain only the exercises that are graded, which may be fewer than the manifest
-    lists. ``given`` chapters are always taken from the reference, even if a student hands them in.
+    ``chapters`` contain only the graded exercises, which may be fewer than the manifest lists.
+    ``given`` chapters are always taken from the reference, even if a student hands them in.
     ``hidden`` is a folder of additional checks. ``level`` names the layers of the sandbox.
     """
 
@@ -47,10 +47,10 @@ class Assignment:
         compiled: Path | None = None,
         exercises: list[str] | None = None,
     ) -> list[Verdict]:
-        """Run the checks of a chapter's graded exercises and of the exercises they depend on.
+        """Run the checks of the graded exercises in ``chapter`` and of their prerequisites.
 
-        ``missing`` maps each module that was not accepted to the reason. ``compiled`` is a folder
-        that keeps the compiled code of a submission between runs.
+        ``missing`` maps each rejected module to the reason for its rejection. ``compiled`` is a
+        folder in which the compiled code of a submission is kept between runs.
 
         Raises:
             GraderError: The checks could not be run.
@@ -73,15 +73,15 @@ class Assignment:
         )
 
     def whole(self, chapter: Chapter) -> Chapter:
-        """Return the chapter with all exercises of its manifest, even those that are not graded."""
+        """Return ``chapter`` with all exercises of its manifest, even if they are not graded."""
         return load_chapter(self.root / "chapters" / chapter.name)
 
 
 class OnceForAll:
-    """Verdicts that are the same for all submissions, and are therefore computed only once.
+    """Verdicts that are the same for all submissions, so that they are computed only once.
 
     All threads that grade a class share one instance. The first thread that needs a verdict
-    computes it, while the others wait.
+    computes it, and the other threads wait for it.
     """
 
     def __init__(self) -> None:
@@ -90,7 +90,7 @@ class OnceForAll:
         self._of_reference: dict[str, list[Result]] = {}
 
     def of_nothing(self, assignment: Assignment, chapter: Chapter) -> list[Verdict]:
-        """Return the verdicts on an empty submission, run with the reference's earlier chapters.
+        """Return the verdicts on an empty submission, with the earlier chapters of the reference.
 
         Raises:
             GraderError: The checks could not be run.
@@ -101,7 +101,7 @@ class OnceForAll:
             return self._of_nothing[chapter.name]
 
     def of_reference(self, assignment: Assignment, chapter: Chapter) -> list[Result]:
-        """Return the results of the reference. They contain verdicts only for open exercises."""
+        """Return the results of the reference. Only open exercises have verdicts."""
         root = assignment.root
         with self._lock:
             if chapter.name not in self._of_reference:

@@ -1,4 +1,4 @@
-"""Manage the folder with a class's reports: its lock, its state and its temporary files."""
+"""Manage the folder with the reports on a class: its lock, its state and its temporary files."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from autograder.submissions.find import file_name
 
 
 def seed_of(state: Path, seed: str | None) -> str:
-    """Return the seed for a run: the requested one, that of an interrupted run, or a new one."""
+    """Choose the seed for a run. Use ``seed``, or the seed of an interrupted run, or a new one."""
     if seed:
         return seed
     try:
@@ -48,7 +48,7 @@ def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
 
 @contextmanager
 def only_run(out: Path) -> Iterator[Path]:
-    """Create and lock the folder of a run, and yield the path of the file with the run's state.
+    """Create and lock the folder ``out``, and yield the path of the run's state file.
 
     Raises:
         ValueError: The path is not a folder, or another run is using it.
@@ -66,10 +66,10 @@ def only_run(out: Path) -> Iterator[Path]:
 
 @contextmanager
 def temporary_files_in(out: Path) -> Iterator[None]:
-    """Store temporary files inside the folder of the reports until the context ends.
+    """Create temporary files in the folder ``out`` until the context ends.
 
-    A run that is killed cannot remove its temporary files. Because they are in a known place, the
-    next run can remove them.
+    A run that is killed cannot remove its temporary files. The next run finds them in ``out`` and
+    removes them.
     """
     own, before = out / ".temporary", tempfile.tempdir
     shutil.rmtree(own, ignore_errors=True)
@@ -83,9 +83,9 @@ def temporary_files_in(out: Path) -> Iterator[None]:
 
 
 def put_others_aside(out: Path, students: list[str]) -> int:
-    """Move away the reports of students who are not in this class, and return their number.
+    """Move away the reports of students who are not in ``students``, and return their number.
 
-    Such a report belongs to another class, or to a student who has left the class.
+    Such a report belongs to another class or to a student who has left the class.
     """
     names = {file_name(student) for student in students}
     others = set()

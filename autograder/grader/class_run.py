@@ -27,7 +27,7 @@ from autograder.submissions.find import Submission, file_name
 
 
 class ClassRun:
-    """One run that grades a class, with the data that all submissions share."""
+    """A run that grades a class, with the data that all submissions share."""
 
     def __init__(
         self,
@@ -53,7 +53,7 @@ class ClassRun:
     def collect(
         self, submissions: list[Submission], arriving: Generator[StudentReport]
     ) -> list[StudentReport]:
-        """Show the progress while reports arrive. Return them in the order of the submissions."""
+        """Show the progress as reports arrive. Return them in the order of ``submissions``."""
         columns = (
             TextColumn("{task.description}", markup=False),
             BarColumn(),
@@ -81,7 +81,10 @@ class ClassRun:
         return [reports[submission.student] for submission in submissions]
 
     def here(self, submissions: list[Submission], jobs: int) -> Generator[StudentReport]:
-        """Grade the submissions on this machine, ``jobs`` at a time, and yield their reports."""
+        """Grade the submissions on this machine, and yield the reports.
+
+        ``jobs`` is the number of submissions that are graded at the same time.
+        """
         with ThreadPoolExecutor(jobs) as pool:
             try:
                 futures = [pool.submit(self.one, submission) for submission in submissions]
@@ -108,7 +111,10 @@ class ClassRun:
             yield self.save(replace(report, run=self.key))
 
     def one(self, submission: Submission) -> StudentReport:
-        """Return the report on one submission. If an earlier report is still valid, reuse it."""
+        """Grade ``submission`` and return the report.
+
+        If an earlier report is still valid, reuse it.
+        """
         report = self.earlier(submission)
         if report is None:
             report = replace(grade_submission(self.assignment, submission, self.once), run=self.key)
@@ -117,7 +123,7 @@ class ClassRun:
         return self.save(report)
 
     def save(self, report: StudentReport) -> StudentReport:
-        """Add marks and lateness to a report, write it and its pages, and return it."""
+        """Add marks and lateness to ``report``, write the report and its pages, and return it."""
         report = replace(apply_marks(report, self.marks), late=self.late.get(report.student))
         if self.anonymous:
             report = replace(report, notes=[without_names(note) for note in report.notes])
@@ -125,7 +131,7 @@ class ClassRun:
         return report
 
     def earlier(self, submission: Submission) -> StudentReport | None:
-        """Return the report of an earlier run if it is valid and may be reused, or else None."""
+        """Return the report of an earlier run. If it cannot be reused, return None."""
         path = self.out / "results" / f"{file_name(submission.student)}.json"
         report = read_result(path)
         if not self.keeps_reports or report is None or not self.is_valid(report, submission):

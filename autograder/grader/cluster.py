@@ -1,8 +1,8 @@
-"""Grade a class on a Dask cluster: submissions are sent to workers, and reports are returned.
+"""Grade a class on a Dask cluster. Workers receive the submissions and return the reports.
 
 Dask schedules the work. If a worker dies, Dask gives its submission to another worker. A worker
-grades a submission exactly as the instructor's machine would, in the same kind of sandbox. If it
-cannot do so, it refuses to grade.
+grades a submission exactly as the instructor's machine would, in the same kind of sandbox. If this
+is not possible, the worker refuses to grade.
 """
 
 from __future__ import annotations
@@ -43,10 +43,10 @@ Tree = dict[str, bytes | None]  # the contents of a folder by path, None for a s
 
 @dataclass(frozen=True)
 class Work:
-    """The data that is sent to every worker: the assignment, and facts about the sending machine.
+    """The data that every worker receives: the assignment, and facts about the sending machine.
 
-    ``key`` describes the conditions of grading, and must be the same on the worker. ``home`` is the
-    path of the repository on the sending machine. The hidden checks are included.
+    ``key`` describes the conditions of grading, which must be the same on the worker. ``home`` is
+    the path of the repository on the sending machine. The data includes the hidden checks.
     """
 
     assignment: Assignment
@@ -63,11 +63,11 @@ class Work:
 
 @contextmanager
 def connect(address: str, assignment: Assignment, console: Console) -> Iterator[Client]:
-    """Connect to a scheduler whose workers can grade the assignment, and print their number.
+    """Connect to the scheduler at ``address``, and print how many workers can grade.
 
     Raises:
-        ValueError: Dask is not installed, the scheduler does not answer, no worker appears, or a
-            worker would not grade as this machine does.
+        ValueError: Dask is not installed, the scheduler does not answer, there are no workers, or a
+            worker would not grade exactly as this machine does.
     """
     try:
         from distributed import Client
@@ -106,8 +106,8 @@ def grade_over(
     """Grade the submissions on the cluster, and yield each report as soon as it is ready.
 
     Raises:
-        ValueError: A worker that joined later would not grade as this machine does.
-        OSError: A submission cannot be sent, or the scheduler is gone.
+        ValueError: A worker that joined later would not grade exactly as this machine does.
+        OSError: A submission cannot be sent, or the scheduler does not answer.
     """
     from distributed import KilledWorker, as_completed
 
@@ -137,10 +137,10 @@ def grade_over(
 
 
 def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentReport:
-    """Grade a submission on a worker.
+    """Grade a student's submission. This function runs on a worker.
 
     Raises:
-        ValueError: This machine would not grade as the sending machine does.
+        ValueError: The worker would not grade exactly as the sending machine does.
     """
     from distributed import get_worker
 
@@ -160,7 +160,7 @@ def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentR
 
 
 def check_worker(work: Work) -> None:
-    """Raise ValueError if this worker might report something else than the sending machine."""
+    """Raise ValueError if this worker would not grade exactly as the sending machine does."""
     wanted = work.assignment.level
     level = _level(unsafe=not wanted.is_sandbox)
     own = run_key(replace(_at_home(work), level=level))
@@ -187,12 +187,12 @@ _once: dict[str, OnceForAll] = {}
 
 
 def _shared(work: Work) -> OnceForAll:
-    """Return the verdicts that this worker computes once for all submissions of a run."""
+    """Return the verdicts that this worker computes only once for all submissions of a run."""
     return _once.setdefault(repr((str(_at_home(work).root), work.key)), OnceForAll())
 
 
 def _at_home(work: Work) -> Assignment:
-    """Return the assignment with its paths changed to those of the repository on this machine."""
+    """Return the assignment of ``work``, with all paths changed to this machine's repository."""
     if work.assignment.root == work.home:
         return replace(work.assignment, root=ROOT)
     return work.assignment
@@ -216,16 +216,16 @@ class _Call:
 
 
 def _call(*parts: Any) -> tuple[Callable[[bytes], Any], bytes]:
-    """Return a function and an argument that Dask can pass on without importing the autograder.
+    """Return a function and an argument that Dask can send without importing the autograder.
 
-    Without this, the scheduler would also need the autograder, and a worker without the autograder
-    would stop answering.
+    Otherwise the scheduler would need the autograder too, and a worker without the autograder would
+    stop answering.
     """
     return pickle.loads, pickle.dumps(_Call(*parts))
 
 
 def _tree(folder: Path | None) -> Tree:
-    """Return the contents of a folder as a dict, which is empty if the folder is None."""
+    """Read the contents of ``folder`` into a dict. If ``folder`` is None, the dict is empty."""
     paths = sorted(folder.rglob("*")) if folder else []
     return {
         path.relative_to(folder or path).as_posix(): None if path.is_dir() else path.read_bytes()
@@ -234,9 +234,9 @@ def _tree(folder: Path | None) -> Tree:
 
 
 def _write_tree(tree: Tree, folder: Path) -> None:
-    """Write the contents in a dict into a folder.
+    """Write the files of ``tree`` into ``folder``.
 
-    Every user can read the files, because the code may be run by another user.
+    All users may read the files, because the code may run under another user's account.
     """
     for name, content in tree.items():
         path = folder / name

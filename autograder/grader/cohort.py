@@ -85,10 +85,8 @@ class ClassOptions:
 def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOptions) -> int:
     """Grade every submission in ``folder``, and write the reports into ``out``.
 
-    Return 1 for errors.
-
-    A submission is not graded again if its report is complete and was made with the same checks,
-    the same grader and the same seed.
+    Return the exit code, which is 1 after an error. If a submission has a complete report that was
+    made with the same checks, grader and seed, the submission is not graded again.
 
     Raises:
         ValueError: The class cannot be graded with these options.
@@ -174,9 +172,9 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
 
 
 def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
-    """Return the submissions in a folder, and notes on other entries in the folder.
+    """Return the submissions in ``folder``, and notes on its other entries.
 
-    The reports may be written into a folder next to the submissions.
+    Reports may be written into a folder next to the submissions, but not into a submission.
 
     Raises:
         ValueError: The reports would be written into the class's folder or into a submission.

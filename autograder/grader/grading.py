@@ -31,10 +31,10 @@ def grade_submission(
     once: OnceForAll | None = None,
     fill: Callable[..., Staged] | None = None,
 ) -> StudentReport:
-    """Grade one submission and return its report. Errors of the grader are part of the report.
+    """Grade one submission and return the report. If the grader fails, the report says so.
 
-    ``once`` contains the verdicts that all submissions share. If the submission is on another
-    machine, ``fill`` is called instead of ``stage`` to copy its files.
+    ``once`` contains the verdicts that all submissions share. ``fill`` copies the submission's
+    files if the submission is on another machine. Without it, ``stage`` copies them.
     """
     once = once or OnceForAll()
     start = time.monotonic()
@@ -57,13 +57,13 @@ def grade_submission(
 
 
 def report_of_failure(assignment: Assignment, student: str, reason: str) -> StudentReport:
-    """Return the report on a submission that the grader was unable to grade."""
+    """Create the report on a submission that the grader was unable to grade."""
     pairs = [(_errors(chapter, reason),) * 2 for chapter in assignment.chapters]
     return replace(_report(assignment, OnceForAll(), student, pairs, []), seconds=0.0)
 
 
 def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: Path) -> list[str]:
-    """Return the notes on a submission, including one if it contains nothing to grade."""
+    """Return the notes on a submission. One of them says if there is nothing to grade."""
     files = [box / chapter.name / name for chapter in chapters for name in chapter.edited_files]
     if staged.missing or any(file.exists() for file in files):
         return staged.notes
@@ -72,7 +72,7 @@ def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: 
 
 
 def digest_of(assignment: Assignment, submission: Submission) -> str:
-    """Return the digest of the files that would be graded, without grading them."""
+    """Return the digest of the files that would be graded. Do not grade them."""
     with tempfile.TemporaryDirectory(prefix="submission-") as folder:
         chapters = load_chapters(assignment.root)
         return stage(submission.path, chapters, Path(folder), assignment.root).digest
@@ -86,9 +86,10 @@ def _all_results(
     box: Path,
     compiled: Path,
 ) -> list[tuple[list[Result], list[Result]]]:
-    """Return two lists of results per chapter, on the student's earlier chapters and on given ones.
+    """Run the checks of each chapter twice, and return both lists of results for each chapter.
 
-    Only messages of the first run appear in reports. In the second run, the student's code could
+    The first run uses the student's earlier chapters. The second run takes them from the reference.
+    Reports show only messages of the first run, because in the second run the student's code could
     read the reference and reveal it in a message.
     """
     deadline = time.monotonic() + SUBMISSION_LIMIT
@@ -122,7 +123,7 @@ def _all_results(
 
 
 def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
-    """Return whether a student handed in no file of a chapter, not even one that was rejected."""
+    """Return whether a student handed in no files of ``chapter``. Rejected files count as files."""
     refused = any(module.startswith(f"{chapter.name}.") for module in staged.missing)
     taken = any((box / chapter.name / name).exists() for name in chapter.handed_in)
     return not (refused or taken)
@@ -131,10 +132,11 @@ def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
 def _chart(
     assignment: Assignment, once: OnceForAll, chapter: Chapter, result: Result
 ) -> Chart | None:
-    """Return where a submission and the reference are on an exercise's chart, or None.
+    """Return the positions of the submission and the reference on the chart of an exercise.
 
-    A submission that fails because of an earlier chapter does not appear on the chart. Its run on
-    given chapters reports only which checks pass.
+    Return None if there is no chart. A submission that fails because of an earlier chapter does not
+    appear on the chart, because the run with the reference's earlier chapters reports only which
+    checks pass.
     """
     if result.on_chart is None:
         return None
@@ -146,9 +148,9 @@ def _chart(
 
 
 def _errors(chapter: Chapter, reason: str) -> list[Result]:
-    """Return results for checks that could not be run.
+    """Create the results of ``chapter`` for checks that could not be run.
 
-    They count as grader errors, not as zeros.
+    The checks count as grader errors, not as zeros.
     """
     why = presentable(Message(reason[:500]))
     ours = [Verdict("every check", e.id, 1, "error", why) for e in chapter.exercises]
@@ -187,7 +189,7 @@ def _report(
 
 
 def _own_earlier_chapters(assignment: Assignment) -> list[int]:
-    """Return the numbers of the student's own chapters on which the graded chapters build."""
+    """Return the numbers of the earlier chapters that come from the student, not the reference."""
     below = [
         other.number
         for chapter in assignment.chapters

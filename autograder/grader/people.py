@@ -16,7 +16,7 @@ from autograder.submissions.roster import read_roster
 def people_of(
     submissions: list[Submission], out: Path, roster: Path | None, *, anonymous: bool
 ) -> ClassList:
-    """Return the students of a class, with the names that reports show for them.
+    """Return the students of a class, with the names that appear in reports.
 
     Raises:
         ValueError: The roster or the key file contains a mistake, or ``out`` contains reports with
@@ -31,7 +31,7 @@ def people_of(
 
 
 def marks_of(people: ClassList, path: Path, chapters: list[Chapter]) -> Marks:
-    """Return the marks of a class. In marks.csv, a student may be called by any known name.
+    """Read the marks of a class from ``path``. The file may use any known name of a student.
 
     Raises:
         ValueError: A line is not valid, or a student has two marks for the same exercise.
@@ -40,9 +40,9 @@ def marks_of(people: ClassList, path: Path, chapters: list[Chapter]) -> Marks:
 
 
 def folder_with_names(out: Path, *, anonymous: bool) -> Path:
-    """Return the folder for files that contain names.
+    """Return the folder for files that contain students' names.
 
-    For an anonymous class it is outside ``out``.
+    For an anonymous class, this folder is outside ``out``.
     """
     return out.resolve().with_name(f"{out.resolve().name}-named") if anonymous else out
 

@@ -30,7 +30,7 @@ MAY_DIFFER = {
 
 
 class Regrade:
-    """The grading of one student again, after an earlier run has graded the class.
+    """Grades one student again after an earlier run has graded the class.
 
     Raises:
         ValueError: The folder contains no earlier run, or the student did not hand anything in.
@@ -50,10 +50,10 @@ class Regrade:
 
     @property
     def before(self) -> StudentReport | None:
-        """The student's report before the regrade, or None if there was none.
+        """The student's report before the regrade, or None if there was no report.
 
-        If an earlier regrade was killed before it wrote the log, this is the report from before
-        that run.
+        If an earlier regrade was killed before it wrote the log, this is the report from before the
+        earlier regrade.
         """
         kept = read_result(self.kept)
         if kept and any(report.seed == kept.seed for report in self.reports):
@@ -76,11 +76,10 @@ class Regrade:
         return seeds[0]
 
     def prepare(self, run: ClassRun) -> list[Submission]:
-        """Make the run grade the student again, and return the submission to grade.
+        """Set up ``run`` so that it grades the student again. Return the student's submission.
 
         Raises:
-            ValueError: The student would get different exercises or different checks than the
-                class.
+            ValueError: The exercises or the checks differ from those of the class.
         """
         run.keeps_reports = False
         differing = self._differing(run.key)
@@ -118,13 +117,13 @@ class Regrade:
         return sorted([*others, report], key=lambda one: one.student)
 
     def _differing(self, key: RunKey) -> list[str]:
-        """Return the conditions in which the class's run differs from this run, by name."""
+        """Return the names of the conditions that differ between ``key`` and the class's run."""
         others = [report.run for report in self.reports if report.run]
         names = [field.name for field in fields(RunKey) if field.name != "seed"]
         return [n for n in names if any(getattr(one, n) != getattr(key, n) for one in others)]
 
     def _log(self, report: StudentReport, why: str) -> str:
-        """Add a row to regrades.csv, and return a sentence that describes the changes."""
+        """Add a row to regrades.csv, and return a sentence that describes what has changed."""
         before, after = _points(self.before), _points(report)
         changes = "; ".join(_changes(self.before, report))
         path = self.out / LOG
@@ -141,7 +140,7 @@ class Regrade:
 
 
 def earlier_choice(out: Path) -> tuple[str, str]:
-    """Return the chapters and given chapters of an earlier run, written as command-line arguments.
+    """Return the chapters and the given chapters of an earlier run as command-line arguments.
 
     Raises:
         ValueError: There is no earlier run.
@@ -157,7 +156,7 @@ def _points(report: StudentReport | None) -> str:
 
 
 def _changes(before: StudentReport | None, after: StudentReport) -> list[str]:
-    """Return each exercise whose score or status has changed, as in "2.5: 1 to 3"."""
+    """List the exercises whose score or status has changed, as in "2.5: 1 to 3"."""
     earlier = {exercise.id: exercise for exercise in before.exercises} if before else {}
     return [
         f"{new.id}: {_outcome(old)} to {_outcome(new)}"

@@ -1,4 +1,7 @@
-"""Describe the conditions under which a report remains valid, such as the checks and the seed."""
+"""Describe the conditions that must not change if a report is to remain valid.
+
+Examples are the checks and the seed.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +17,10 @@ from autograder.reports.report import RunKey
 
 
 def run_key(assignment: Assignment) -> RunKey:
-    """Return the conditions, besides the submission, under which a report remains valid."""
+    """Return the conditions that must not change if a report is to remain valid.
+
+    The submission itself is not one of them.
+    """
     root = assignment.root
     names = [chapter.name for chapter in load_chapters(root)]
     checks = shared_by_checks(root)

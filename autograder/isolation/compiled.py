@@ -1,4 +1,4 @@
-"""Import modules from code that was compiled once, so that workers do not compile it again."""
+"""Import modules from compiled code, so that the workers do not have to compile it again."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from types import CodeType, ModuleType
 
 
 class CompiledLoader(SourceFileLoader):
-    """Loads a module in the same way as Python's own loader, but from compiled code in memory."""
+    """Loads a module from compiled code in memory, in the same way as Python's own loader."""
 
     def __init__(self, name: str, path: str, code: CodeType) -> None:
         super().__init__(name, path)
@@ -21,10 +21,10 @@ class CompiledLoader(SourceFileLoader):
 
 
 class CompiledFinder:
-    """Finds those modules of the engine and of the probes that have been compiled.
+    """Finds the modules of the engine and of the probes that have been compiled.
 
-    ``compiled`` maps the name of a module to its marshaled code. Unmarshaling the code does not run
-    it. It runs only when a worker imports the module.
+    ``compiled`` maps the name of each module to its marshaled code. The code runs only when a
+    worker imports the module, so unmarshaling it is safe.
     """
 
     def __init__(self, compiled: Mapping[str, bytes]) -> None:

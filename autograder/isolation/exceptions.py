@@ -1,7 +1,7 @@
-"""Rebuild an exception from a worker, so that it can be raised in the process of the checks.
+"""Recreate an exception from a worker, so that the process of the checks can raise it.
 
-A worker is not trusted and can send anything. Data that does not have the form of an exception
-counts as a violation of the protocol.
+A worker is not trusted and can send anything. If its data does not describe an exception, this is a
+violation of the protocol.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ def known_name(error: Exception) -> str:
 
 
 def exception_of(data: Any) -> BaseException:
-    """Return an exception that represents the student's exception. Its fault is attached to it."""
+    """Recreate the student's exception from ``data``. The fault becomes one of its attributes."""
     try:
         frames = [
             Place(file, line, text_of_worker(function, 100))
@@ -54,7 +54,7 @@ def exception_of(data: Any) -> BaseException:
 
 
 class WordedKeyError(KeyError):
-    """A KeyError that shows the student's text without the quotes that Python would add."""
+    """A KeyError whose text has no quotes around it. Python's own KeyError adds quotes."""
 
     def __str__(self) -> str:
         return str(self.args[0])
@@ -64,7 +64,10 @@ WordedKeyError.__name__ = KeyError.__name__
 
 
 def _unknown(data: Any) -> Unknown | None:
-    """Return the missing name that an exception is about, or None if it is not about a name."""
+    """Return the missing name that the exception reports.
+
+    Return None if the exception is not about a missing name.
+    """
     if data is None:
         return None
     name, of, near = (text_of_worker(data[key], 100) for key in ("name", "of", "nearest"))
@@ -73,7 +76,7 @@ def _unknown(data: Any) -> Unknown | None:
 
 
 def text_of_worker(value: Any, longest: int) -> str:
-    """Return a text from the worker, shortened and with its special characters escaped."""
+    """Shorten a text from the worker to ``longest`` characters, and escape special characters."""
     if type(value) is not str:
         raise BrokenProtocolError("a value that is not a text")
     return clean(value[:longest])

@@ -1,9 +1,8 @@
-"""Handles, with which trusted checks use a student's objects that live in a worker process.
+"""Provide handles, through which checks use a student's objects in a worker process.
 
-Using a handle sends a request to the worker. Handles cannot be compared, converted or tested for
-truth, because the result would come from the student's code. Instead, a check must read plain
-numbers and compare them itself. An object whose ``__eq__`` always returns True therefore gains
-nothing.
+Using a handle sends a request to the worker. A handle cannot be compared, converted or tested for
+truth, because the result would come from the student's code. A check must read plain numbers and
+compare them itself. An object whose ``__eq__`` always returns True therefore has no advantage.
 """
 
 from __future__ import annotations
@@ -56,7 +55,8 @@ class Session:
     def ask(self, what: str, *operands: Any) -> Any:
         """Send a request to the worker, and return its answer.
 
-        If the student's code raises an Exception, the nearest built-in exception is raised here.
+        If the student's code raises an Exception, this method raises the nearest built-in
+        exception.
 
         Raises:
             StudentLeft: The student's code raised something that is not an Exception.
@@ -113,7 +113,7 @@ class Session:
         raise exception_of(reply.get("raised"))
 
     def _explain_missing(self, data: Any) -> Message:
-        """Return the message for a check that uses a name that does not exist."""
+        """Create the message for a check that uses a missing name."""
         if type(data) is not list or len(data) != 4:
             raise BrokenProtocolError("a missing name in an unknown form")
         module, name, near = (text_of_worker(part, 100) for part in data[:3])
@@ -123,8 +123,8 @@ class Session:
     def _call_back(self, message: dict[str, Any]) -> dict[str, Any]:
         """Call a function of the check on behalf of the worker.
 
-        If the function raises an Exception, it is sent back to the worker. Anything else ends the
-        session.
+        If the function raises an Exception, the exception is sent to the worker. Any other kind of
+        exception ends the session.
         """
         number = message["callback"]
         if type(number) is not int or not 0 <= number < len(self._callbacks):

@@ -1,8 +1,8 @@
-"""Run the checks in this process, but the student's code in a new worker process for each check.
+"""Run the checks in this process, and the student's code in a new worker for each check.
 
-When a check file imports a chapter, it receives only names. When a check uses a name, the name
-sends a request to the worker that is running at that moment. For this reason, the imports in the
-check files need to happen only once, although every check has its own worker.
+When a check file imports a chapter, it receives placeholders for the names in the chapter. When a
+check uses such a name, the placeholder sends a request to the current worker. The check files
+therefore have to be imported only once, although every check has its own worker.
 """
 
 from __future__ import annotations
@@ -70,9 +70,9 @@ class InWorker:
         self.broken: dict[str, Message] = {}
 
     def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
-        """From now on, provide names when the checks import chapters.
+        """Provide placeholders for names when the checks import chapters.
 
-        The student's modules themselves are imported later, in the workers.
+        The student's modules are imported later, in the workers.
         """
         threading.Thread(target=_exit_with_parent, daemon=True).start()
         sys.meta_path.insert(0, ChapterFinder(self))
@@ -81,7 +81,7 @@ class InWorker:
         self.send = send
 
     def after_collection(self) -> None:
-        """Find out which modules can be imported, so that no check wastes time on a broken one."""
+        """Find out which modules can be imported, so that checks skip the broken modules."""
         compiled: dict[str, bytes] = {}
         for module, file in self._files().items():
             if module not in self.broken and (code := self._code_of(module, file)):
@@ -94,7 +94,7 @@ class InWorker:
         self.stop()
 
     def _files(self) -> dict[str, Path]:
-        """Return the files of the modules that the checks of this chapter may need."""
+        """Return the paths of the modules that the chapter's checks may need."""
         packages = {module.partition(".")[0] for module in self.modules}
         found: dict[str, Path] = {}
         for folder in [*self.engine, self.probes]:
@@ -104,7 +104,7 @@ class InWorker:
         return found
 
     def _code_of(self, module: str, file: Path) -> bytes | None:
-        """Return the compiled code of a file, which may have been saved by an earlier run."""
+        """Return the compiled code of ``file``. An earlier run may have saved it."""
         text = f"{file}\n".encode() + file.read_bytes()
         kept = self.compiled / hashlib.sha256(text).hexdigest()
         if kept.exists():
@@ -117,7 +117,10 @@ class InWorker:
         return code
 
     def _compile(self, module: str, file: Path) -> bytes | None:
-        """Compile a file once for all workers, in a worker that has not run any student code."""
+        """Compile ``file`` once for all workers.
+
+        This is done by a worker that has run no student code.
+        """
         if module in self.modules:
             self.send(Importing(module))
         code = None
@@ -145,7 +148,7 @@ class InWorker:
         self.stop()  # the next worker starts with this module marked as broken
 
     def definitions(self, file: Path) -> set[str] | None:
-        """Return the names that a module defines, or None if the worker cannot determine them."""
+        """Return the names that ``file`` defines, or None if the worker cannot determine them."""
         if self.session is None or self.session.dead:
             return None
         try:
@@ -156,7 +159,10 @@ class InWorker:
         return {name for name in names if type(name) is str} or None
 
     def _worker(self, new: bool = False) -> Session:
-        """Return a session with the current worker, or with a new one, with its full time limit."""
+        """Return the session of the current worker, with its full time limit.
+
+        If ``new`` is set or there is no usable worker, start a new worker.
+        """
         if new or self.session is None or self.session.dead:
             self.start()
         assert self.session is not None
@@ -189,7 +195,7 @@ class InWorker:
 
 
 class Name(Handle):
-    """A name in a student's module, such as Vector3, which can be used with any worker."""
+    """A placeholder for a name in a student's module, such as Vector3. It works with any worker."""
 
     __slots__ = ("_module", "_name", "_workers")
 
@@ -234,7 +240,7 @@ class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
 
 
 class ChapterModule(ModuleType):
-    """A module that returns names during collection, and the objects themselves during a check."""
+    """A module that contains placeholders during collection, and the objects during a check."""
 
     def __init__(self, workers: InWorker, name: str) -> None:
         super().__init__(name)
@@ -249,7 +255,7 @@ class ChapterModule(ModuleType):
 
 
 def _exit_with_parent() -> None:
-    """Exit when standard input is closed, because the runner is then gone."""
+    """Exit when standard input is closed, because this means that the runner has ended."""
     while os.read(0, 1024):
         pass
     os._exit(1)

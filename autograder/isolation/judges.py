@@ -1,8 +1,8 @@
 """Start check processes quickly, by forking them from a process that has already imported pytest.
 
-A process that runs checks is called a judge. So that not every judge has to import pytest, one
-process imports it and then waits. For each run of checks, it forks a judge. The waiting process
-never runs a check itself and knows nothing about submissions, and it ends when the grader ends. A
+A process that runs checks is called a judge. One process imports pytest and then waits for orders.
+It forks a judge for each run of checks, so the judges do not have to import pytest themselves. The
+waiting process never runs a check and never sees a submission. It ends when the grader ends. A
 forked judge behaves like a judge that was started as a new Python process.
 """
 
@@ -42,10 +42,10 @@ class Judges:
             )
 
     def ask(self, order: Order, descriptors: list[int]) -> int:
-        """Send an order with open files, and return the number that answers it.
+        """Send ``order`` and the open files in ``descriptors``. Return the number in the answer.
 
-        The answer is the process number of a new judge, or the exit code of a judge that was waited
-        for.
+        The number is the process number of a new judge. If the order was to wait for a judge, it is
+        the judge's exit code.
         """
         data = json.dumps(order).encode() + b"\n"
         sent = socket.send_fds(self._control, [data], descriptors)
@@ -60,7 +60,7 @@ class Judges:
 
 
 class ForkedJudge:
-    """A judge that was forked. It has the part of Popen's interface that the runner uses.
+    """A forked judge. It has the part of Popen's interface that the runner needs.
 
     Raises:
         OSError: The waiting process cannot start a judge.
@@ -81,12 +81,12 @@ class ForkedJudge:
             os.close(their_output)
 
     def wait(self) -> int:
-        """Wait until a judge that is about to end has ended, and return its exit code."""
+        """Wait until the judge has ended, and return its exit code."""
         return _ask({"wait": self.pid}, [])
 
 
 def _ask(order: Order, descriptors: list[int]) -> int:
-    """Send an order to the waiting process, which is started first if it does not exist yet."""
+    """Send ``order`` to the waiting process. If this process does not exist, start it first."""
     own = os.getpid()
     with _lock:
         if own not in _waiting:
@@ -136,7 +136,10 @@ def main() -> None:
 
 
 def _become(order: Order, descriptors: list[int]) -> None:
-    """Make this process look as if it had been started in this folder with these streams."""
+    """Change this process, so that it looks as if it had been started for ``order``.
+
+    It gets the folder in ``order`` and the streams in ``descriptors``.
+    """
     os.setpgid(0, 0)
     for new, old in enumerate(descriptors):
         os.dup2(old, new)

@@ -16,7 +16,7 @@ def choose_level(folder: Path, *, unsafe: bool) -> Level:
     """Return the strongest sandbox level that works on this machine.
 
     Raises:
-        ValueError: There is no sandbox, and this class may not be graded without one.
+        ValueError: No sandbox works, and ``unsafe`` does not permit grading without a sandbox.
     """
     level = best_level()
     if level.is_sandbox or folder.resolve() == SAMPLE_CLASS:

@@ -31,9 +31,10 @@ def candidates() -> list[Level]:
 
 
 def what_fails(level: Level) -> str:
-    """Return the operations that a level does not prevent, or the reason why it cannot be tried.
+    """Try ``level``, and return the forbidden operations that it does not prevent.
 
-    The result is an empty string if the level prevents every forbidden operation.
+    If the level cannot be tried, return the reason. If the level prevents every forbidden
+    operation, return an empty string.
     """
     attempts = [
         *(HELD_BY_LANDLOCK if level.landlock else ()),

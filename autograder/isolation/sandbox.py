@@ -1,9 +1,9 @@
-"""The sandbox around a worker: Landlock and seccomp from the inside, bubblewrap from the outside.
+"""Restrict a worker: Landlock and seccomp act from the inside, bubblewrap from the outside.
 
 Landlock lets the worker read a few folders and write nothing. The seccomp filter allows only the
 system calls that computations need, so the worker cannot create processes, open sockets, or send
 signals to other processes. Resource limits restrict its memory, its processor time and its files.
-All of this is set up before any of the student's code is loaded.
+All restrictions are in place before any of the student's code is loaded.
 """
 
 from __future__ import annotations
@@ -74,7 +74,9 @@ def landlock_version() -> int:
 
 
 def landlock_rules(readable: Sequence[str]) -> int:
-    """Return a descriptor of Landlock rules that allow reading these folders and files only.
+    """Create Landlock rules that allow reading only the files and folders in ``readable``.
+
+    Return the file descriptor of the rules.
 
     Raises:
         SandboxError: The kernel does not accept the rules.
@@ -124,7 +126,7 @@ _ALLOWED = {
 
 
 def seccomp_filter() -> bytes:
-    """Return a filter program that allows these system calls and refuses all others with EPERM."""
+    """Create a filter that allows only listed system calls. All others fail with EPERM."""
     numbers = [number for group in _ALLOWED.values() for number in group]
     program = [
         (_LOAD, 0, 0, 4),  # the architecture
@@ -169,9 +171,9 @@ _LIMITS = {
 
 
 def confine(level: Level, rules: int | None) -> None:
-    """Confine a template permanently. Its workers inherit the restrictions.
+    """Restrict a template permanently. Its workers inherit the restrictions.
 
-    ``rules`` is a descriptor that landlock_rules has returned.
+    ``rules`` is the descriptor from ``landlock_rules``.
 
     Raises:
         SandboxError: A layer cannot be set up.
@@ -191,10 +193,10 @@ def confine(level: Level, rules: int | None) -> None:
 
 
 def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
-    """Permanently take away from a worker the rights that only its template needs.
+    """Permanently remove the rights of a worker to fork and to send signals.
 
-    These are the rights to fork and to send signals. The worker may use at most ``seconds`` of
-    processor time from now on.
+    Only the template needs these rights. ``seconds`` limits the processor time that the worker may
+    use from now on.
 
     Raises:
         SandboxError: A layer cannot be set up.
@@ -226,8 +228,8 @@ def _lower(kind: int, soft: int, hard: int) -> None:
 def drop_privileges() -> None:
     """Switch to an unprivileged user if this process runs as root.
 
-    Python itself may be installed in a folder that only root can read, such as /root. The process
-    therefore keeps the capability to read any file, but Landlock limits it to the listed folders.
+    Python may be installed in a folder that only root can read, such as /root. For this reason, the
+    process keeps the capability to read any file. Landlock still limits it to the listed folders.
     """
     if os.geteuid() != 0:
         return

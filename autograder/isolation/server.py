@@ -79,7 +79,7 @@ class Server:
         }
 
     def refer(self, value: Any) -> dict[str, Any]:
-        """Return a reference to an object, which gets a number if it is new.
+        """Return a reference to ``value``. A new object gets a new number.
 
         The server's list keeps the object alive, so that Python does not reuse its id for another
         object.
@@ -90,7 +90,7 @@ class Server:
         return {"object": number, "type": type(value).__name__[:100]}
 
     def find(self, data: dict[str, Any]) -> Any:
-        """Return the object to which a message refers by number, by name, or as a callback."""
+        """Return the object that ``data`` identifies by a number, by a name, or as a callback."""
         if "object" in data:
             return self.objects[data["object"]]
         if "callback" in data:
@@ -98,7 +98,7 @@ class Server:
         return self.do_name(*data["name"])
 
     def callback(self, number: int) -> Callable[..., Any]:
-        """Return a function that, when called, asks the checks to call one of their functions."""
+        """Return a function that asks the process of the checks to call the function ``number``."""
 
         def call(*arguments: Any) -> Any:
             packed = [pack(argument, self.refer) for argument in arguments]
@@ -122,7 +122,10 @@ class Server:
             sys.modules[module] = broken_module(module, Message())
 
     def do_compile(self, file: str) -> str | None:
-        """Return the bytecode of a file as text, or None if it is too long or not valid Python."""
+        """Compile ``file`` and return the bytecode as text.
+
+        Return None if the file is not valid Python, or if the text would be too long.
+        """
         try:
             code = marshal.dumps(compile(Path(file).read_bytes(), file, "exec", dont_inherit=True))
         except (SyntaxError, ValueError, OSError, MemoryError, RecursionError):
@@ -130,7 +133,7 @@ class Server:
         return base64.b64encode(code).decode() if len(code) < LONGEST_LINE // 2 else None
 
     def do_definitions(self, file: str) -> list[str] | None:
-        """Return the names that a file defines, or None if it cannot be read."""
+        """Return the names that ``file`` defines, or None if the file cannot be read."""
         found = read_definitions(Path(file))
         return None if found is None else sorted(found)
 
@@ -164,7 +167,7 @@ class Server:
         return iter(value)
 
     def do_next(self, iterator: Any) -> list[Any]:
-        """Return a list that contains the next item of an iterator, or an empty list at its end."""
+        """Return the next item of ``iterator`` in a list. At the end, return an empty list."""
         for item in iterator:
             return [item]
         return []
@@ -176,9 +179,9 @@ class Server:
         return str(repr(value))[:1000]
 
     def do_test_walls(self, what: list[str], forbidden: str) -> list[str]:
-        """Try forbidden operations, and return those that succeed.
+        """Try the forbidden operations in ``what``, and return those that succeed.
 
-        No student code is loaded yet.
+        No student code has been loaded at this point.
         """
         through = []
         for name in what:
@@ -217,6 +220,6 @@ ATTEMPTS: dict[str, Callable[[str], Any]] = {
 
 
 def _error(name: str, text: str) -> Exception:
-    """Return a built-in exception with this name, which the student's code can catch."""
+    """Create a built-in exception of type ``name``, which the student's code can catch."""
     kind = getattr(builtins, name) if name in KNOWN_ERRORS else Exception
     return kind(text)

@@ -33,7 +33,7 @@ SYSTEM_LIBRARIES = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/etc/ld.so.cach
 
 
 class TemplateError(GraderFault):
-    """Raised when a worker did not start, and its code is not to blame."""
+    """Raised when a worker did not start for a reason outside the student's code."""
 
 
 @dataclass
@@ -52,11 +52,11 @@ class _Worker:
 class Template:
     """A process without student code that forks a worker for each check.
 
-    ``engine`` lists folders of chapters. A worker searches for modules first in the standard
-    library, and then in these folders and in the folder of the probes. Temporary files are stored
-    in ``folder``. A worker has ``seconds`` to answer its requests. ``fresh`` starts a new template
-    for each worker. This is slower, but without seccomp it is the only way to keep a worker from
-    affecting the next one.
+    ``engine`` lists folders of chapters. A worker searches for a module in the standard library,
+    then in these folders, and then in the folder of the probes. ``folder`` is for temporary files.
+    ``seconds`` is the time that a worker has to answer. If ``fresh`` is set, each worker gets a new
+    template. This is slower, but without seccomp only a new template keeps one worker from
+    affecting the next.
     """
 
     def __init__(
@@ -86,7 +86,7 @@ class Template:
     def start_worker(
         self, on_hang: Callable[[], NoReturn], broken: Mapping[str, Message] | None = None
     ) -> Session:
-        """Return a session with an unused worker, and order the next worker in advance.
+        """Return a session with an unused worker. Then order the next worker in advance.
 
         ``broken`` maps each module that cannot be imported to the reason.
 
@@ -116,7 +116,7 @@ class Template:
             self._next = self._order()
 
     def _order(self) -> _Worker:
-        """Order a worker. The template will answer with the process number of the worker."""
+        """Order a worker. The template answers later with the worker's process number."""
         assert self._control is not None
         own, theirs = socket.socketpair()
         worker = _Worker(own, self._new_file(), self._new_file())
@@ -134,7 +134,7 @@ class Template:
         return descriptor
 
     def _numbered_next(self) -> _Worker:
-        """Return the worker that was ordered in advance, after waiting for its process number."""
+        """Return the worker that was ordered in advance. Wait until its process number is known."""
         assert self._next is not None
         if not self._next.number:
             self._next.number = int(self._answer())
@@ -173,7 +173,7 @@ class Template:
             self._control.send(b"stop %d\n" % worker.number)
 
     def printed(self) -> str:
-        """Return the output of the worker, or of the template if there is no worker."""
+        """Return the worker's output. If there is no worker, return the template's output."""
         log = self._log if self._worker is None else self._worker.log
         printed = os.pread(log, 8000, 0).replace(b"\0", b"")  # NUL fills gaps in the file
         return printed.decode("utf-8", errors="replace").strip()

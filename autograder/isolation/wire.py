@@ -1,8 +1,8 @@
-"""The wire between trusted checks and a worker: one JSON object per line, with plain data only.
+"""The wire between trusted checks and a worker. Each message is a JSON object on one line.
 
-Values whose type is exactly None, bool, int, float, str, list, tuple or dict are sent as they are.
-For any other object, a reference is sent. Each end decides how it names its own objects, and how it
-finds the objects of the other end.
+Values whose type is exactly None, bool, int, float, str, list, tuple or dict are sent unchanged.
+Any other object is replaced by a reference. Each end chooses the references to its own objects, and
+looks up the references that it receives.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ Find = Callable[[dict[str, Any]], Any]
 
 
 class BrokenProtocolError(Exception):
-    """Raised when the other end has sent something that the protocol does not allow."""
+    """Raised when the other end has sent a message that the protocol does not allow."""
 
 
 class UnsendableError(Exception):
@@ -51,7 +51,8 @@ _DECODER = json.JSONDecoder()
 class Wire:
     """One end of a socket pair.
 
-    A ``patient`` end waits for the other end as long as necessary. Otherwise, deadlines apply.
+    If ``patient`` is set, this end waits for the other end without a time limit. Otherwise it obeys
+    deadlines.
     """
 
     def __init__(self, descriptor: int, *, patient: bool = False) -> None:
@@ -126,9 +127,9 @@ def _message(line: bytes) -> dict[str, Any]:
 
 
 def pack(value: Any, refer: Refer) -> Any:
-    """Convert a value to the form that it has in a message.
+    """Convert ``value`` to the form that it has in a message.
 
-    ``refer`` returns a reference for an object that is not plain data.
+    ``refer`` is called for an object that is not plain data, and returns a reference to it.
 
     Raises:
         UnsendableError: The value is too large or too deeply nested.
@@ -162,10 +163,12 @@ def _pack(value: Any, refer: Refer, left: list[int], depth: int) -> Any:
 
 
 def unpack(data: Any, find: Find) -> Any:
-    """Convert the data in a message back to a value. ``find`` returns the object for a reference.
+    """Convert ``data`` from a message back to a value.
+
+    ``find`` is called with a reference, and returns the object.
 
     Raises:
-        BrokenProtocolError: The data do not have the form that ``pack`` produces.
+        BrokenProtocolError: The data does not have the form that ``pack`` produces.
     """
     return _unpack(data, find, [2 * MOST_ITEMS + 1000], DEEPEST + 2)
 

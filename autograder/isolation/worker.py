@@ -1,6 +1,7 @@
-"""The program that runs the student's code in worker processes.
+"""Run the student's code in worker processes.
 
-It starts as a template, a process without student code, which waits for orders on a control socket:
+The program starts as a template, a process without student code. The template waits for orders on a
+control socket:
 
 - "code" provides the compiled code of modules. The template loads the code but never runs it.
 - "start" forks a worker, which enters the sandbox before it imports the submission.
@@ -85,7 +86,10 @@ def main(text: str) -> None:
 def _obey(
     control: socket.socket, work: Callable[..., None], seconds: float, workers: set[int]
 ) -> None:
-    """Carry out orders until there are no more, and keep the set of running workers up to date."""
+    """Carry out the orders from ``control`` until the socket is closed.
+
+    ``workers`` contains the process numbers of the running workers and is kept up to date.
+    """
     while True:
         orders, descriptors, _, _ = socket.recv_fds(control, 1024, 3)
         for order in orders.splitlines():  # a short order arrives whole
@@ -116,9 +120,9 @@ def _obey(
 
 
 def _kill(worker: int) -> None:
-    """Kill a worker.
+    """Kill ``worker``.
 
-    Without a sandbox it may have started other processes, so kill those as well.
+    Without a sandbox, the worker may have started other processes. These are killed too.
     """
     for kill in (os.killpg, os.kill):
         with contextlib.suppress(ProcessLookupError):  # it may not have its own group yet
@@ -127,9 +131,9 @@ def _kill(worker: int) -> None:
 
 
 def _exit_code(worker: int, seconds: float) -> int | None:
-    """Return the exit code of a worker that has closed its wire. It is negative for a signal.
+    """Return the exit code of ``worker``, which has closed its wire. It is negative for a signal.
 
-    If the worker does not end within a second, kill it and return None.
+    If the worker does not end within ``seconds``, kill it and return None.
     """
     for _ in range(100):
         ended, status, used = os.wait4(worker, os.WNOHANG)
@@ -153,9 +157,8 @@ def _work(
 ) -> None:
     """Run a worker: enter the sandbox, report that it is ready, and serve until the wire is closed.
 
-    Output that is printed goes to ``log``, and a stack trace that is requested goes to ``stack``.
-    Every worker has its own two files, so its output can never be mistaken for that of another
-    worker.
+    Printed output goes to ``log``, and a requested stack trace goes to ``stack``. Every worker has
+    two files of its own, so its output cannot be mistaken for that of another worker.
     """
     try:
         os.setsid()

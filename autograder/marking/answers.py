@@ -23,10 +23,10 @@ LONGEST = 20_000  # characters of one answer on the page
 
 @dataclass(frozen=True)
 class Answer:
-    """A student's answer to one question.
+    """A student's answer to a question.
 
-    ``code`` identifies the student on the page without revealing who it is. ``note`` describes a
-    problem with the student's file. If there is one, ``text`` contains the whole file.
+    ``code`` identifies the student on the page without revealing the name. ``note`` describes a
+    problem with the student's file. If there is a problem, ``text`` contains the whole file.
     """
 
     student: str
@@ -37,7 +37,7 @@ class Answer:
 
 @dataclass(frozen=True)
 class Task:
-    """A written exercise: its question, its model answer, its rubric, and all students' answers."""
+    """A written exercise with its question, model answer and rubric, and the students' answers."""
 
     exercise: Exercise
     question: str
@@ -49,10 +49,10 @@ class Task:
 def collect_tasks(
     submissions: list[Submission], chapters: list[Chapter], root: Path = ROOT
 ) -> list[Task]:
-    """Return the written exercises of the chapters, each with the answers of all students.
+    """Return the written exercises of ``chapters`` with the answers of all students.
 
-    The order of the answers is always the same and does not depend on the students' names. Missing
-    answers come last.
+    The order of the answers does not change between calls and does not depend on the students'
+    names. Missing answers come last.
     """
     answers: dict[str, list[Answer]] = {}
     for submission in submissions:
@@ -73,7 +73,7 @@ def collect_tasks(
 def _answers_of(
     submission: Submission, chapters: list[Chapter], root: Path
 ) -> Iterator[tuple[str, Answer]]:
-    """Yield a student's answer to each question. An answer that is missing is empty."""
+    """Yield the student's answer to each question. If an answer is missing, its text is empty."""
     wanted = [_answers_alone(chapter) for chapter in chapters if _written(chapter)]
     with tempfile.TemporaryDirectory(prefix="marking-") as folder:
         staged = stage(submission.path, wanted, Path(folder), root)
@@ -87,7 +87,10 @@ def _answers_of(
 
 
 def _text_of(question: Question, file: Path) -> tuple[str, str]:
-    """Return an answer and a note. If the answer is not in its section, return the whole file."""
+    """Return the text of an answer, and a note about any problem with the file.
+
+    If the answer is not in its section, the text is the whole file.
+    """
     if not file.exists():
         return "", ""
     if question.problems:
@@ -105,7 +108,7 @@ def _written(chapter: Chapter) -> list[Exercise]:
 
 
 def _answers_alone(chapter: Chapter) -> Chapter:
-    """Return a chapter in which the answers are the only file that students hand in."""
+    """Return a copy of ``chapter`` in which students hand in only the file with the answers."""
     exercises = [replace(exercise, files=[]) for exercise in _written(chapter)]
     exercises[0] = replace(exercises[0], files=[FILE])
     return replace(chapter, complete=[], exercises=exercises)

@@ -27,17 +27,17 @@ class MarksFile:
         self.students = students
 
     def read(self) -> Marks:
-        """Return all marks. Raises ValueError that names the line if a line is invalid."""
+        """Read all marks. If a line is invalid, raise ValueError with the number of the line."""
         return read_marks(self.path, self.chapters, self.students)
 
     def change(self, student: str, exercise: str, mark: Mark | None, seen: Mark | None) -> None:
-        """Write a mark, or remove it if the new mark is None.
+        """Write ``mark`` into the file. If ``mark`` is None, remove the old mark.
 
-        ``seen`` is the mark that the page showed.
+        ``seen`` is the old mark that the page showed.
 
         Raises:
-            ChangedError: The mark in the file differs from ``seen``.
-            ValueError: The file contains something invalid. In that case, it is not changed.
+            ChangedError: The old mark in the file differs from ``seen``.
+            ValueError: The file contains an invalid line. The file is not changed.
         """
         with self._alone():
             separator, rows = read_rows(self.path, self.chapters, self.students)
@@ -60,7 +60,7 @@ class MarksFile:
     def _lines(self) -> list[str]:
         """Return the lines of the file with their line endings.
 
-        Lines are counted in the same way as when rows are read.
+        The line numbers are the same as those that ``read_rows`` reports.
         """
         if not self.path.exists():
             return [",".join(HEADER) + "\n"]

@@ -1,4 +1,4 @@
-"""The server of the marking page, which provides the questions and answers and stores the marks."""
+"""Run the server of the marking page. It sends the questions and answers and stores the marks."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Marking(Site):
         )
 
     def known(self) -> dict[str, dict[str, Any]]:
-        """Return the marks in the file, keyed first by exercise and then by the student's code."""
+        """Return the marks in the file, by exercise and then by the student's code."""
         marks = self.marks.read()
         found: dict[str, dict[str, Any]] = {name: {} for name in self.tasks}
         for (exercise, code), student in self.students.items():
@@ -84,8 +84,8 @@ class Questions(Handler):
 class Marks(Handler):
     """Serves and changes the marks.
 
-    A request to change a mark includes the mark that the page showed, so that nobody overwrites a
-    mark without having seen it.
+    A request to change a mark includes the old mark that the page showed. If the mark in the file
+    is different, it is not overwritten, because the user has not seen it.
     """
 
     site: Marking
@@ -123,7 +123,7 @@ class Marks(Handler):
         self.answer()
 
     def answer(self, status: int = 200, **more: str) -> None:
-        """Send all marks, so that each page also shows the changes made on other pages."""
+        """Send all marks to the page, so that it also shows changes from other pages."""
         try:
             known = self.site.known()
         except (ValueError, OSError) as error:
@@ -139,7 +139,9 @@ class Marks(Handler):
 
 
 def mark_of(value: Any, most: float) -> Mark | None:
-    """Return the mark that a page has sent, or None if it removes a mark.
+    """Convert data from the page to a mark. If the page removes a mark, return None.
+
+    ``most`` is the maximum number of points.
 
     Raises:
         ValueError: The data is not a valid mark.

@@ -22,11 +22,11 @@ OTHER_COLUMNS = (*HEADER, "LastName", "FirstName", "Integration ID", "Root Accou
 def write_canvas(
     path: Path, people: ClassList, grades: Mapping[str, float], title: str, points: float
 ) -> None:
-    """Write a row for each student of the roster, in the format that Canvas documents.
+    """Write the file that Canvas imports, with a row for each student of the roster.
 
-    Canvas identifies a student by the ID. If there is none, it uses the SIS user ID, the login or
-    the name. An empty cell means that there is no grade. ``title`` names an existing assignment,
-    such as "Lab 1 (12345)", or a new one.
+    Canvas identifies a student by the ID. If the ID is missing, it uses the SIS user ID, the login
+    or the name. An empty cell means that there is no grade. ``title`` is the name of an existing
+    assignment, such as "Lab 1 (12345)", or of a new one.
     """
     rows = [[*HEADER, title], ["    Points Possible", "", "", "", "", number(points)]]
     for member in people.members:
@@ -41,7 +41,10 @@ def write_canvas(
 
 
 def check_title(title: str) -> str:
-    """Return the title of a column if Canvas can import it. Raises ValueError otherwise."""
+    """Return ``title`` if Canvas can import a column with this title.
+
+    Otherwise raise ValueError.
+    """
     if not title.strip() or clean_line(title) != title or FORMULA.search(title):
         raise ValueError(
             f"--title must be one line of text, and not begin like a formula, got {title!r}"
@@ -52,10 +55,11 @@ def check_title(title: str) -> str:
 
 
 def _canvas_id(member: Member) -> str:
-    """Return the student's id in Canvas, from the name of the submission or else from the roster.
+    """Return the student's id in Canvas.
 
-    Canvas reads any number at the beginning of this cell as an id, so the column must contain
-    nothing else.
+    The id comes from the name of the submission if there is one, and otherwise from the roster.
+    Canvas reads a number at the beginning of this cell as an id, so the cell must not contain
+    anything else.
     """
     export = member.submission.export if member.submission else None
     if export and export.platform == "canvas" and export.number.isdecimal():

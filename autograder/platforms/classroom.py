@@ -1,4 +1,4 @@
-"""Make a hand-out with a workflow with which GitHub Classroom grades each push."""
+"""Make a hand-out for GitHub Classroom. Its workflow grades each push."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ MINUTES = 10  # at most; the set-up takes a minute, and each exercise takes seco
 def make_classroom(
     chapters: list[Chapter], given: list[Chapter], out: Path, root: Path = ROOT, *, about: str = ""
 ) -> None:
-    """Write a hand-out with a workflow into a new folder, and print a summary of its contents.
+    """Write a hand-out with a workflow into the new folder ``out``, and print a summary.
 
-    ``about`` is the section about the assignment in the README. GitHub Classroom accepts only whole
-    points, so the points of an assignment are rounded in a way that preserves their sum.
+    ``about`` is the README section about the assignment. GitHub Classroom accepts only whole
+    points, so the points of each exercise are rounded in a way that preserves their sum.
 
     Raises:
-        ValueError: As for ``make_handout``.
+        ValueError: ``make_handout`` refuses the chapters or the folder.
     """
     make_handout(chapters, given, out, root, about=about)
     chapters = in_whole_points(chapters)
@@ -42,7 +42,7 @@ def make_classroom(
 
 
 def workflow(chapters: list[Chapter]) -> dict[str, Any]:
-    """Return the workflow, with a step for each exercise that has checks and a final report."""
+    """Create the workflow. It has a step for each exercise that has checks, and a final report."""
     exercises = _checked(chapters)
     steps: list[dict[str, Any]] = [
         {"uses": "actions/checkout@v4"},
@@ -99,7 +99,7 @@ def in_whole_points(chapters: list[Chapter]) -> list[Chapter]:
 
 
 def step_id(exercise: Exercise) -> str:
-    """Return an id such as exerciseB2dot1, because the reporter accepts only letters and digits."""
+    """Return an id such as exerciseB2dot1. The reporter accepts only letters and digits."""
     return f"exercise{exercise.id.replace('.', 'dot')}"
 
 
@@ -120,6 +120,6 @@ def _step(exercise: Exercise) -> dict[str, Any]:
 
 
 def _checked(chapters: list[Chapter]) -> list[Exercise]:
-    """Return the exercises that have checks, which are all exercises except the written ones."""
+    """Return the exercises that have checks. Only written exercises have none."""
     everything = [exercise for chapter in chapters for exercise in chapter.exercises]
     return [exercise for exercise in everything if exercise.kind != "written"]

@@ -1,6 +1,6 @@
-"""Grade the submission that Gradescope provides, and print the results as JSON.
+"""Grade the submission from Gradescope, and print the results as JSON.
 
-The zip file that gradescope.py makes contains a script run_autograder, which runs this module.
+The zip file from gradescope.py contains the script run_autograder, which runs this module.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from autograder.submissions.find import Submission, printable
 
 
 def main(folder: Path, root: Path = ROOT) -> None:
-    """Print the results of ``folder``/submission. If grading fails, print results that say so."""
+    """Grade ``folder``/submission and print the results. If grading fails, the results say so."""
     try:
         results = gradescope_results(grade_one(folder, root))
     except ValueError as error:  # its text is written for people to read
@@ -42,9 +42,10 @@ def main(folder: Path, root: Path = ROOT) -> None:
 
 
 def grade_one(folder: Path, root: Path) -> StudentReport:
-    """Grade ``folder``/submission as the zip's assignment.json describes, and return the report.
+    """Grade ``folder``/submission and return the report.
 
-    Unless the assignment has a seed, each run draws new numbers for the checks.
+    The file assignment.json in the zip describes the assignment. If the assignment has no seed,
+    each run uses new random numbers in the checks.
 
     Raises:
         ValueError: There is nothing to grade, or there is no sandbox in which to grade it.
@@ -72,7 +73,10 @@ def grade_one(folder: Path, root: Path) -> StudentReport:
 
 
 def students(metadata: Path) -> str:
-    """Return the names of the submitters from Gradescope's metadata, or else "submission"."""
+    """Read the names of the submitters from Gradescope's metadata.
+
+    If there are no names, return "submission".
+    """
     try:
         users = _metadata(metadata)["users"]
         return ", ".join(printable(user["name"]) for user in users) or "submission"
@@ -90,7 +94,10 @@ def _metadata(path: Path) -> dict[str, Any]:
 
 
 def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> Chapter:
-    """Return the chapter reduced to the assigned exercises, with the points of the assignment."""
+    """Return a copy of ``chapter`` that contains only the assigned exercises.
+
+    The exercises have the points of the assignment.
+    """
     exercises = [
         replace(exercise, points=points[exercise.id], extra=exercise.id in extra)
         for exercise in chapter.exercises
@@ -100,9 +107,9 @@ def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> C
 
 
 def _level(submission: Path, *, unsafe: bool) -> Level:
-    """Return the sandbox level of this machine, chosen as by the command `grade`.
+    """Return the sandbox level that the command `grade` would choose on this machine.
 
-    If there is no sandbox and the instructor permits that, a process of root first becomes an
+    If there is no sandbox and ``unsafe`` permits this, a root process first switches to an
     unprivileged user.
     """
     if unsafe and os.geteuid() == 0 and not best_level().is_sandbox:

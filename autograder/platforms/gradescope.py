@@ -1,4 +1,4 @@
-"""Make the zip file for Gradescope, with its scripts, the grader, the checks and the reference."""
+"""Make the zip file for Gradescope. It contains scripts, the grader, checks and the reference."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def make_gradescope(
     unsafe: bool = False,
     root: Path = ROOT,
 ) -> None:
-    """Write the zip file, and print a summary of its contents.
+    """Write the zip file ``out`` for Gradescope, and print a summary of its contents.
 
     Given chapters are taken from the reference, even if students hand them in. ``unsafe`` permits
     grading on a machine without a sandbox.
@@ -90,7 +90,7 @@ def _files(
 
 
 def _hidden(work: Work) -> dict[str, bytes]:
-    """Return the hidden checks of the graded chapters, keyed by their paths in the zip file."""
+    """Return the hidden checks of the graded chapters, by their paths in the zip file."""
     return {
         f"{HIDDEN}/{chapter.name}/{file.name}": file.read_bytes()
         for chapter in work.chapters
@@ -99,7 +99,10 @@ def _hidden(work: Work) -> dict[str, bytes]:
 
 
 def _zipped(contents: dict[str, bytes]) -> bytes:
-    """Return the bytes of a zip with these files, sorted by name. The scripts are executable."""
+    """Create a zip file from ``contents``, and return its bytes.
+
+    The files are sorted by name, and the scripts are executable.
+    """
     memory = io.BytesIO()
     with zipfile.ZipFile(memory, "w") as file:
         for name in sorted(contents):

@@ -1,4 +1,4 @@
-"""Write moodle.csv, which Moodle's gradebook can import, and an assignment's grading worksheet."""
+"""Write moodle.csv for Moodle's gradebook, and the grading worksheet of an assignment."""
 
 from __future__ import annotations
 
@@ -20,13 +20,11 @@ WORKSHEET = [
 
 
 def write_moodle(path: Path, people: ClassList, grades: Mapping[str, float], title: str) -> None:
-    """Write a row for each student of the roster.
+    """Write moodle.csv, with a row for each student of the roster.
 
-    A student whom Moodle does not know stops its import.
-
-    If the cell that identifies a student were empty, Moodle would give the grade to the student in
-    the row above. The columns for logins and emails are therefore written only if every student has
-    one.
+    Moodle stops the import at a student whom it does not know. If the cell that identifies a
+    student is empty, Moodle gives the grade to the student in the row above. The columns for logins
+    and emails are therefore written only if every student has a login or an email.
     """
     students = [(member, member.student) for member in people.members if member.student]
     columns = {"ID number": [who.id for _, who in students]}
@@ -42,11 +40,11 @@ def write_moodle(path: Path, people: ClassList, grades: Mapping[str, float], tit
 def write_worksheet(
     path: Path, people: ClassList, grades: Mapping[str, float], points: float
 ) -> bool:
-    """Write the grading worksheet of the assignment. Return whether there was anything to write.
+    """Write the grading worksheet of the assignment. Return whether it contains any students.
 
-    The worksheet does not need a roster, because Moodle's folder names contain the participants. If
-    no submission comes from Moodle, no worksheet is written. It has no column for comments, because
-    empty cells in that column would delete the comments in Moodle.
+    The worksheet does not need a roster, because Moodle's folder names identify the participants.
+    If no submission comes from Moodle, no worksheet is written. The worksheet has no column for
+    comments, because empty cells in this column would delete the comments in Moodle.
     """
     rows = []
     for member in people.members:

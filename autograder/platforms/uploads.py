@@ -22,7 +22,7 @@ class Column:
     """The column with the grades on a platform.
 
     ``title`` may end with the id of an assignment, as in "Lab 1 (12345)". ``points`` is the maximum
-    of the assignment on the platform, to which the grades are rescaled.
+    score of the assignment on the platform. The grades are rescaled to this maximum.
     """
 
     title: str = ""

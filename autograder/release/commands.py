@@ -49,7 +49,7 @@ def run_release(arguments: argparse.Namespace) -> int:
 
 
 def refuse_early(work: Work, now: datetime) -> None:
-    """Raise ValueError if a student may still hand in work for the assignment."""
+    """Raise ValueError if any student may still hand in work for the assignment at ``now``."""
     if work.deadline is None:
         return
     dues = [work.deadline.due, *work.deadline.extensions.values()]

@@ -1,4 +1,7 @@
-"""Compare those solutions of a student that passed with the reference, function by function."""
+"""Compare a student's solutions with the reference, function by function.
+
+Only exercises that the student has passed are compared.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +21,7 @@ OUTSIDE = ""  # stands for code outside of functions
 
 @dataclass(frozen=True)
 class Code:
-    """The body of a function: its text without the outer indentation, and its counts."""
+    """The body of a function, without the outer indentation, and its counts."""
 
     text: str
     counts: Counts
@@ -28,7 +31,7 @@ class Code:
 class Pair:
     """A student's function and the reference's function.
 
-    If one side lacks it, that side is None.
+    If either of them has no such function, its side is None.
     """
 
     name: str
@@ -38,7 +41,7 @@ class Pair:
 
 @dataclass(frozen=True)
 class Compared:
-    """The pairs of functions of one exercise, or of a module's functions outside the exercises."""
+    """The pairs of functions of an exercise, or of functions in a module outside the exercises."""
 
     title: str
     pairs: list[Pair]
@@ -57,9 +60,9 @@ def compare_exercise(exercise: Exercise, own: Texts, reference: Texts) -> Compar
 def compare_others(
     chapter: Chapter, files: Iterable[str], own: Texts, reference: Texts
 ) -> list[Compared]:
-    """Compare the functions in these modules that belong to no exercise, such as helpers.
+    """Compare the functions in ``files`` that do not belong to an exercise, such as helpers.
 
-    Functions that are equal on both sides, such as given ones, are left out. Code outside of
+    Functions that are equal on both sides, such as given functions, are left out. Code outside of
     functions is also left out.
     """
     edited = {name for exercise in chapter.exercises for name in exercise.edit}
@@ -81,7 +84,7 @@ def compare_others(
 
 
 def _codes(file: str, texts: Texts) -> dict[str, Code]:
-    """Return the functions of a module. Any part that cannot be read is left out."""
+    """Return the functions of the module ``file``. Functions that cannot be read are left out."""
     text = texts.get(file, "")
     return {one.name: _code(file, text, one) for one in read_functions(text)[0]}
 

@@ -1,7 +1,7 @@
-"""Count the lines, the calls and the constructed objects that are written in a function.
+"""Count the lines, the calls and the constructed objects in the source of a function.
 
-The tokens of the source are counted. The code is neither compiled nor run, so a call inside a loop
-counts once.
+The counts come from the tokens of the source. The code is not compiled or run, so a call inside a
+loop counts once.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ END_OF_LINE = ";"
 class Counts:
     """The number of lines, calls and constructed objects in the body of a function.
 
-    ``lines`` counts lines with code, but not blank lines, comments or docstrings. ``calls`` counts
-    calls such as v.dot(w). ``objects`` counts those calls that construct an object, such as
-    Vector3(...). Errors that are raised are not counted as calls or objects.
+    ``lines`` counts lines with code. Blank lines, comments and docstrings do not count. ``calls``
+    counts calls such as v.dot(w). ``objects`` counts calls that construct an object, such as
+    Vector3(...). An error in a raise statement does not count as a call or an object.
     """
 
     lines: int
@@ -39,9 +39,9 @@ def count(function: Function) -> Counts:
 
 
 def _is_call(words: Sequence[str], i: int) -> bool:
-    """Return whether the bracket at index i makes a call.
+    """Return whether the bracket at index ``i`` belongs to a call.
 
-    Brackets also appear in expressions, and after def, class and raise, where they do not count.
+    Brackets in expressions do not count, nor do brackets after def, class and raise.
     """
     before = words[i - 1] if i else ""
     first = i - 1

@@ -13,10 +13,12 @@ from autograder.stubs import messages_of, stub_module
 
 
 def chosen(chapters: Sequence[Chapter], exercises: Sequence[str]) -> list[Chapter]:
-    """Return the chapters reduced to the named exercises, or with all of them if none is named.
+    """Return copies of ``chapters`` that contain only ``exercises``.
+
+    If ``exercises`` is empty, the chapters contain all of their exercises.
 
     Raises:
-        ValueError: One of the exercises is in none of the chapters.
+        ValueError: An exercise does not exist in any of the chapters.
     """
     known = {e.id.lower(): e.id for chapter in chapters for e in chapter.exercises}
     wanted = {known.get(name.lower(), "") for name in exercises}
@@ -31,7 +33,7 @@ def chosen(chapters: Sequence[Chapter], exercises: Sequence[str]) -> list[Chapte
 
 
 def released_module(chapter: Chapter, whole: Chapter, file: str, root: Path = ROOT) -> str:
-    """Return the text of a module, in which exercises that are not released yet are stubs."""
+    """Return the text of the module ``file``. Exercises that are not released yet are stubs."""
     kept = {exercise.id for exercise in chapter.exercises}
     held_back = replace(whole, exercises=[e for e in whole.exercises if e.id not in kept])
     text = (root / "solutions" / whole.name / file).read_text(encoding="utf-8")
@@ -42,7 +44,7 @@ def released_module(chapter: Chapter, whole: Chapter, file: str, root: Path = RO
 def write_reference(
     out: Path, chapter: Chapter, whole: Chapter, root: Path = ROOT
 ) -> dict[str, str]:
-    """Write the files of one chapter. Return the texts of its modules, keyed by file name."""
+    """Write the files of ``chapter`` into ``out``. Return the text of each module by file name."""
     folder = out / "reference" / whole.name
     folder.mkdir(parents=True)
     modules = {name: released_module(chapter, whole, name, root) for name in chapter.edited_files}
@@ -56,7 +58,10 @@ def write_reference(
 
 
 def _model_answers(chapter: Chapter, root: Path) -> str:
-    """Return the released model answers without their rubrics, or an empty text without any."""
+    """Return the released model answers without their rubrics.
+
+    If there are no released model answers, return an empty string.
+    """
     file = root / "solutions" / chapter.name / FILE
     written = {exercise.id for exercise in chapter.exercises if exercise.kind == "written"}
     if not written or not file.is_file():

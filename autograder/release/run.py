@@ -1,4 +1,4 @@
-"""Release the reference of some chapters or exercises, with a page for each successful student."""
+"""Release the reference of chapters or exercises. Write a page for each successful student."""
 
 from __future__ import annotations
 
@@ -37,11 +37,12 @@ def release(
     *,
     roster: Path | None = None,
 ) -> int:
-    """Write the reference of chapters, or of some of their exercises, into a folder. Return 0.
+    """Write the reference of ``chapters`` into the folder ``out``. Return 0.
 
-    If the submissions and the graded results of a class are given, also write a page for each
-    student. It compares the student's own solutions with the reference. ``roster`` is the one with
-    which the class was graded, because the results have its names.
+    If ``exercises`` is not empty, write only these exercises. If ``submissions`` and ``grades`` are
+    given, also write a page for each student that compares the student's own solutions with the
+    reference. ``roster`` is the roster with which the class was graded, because the
+    results have its names.
 
     Raises:
         ValueError: The folder cannot be used, or an exercise, the reference or the class is
@@ -84,10 +85,10 @@ def release(
 
 
 def _prepare(out: Path, submissions: Path | None, root: Path) -> None:
-    """Create the folder of a release, or empty it if it contains an earlier release.
+    """Create the folder ``out``. If it contains an earlier release, empty it.
 
     Raises:
-        ValueError: The folder contains something else, or hand-outs are made from its contents.
+        ValueError: The folder contains other files, or hand-outs are made from its contents.
     """
     place = out.resolve()
     if place.is_relative_to(root.resolve()) and not place.is_relative_to(root.resolve() / "build"):
@@ -135,7 +136,10 @@ def _compare(
 def _own_texts(
     submission: Submission, report: StudentReport, root: Path
 ) -> dict[str, Texts] | None:
-    """Return a student's modules by chapter, or None if they are not the graded ones."""
+    """Return the texts of the student's modules by chapter.
+
+    Return None if the submission has changed since it was graded.
+    """
     chapters = load_chapters(root)
     with tempfile.TemporaryDirectory(prefix="release-") as folder:
         staged = stage(submission.path, chapters, Path(folder), root)

@@ -16,10 +16,10 @@ BINS = 10
 
 @dataclass(frozen=True)
 class ExerciseRate:
-    """The pass rate of one exercise in a class.
+    """The pass rate of an exercise in a class.
 
-    ``counted`` is the number of students who have a score for the exercise. A student whose answer
-    is not marked yet, or on whose submission the grader failed, has none.
+    ``counted`` is the number of students with a score for the exercise. A student has no score if
+    the answer is not marked yet, or if the grader failed on the submission.
     """
 
     exercise: Exercise
@@ -30,7 +30,7 @@ class ExerciseRate:
 
     @property
     def share(self) -> float | None:
-        """The fraction of counted students who pass, or None for a written exercise."""
+        """The fraction of counted students who pass. It is None for a written exercise."""
         if self.exercise.kind == "written" or not self.counted:
             return None
         return self.passed / self.counted
@@ -56,7 +56,7 @@ def exercise_rates(chapters: list[Chapter], reports: Sequence[StudentReport]) ->
 
 
 def most_missed(rates: list[ExerciseRate]) -> list[ExerciseRate]:
-    """Return the exercises with the lowest pass rates, lowest first.
+    """Return the exercises with the lowest pass rates. The lowest rate comes first.
 
     The result is empty if every student passes every exercise.
     """

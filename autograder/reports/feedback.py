@@ -1,7 +1,7 @@
-"""Write the pages of a graded class: one for each student, and an index for the instructor.
+"""Write the pages of a graded class: one page for each student, and an index for the instructor.
 
-The pages work without a network connection and without scripts. Untrusted content appears on them
-only as text.
+The pages work without a network connection and without scripts. Content that comes from students
+appears only as text.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ TO_FIX = ("failed", "inherited", "blocked")  # in the order in which to fix them
 
 @dataclass
 class LostChecks:
-    """Failed checks that have the same message. The titles of hidden checks are left out."""
+    """Failed checks that have the same message. The titles of hidden checks are not shown."""
 
     status: Status
     message: str
@@ -60,10 +60,10 @@ class LostChecks:
 
 @dataclass(frozen=True, kw_only=True)
 class ShownExercise(ExerciseReport):
-    """An exercise as its page shows it, with failed checks in full and passed checks in short.
+    """An exercise as it appears on the page. Only its failed checks are shown in full.
 
-    ``gains`` is true if the exercise earns more on given chapters. ``uneven`` is true if the checks
-    of a tier have different weights.
+    ``gains`` is true if the exercise earns more points with the reference's earlier chapters.
+    ``uneven`` is true if the checks of a tier have different weights.
     """
 
     anchor: str
@@ -107,7 +107,7 @@ def write_index(
     missing: Sequence[str] = (),
     unmatched: Sequence[str] = (),
 ) -> Path:
-    """Write index.html, which shows the whole class to its instructor, and return its path."""
+    """Write index.html, which shows the instructor the whole class. Return the path of the page."""
     path = out / "index.html"
     links = [f"feedback/{quote(file_name(report.student))}.html" for report in reports]
     clean = [clean_all(report) for report in reports]
@@ -160,7 +160,7 @@ def _shown(number_on_page: int, exercise: ExerciseReport) -> ShownExercise:
 
 
 def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
-    """Return the exercise to fix first. Failing physics comes before failing robust checks."""
+    """Return the exercise to fix first. An exercise that fails physics checks comes first."""
 
     def urgency(exercise: ShownExercise) -> tuple[bool, int]:
         works = all(passed == of for tier, passed, of in exercise.tiers if tier == "physics")
@@ -170,7 +170,7 @@ def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
 
 
 def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
-    """Return a chart for each open exercise that at least one submission can be shown on."""
+    """Return a chart for each open exercise if at least one submission has a position on it."""
     found: dict[str, tuple[ExerciseReport, Chart]] = {}
     named: dict[str, list[tuple[str, Sequence[float]]]] = {}
     for report in reports:
@@ -187,7 +187,7 @@ def _possible(exercises: Sequence[ExerciseReport]) -> float:
 
 
 def _groups(checks: list[CheckReport]) -> list[LostChecks]:
-    """Group failed checks by message, because one unreadable file can cause many equal failures."""
+    """Group failed checks by message. One unreadable file can cause many equal failures."""
     groups: dict[tuple[Status, str, bool, bool], LostChecks] = {}
     for check in checks:
         shared = check.status, str(check.message), check.hidden, check.robust

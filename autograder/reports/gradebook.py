@@ -1,4 +1,4 @@
-"""Write gradebook.csv, which has a row per student and a column per exercise."""
+"""Write gradebook.csv. It has a row for each student and a column for each exercise."""
 
 from __future__ import annotations
 
@@ -30,12 +30,13 @@ def write_gradebook(
     missing: Sequence[str] = (),
     unmatched: Sequence[str] = (),
 ) -> Path:
-    """Write gradebook.csv, whose second row contains the possible points, and return its path.
+    """Write gradebook.csv and return its path. Its second row contains the possible points.
 
-    A cell is empty if there is no grade yet: an answer still has to be marked, the grader failed,
-    or the student is ``missing`` and has not handed in anything. ``unmatched`` lists the students
-    who are not in the roster. If there is a due date, the points, the late days and the penalty
-    have columns of their own, and the total is the points minus the penalty.
+    A cell is empty if there is no grade yet, because an answer is not marked, the grader failed, or
+    the student has not handed in anything. ``missing`` lists the students who have not handed in
+    anything. ``unmatched`` lists the students who are not in the roster. If there is a due date,
+    the gradebook has columns for the points, the late days and the penalty. The total is then the
+    points minus the penalty.
     """
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     written = possible(exercise for exercise in exercises if exercise.kind == "written")
@@ -81,5 +82,5 @@ def _late(report: StudentReport) -> list[float | None]:
 
 
 def as_cell(text: str) -> str:
-    """Return a text on one line that no spreadsheet will interpret as a formula."""
+    """Put ``text`` on one line, and make sure that a spreadsheet does not read it as a formula."""
     return FORMULA.sub(r"\1\2'", clean_line(text))

@@ -19,7 +19,7 @@ OURS = "error of the grader, retry: this is not the submission's fault and does 
 
 @dataclass(frozen=True)
 class ExerciseResult:
-    """The result of one exercise, which Gradescope calls a test. It may have no score."""
+    """The result of an exercise. Gradescope calls it a test. It may have no score."""
 
     number: str
     name: str
@@ -32,7 +32,7 @@ class ExerciseResult:
 
 @dataclass(frozen=True)
 class GradescopeResults:
-    """The contents of results.json. All text is plain text, and the standard output is hidden."""
+    """The contents of results.json. All texts are plain text, and the standard output is hidden."""
 
     output: str
     output_format: Literal["text"]
@@ -58,10 +58,9 @@ def as_text(results: GradescopeResults) -> str:
 
 
 def gradescope_results(report: StudentReport) -> GradescopeResults:
-    """Convert a report to Gradescope's format, with one test per exercise.
+    """Convert a report to Gradescope's format, with one test for each exercise.
 
-    If the grader failed, the result contains no score, because neither zero nor full marks would be
-    right.
+    If the grader failed, there is no score, because zero and full marks would both be wrong.
     """
     report = clean_all(report)
     failed = report.status != "graded" or report.score is None
@@ -74,7 +73,7 @@ def gradescope_results(report: StudentReport) -> GradescopeResults:
 
 
 def ungraded_results(reason: str) -> GradescopeResults:
-    """Return results in Gradescope's format for a submission that could not be graded at all."""
+    """Create results in Gradescope's format for a submission that could not be graded."""
     return _results(f"{OURS}\n{clean_all(reason)}", [])
 
 
@@ -136,7 +135,7 @@ def _exercise_result(exercise: ExerciseReport) -> ExerciseResult:
 
 
 def _output(exercise: ExerciseReport) -> str:
-    """Return the text that a student sees about an exercise: the messages of the failed checks."""
+    """Return the messages of the failed checks of ``exercise``, which the student sees."""
     status, checks = exercise.status, exercise.checks
     if status == "waiting":
         return f"waits for a person, who can give up to {number(exercise.points)} points"

@@ -1,4 +1,4 @@
-"""Marks that people give to written answers: read marks.csv, and add the marks to reports."""
+"""Read the marks for written answers from marks.csv, and add them to reports."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ GUARDED = re.compile(r"^'(?='*[=+\-@＝＋－＠])")  # noqa: RUF001
 
 @dataclass(frozen=True)
 class Mark:
-    """The points that a person gave for one student's written answer, and a comment."""
+    """The points and the comment that a person gave for a student's written answer."""
 
     points: float
     comment: str
@@ -34,7 +34,7 @@ Marks = dict[tuple[str, str], Mark]  # keyed by student and exercise
 
 @dataclass(frozen=True)
 class Row:
-    """A mark in marks.csv, with its first and its last line in the file, counted from 1."""
+    """A mark in marks.csv, with the numbers of its first and last line. Lines count from 1."""
 
     student: str
     exercise: str
@@ -44,10 +44,10 @@ class Row:
 
 
 def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> Marks:
-    """Read marks.csv, whose columns are student, exercise, points and comment.
+    """Read marks.csv, which has the columns student, exercise, points and comment.
 
     If the file does not exist, there are no marks. Columns may be separated by semicolons, as in
-    European spreadsheets. In that case, numbers may have a decimal comma.
+    European spreadsheets. Numbers may then have a decimal comma.
 
     Raises:
         ValueError: A line is not valid. The message names the line and the expected form.
@@ -93,7 +93,7 @@ def read_rows(
 
 
 def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> list[str]:
-    """Return the cells of a row with a mark. No spreadsheet will interpret them as formulas."""
+    """Create a row of marks.csv. A spreadsheet will not read its cells as formulas."""
     harmless = as_cell(student)
     name = harmless if _names(students).get(harmless) == student else student
     comment = clean(mark.comment).strip()
@@ -101,12 +101,9 @@ def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> 
 
 
 def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
-    """Return the marks, keyed by the names that the reports show.
+    """Return the marks under the names that the reports show.
 
-    ``names`` maps each of a student's other names to the name in the reports.
-
-    Raises:
-        ValueError: A student has two marks for the same exercise, under different names.
+    ``names`` maps each other name of a student to the name in the reports.
     """
     found: Marks = {}
     for (student, exercise), mark in marks.items():
@@ -120,9 +117,9 @@ def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
 
 
 def apply_marks(report: StudentReport, marks: Marks) -> StudentReport:
-    """Return the report with exactly these marks in it, in place of any earlier marks.
+    """Replace all marks in ``report`` with ``marks``, and return the new report.
 
-    A written exercise without a mark is shown as waiting for one.
+    If a written exercise has no mark, the report shows that it is waiting for one.
     """
     exercises = []
     given: list[float] = []
@@ -150,7 +147,7 @@ def _marked(exercise: ExerciseReport, mark: Mark | None) -> ExerciseReport:
 
 
 def _rows(path: Path) -> tuple[str, Iterator[tuple[int, int, list[str]]]]:
-    """Return the separator, and the rows below the header with their first and last lines."""
+    """Return the separator and the rows below the header. Each row has its first and last line."""
     table = read_csv(path)
     if table.header != HEADER:
         wanted = ",".join(HEADER)
@@ -169,7 +166,7 @@ def _written(where: str, given: str, exercises: dict[str, Exercise]) -> Exercise
 
 
 def _names(students: Iterable[str]) -> dict[str, str]:
-    """Return the students, keyed by each spelling of their names that is not ambiguous."""
+    """Map each spelling of a student's name to the student. Ambiguous spellings are left out."""
     forms: dict[str, set[str]] = {}
     for name in students:
         for form in (name, _key(name), _key(as_cell(name))):
@@ -179,5 +176,5 @@ def _names(students: Iterable[str]) -> dict[str, str]:
 
 
 def _key(name: str) -> str:
-    """Normalize a name, so that two encodings of the same accented letter compare equal."""
+    """Normalize ``name``, so that two encodings of the same accented letter are equal."""
     return unicodedata.normalize("NFC", name.strip())

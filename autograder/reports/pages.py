@@ -1,4 +1,4 @@
-"""Render the templates of all pages. Untrusted content is inserted only as text."""
+"""Render the templates of all pages. Content that comes from students is inserted only as text."""
 
 from __future__ import annotations
 
@@ -14,7 +14,10 @@ SHARED = Path(__file__).parent / "templates"
 
 
 def render(template: str, folder: Path = SHARED, **values: Any) -> str:
-    """Return a page made from a template in ``folder`` or in the folder of shared templates."""
+    """Render ``template`` with ``values``, and return the page.
+
+    The template is in ``folder`` or in the folder of shared templates.
+    """
     environment = Environment(
         loader=FileSystemLoader([folder, SHARED]),
         autoescape=True,

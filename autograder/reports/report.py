@@ -27,7 +27,7 @@ class CheckReport:
 
 @dataclass(frozen=True)
 class Chart:
-    """Where a submission and the reference are on the chart of an open exercise.
+    """The positions of a submission and of the reference on the chart of an open exercise.
 
     ``axes`` names the two coordinates, which are cost and error.
     """
@@ -39,10 +39,10 @@ class Chart:
 
 @dataclass(frozen=True)
 class ExerciseReport:
-    """The outcome of an exercise. A score that is not known yet is None.
+    """The outcome of an exercise. A score is None if it is not known yet.
 
-    ``score_on_given`` is the score with the earlier chapters taken from the reference. The points
-    of ``extra`` credit are not part of the possible points.
+    ``score_on_given`` is the score with the earlier chapters of the reference. The points of
+    ``extra`` credit do not count toward the possible points.
     """
 
     chapter: int
@@ -61,9 +61,9 @@ class ExerciseReport:
 
 @dataclass(frozen=True)
 class Late:
-    """How late a submission is by the rules of the course, and the points that this costs.
+    """How late a submission is under the rules of the course, and how many points it loses.
 
-    ``days`` is None if it is unknown. ``words`` contains further explanations, as sentences.
+    ``days`` is None if it is unknown. ``words`` contains sentences with further explanations.
     """
 
     days: int | None
@@ -73,9 +73,10 @@ class Late:
 
 @dataclass(frozen=True)
 class RunKey:
-    """The conditions, besides the submission, under which a report remains valid.
+    """The conditions that must not change if a report is to remain valid.
 
     ``points`` maps each graded exercise to its points. ``extra`` lists the extra-credit exercises.
+    The submission itself is not one of the conditions.
     """
 
     seed: str
@@ -94,10 +95,11 @@ class RunKey:
 class StudentReport:
     """The results of one student.
 
-    Checks can give ``points``. A person has given ``by_hand`` points, and can still give
-    ``waiting`` points. ``earlier`` lists the student's own chapters on which the graded ones build.
-    ``submission`` is the digest of the graded files. ``seconds`` is the time that grading took.
-    ``late`` is None if the work has no due date.
+    ``points`` is the number of points that checks can give. ``by_hand`` is the number of points
+    that people have given, and ``waiting`` is the number that they can still give. ``earlier``
+    lists the student's own earlier chapters that the graded chapters use. ``submission`` is the
+    digest of the graded files. ``seconds`` is the time that grading took. ``late`` is None if the
+    work has no due date.
     """
 
     student: str
@@ -119,7 +121,7 @@ class StudentReport:
 
     @property
     def earned(self) -> float | None:
-        """The points from checks and from people, or None if the grader failed."""
+        """The points that checks and people have given. It is None if the grader failed."""
         return None if self.score is None else self.score + (self.by_hand or 0)
 
     @property
@@ -134,9 +136,9 @@ class StudentReport:
 
 
 def tiers(checks: Sequence[CheckReport]) -> list[tuple[str, int, int]]:
-    """Return the tiers that have checks.
+    """Return the tiers that have checks, physics or robust.
 
-    Each has a name, a number of passed checks, and a total.
+    For each tier, return its name, the number of passed checks, and the number of checks.
     """
     found = []
     for name, robust in (("physics", False), ("robust", True)):

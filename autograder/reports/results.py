@@ -1,4 +1,4 @@
-"""Store the results of a graded class, and write all files that are based on them."""
+"""Store the results of a graded class, and write all files that contain these results."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def keep_report(path: Path, report: StudentReport) -> None:
 
 
 def read_result(path: Path) -> StudentReport | None:
-    """Return the report in a file, or None if the file is missing, incomplete or not a report."""
+    """Read a report from ``path``. If the file is missing, incomplete or no report, return None."""
     try:
         data = json.loads(path.read_text(encoding="utf-8"), parse_constant=_refuse)
         return from_json(StudentReport, data)
@@ -58,7 +58,7 @@ def read_results(out: Path) -> list[StudentReport]:
 def write_student(out: Path, report: StudentReport) -> None:
     """Write all files about one student.
 
-    The results come last, because they mark it as complete.
+    The results are written last, because they show that the other files are complete.
     """
     write_feedback(out, report)
     write_gradescope(out, report)
@@ -72,7 +72,7 @@ def write_class(
     missing: Sequence[str] = (),
     unmatched: Sequence[str] = (),
 ) -> list[Path]:
-    """Write the files about the whole class, and return those paths that the instructor needs.
+    """Write the files about the whole class. Return the paths that the instructor needs.
 
     ``missing`` lists the students of the roster who have not handed anything in. ``unmatched``
     lists the students who have handed something in but are not in the roster.

@@ -1,6 +1,6 @@
-"""Lay out the chart of an open exercise, which shows cost and error of each submission.
+"""Lay out the chart of an open exercise, which shows the cost and the error of each submission.
 
-Both axes are logarithmic. The template scatter.svg draws this layout.
+Both axes are logarithmic. The template scatter.svg draws the layout.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ Point = Sequence[float]  # cost and error
 
 @dataclass(frozen=True)
 class Dot:
-    """One point on the chart: its owner, its cost and error, and its drawn position."""
+    """A point on the chart, with its owner, its cost, its error and its position in the drawing."""
 
     name: str
     cost: float
@@ -30,9 +30,9 @@ class Dot:
 
 @dataclass(frozen=True)
 class Scatter:
-    """A chart: two axes with ticks, dots for the students and the reference, and the front.
+    """A chart: two axes with ticks, a dot for each student and for the reference, and the front.
 
-    A tick is a pair of its position and its label.
+    Each tick consists of a position and a label.
     """
 
     exercise: ExerciseReport
@@ -45,7 +45,7 @@ class Scatter:
 
 
 def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, Point]]) -> Scatter:
-    """Lay out the chart of an exercise, with named points and the point of the reference."""
+    """Lay out the chart of ``exercise``. ``named`` contains the points of the students."""
     reference = chart.reference
     points = [point for _, point in named] + ([reference] if reference else [])
     costs, errors = _ticks([cost for cost, _ in points]), _ticks([error for _, error in points])
@@ -81,7 +81,10 @@ def front(points: Sequence[Point]) -> list[list[float]]:
 
 
 def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return the corners of a front as stairs. An error holds until the next point's cost."""
+    """Return the corners of a front drawn as stairs.
+
+    The error stays the same up to the next cost.
+    """
     corners = line[:1]
     for x, y in line[1:]:
         corners += [(x, corners[-1][1]), (x, y)]
@@ -89,7 +92,7 @@ def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
 
 
 def _ticks(values: Sequence[float]) -> list[float]:
-    """Return ticks at 1, 2 and 5 times powers of ten, or fewer ticks if these are too many."""
+    """Return ticks at 1, 2 and 5 times the powers of ten. Return fewer if there are too many."""
     low, high = 0.8 * min(values), 1.25 * max(values)
     powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
     fine = [float(f"{digit}e{power}") for power in powers for digit in (1, 2, 5)]

@@ -16,7 +16,10 @@ LONGEST = 4000  # characters of a text in a report; a check's message has a few 
 
 
 def clean_all(value: T) -> T:
-    """Return a report, or a part of one, in which every text is cleaned and shortened."""
+    """Return a copy of ``value`` in which every text is cleaned and shortened.
+
+    ``value`` is a report or a part of a report.
+    """
     return cast(T, _cleaned(value))
 
 
@@ -32,7 +35,7 @@ def _cleaned(value: Any) -> Any:
 
 
 def _clean_and_cut(text: str) -> str:
-    """Return a text, cleaned and cut to a length that is suitable for a report."""
+    """Clean ``text``, and cut it to a length that is suitable for a report."""
     if len(text) > LONGEST:
         text = f"{text[:LONGEST]}\n... and {len(text) - LONGEST} more characters"
     return clean(text)
@@ -44,7 +47,7 @@ def number(value: float | None) -> str:
 
 
 def check_title(name: str) -> str:
-    """Return the name of a check as words: test_clear_leaves_zero becomes "clear leaves zero"."""
+    """Turn the name of a check into words: test_clear_leaves_zero becomes "clear leaves zero"."""
     return clean_line(name).removeprefix("test_").replace("_", " ")
 
 

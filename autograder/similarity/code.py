@@ -1,4 +1,4 @@
-"""Read the functions in a student's file as tokens, without compiling, importing or running it."""
+"""Read the functions in a student's file as tokens. The code is not compiled, imported or run."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _Line = list[tokenize.TokenInfo]
 
 @dataclass(frozen=True)
 class Token:
-    """A token of the code in the form that is compared, with its (line, column) in the file."""
+    """A token in the form in which it is compared, with its (line, column) in the file."""
 
     word: str
     start: tuple[int, int]
@@ -31,7 +31,7 @@ class Token:
 class Function:
     """A function or method, with the tokens of its body.
 
-    The name "" stands for code outside functions.
+    Code outside functions has the name "".
     """
 
     name: str
@@ -43,12 +43,12 @@ class Function:
 
 
 def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list[Function], int]:
-    """Return the functions in a file, and the line after which it cannot be read, or else 0.
+    """Return the functions in the file ``text``, and the line at which reading stopped.
 
-    Methods have names such as Particle.mass, and setters have names such as Particle.mass.setter.
-    Signatures, comments and docstrings are left out, because they are given or do not change what
-    the code does. All strings count as equal, and so do 2 and 2.0. ``known`` contains the names in
-    the engine, which all students use.
+    The line is 0 if the whole file is readable. Methods have names such as Particle.mass, and
+    setters have names such as Particle.mass.setter. Signatures, comments and docstrings are left
+    out, because they are given or do not change what the code does. All strings count as equal, and
+    so do 2 and 2.0. ``known`` contains the names in the engine, which all students use.
     """
     text, stopped = _without_the_excessive(text)
     found: dict[str, list[Token]] = {}
@@ -80,7 +80,7 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
 
 
 def names_in(text: str) -> Iterator[str]:
-    """Yield the public names in a file that the student did not write, and Python's own names."""
+    """Yield Python's own names and the public names in ``text``, which is not a student's file."""
     yield from (*dir(builtins), *dir(math))
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
         if token.type == tokenize.NAME and not (
@@ -90,7 +90,10 @@ def names_in(text: str) -> Iterator[str]:
 
 
 def _without_the_excessive(text: str) -> tuple[str, int]:
-    """Return a text up to the first line that is too long, and that line's number, or else 0."""
+    """Cut ``text`` before the first line that is too long. Return the text and the line's number.
+
+    The number is 0 if no line is too long.
+    """
     size = 0
     for number, line in enumerate(io.StringIO(text), start=1):
         if len(line) > WIDEST or size + len(line) > LONGEST:
@@ -120,7 +123,7 @@ def _lines(text: str) -> Iterator[tuple[int, _Line]]:
 
 
 def _tokens(line: _Line, known: frozenset[str]) -> Iterator[Token]:
-    """Yield those tokens of a logical line that are compared. For a docstring, there are none."""
+    """Yield the tokens of a logical line that are compared. A docstring has no such tokens."""
     if all(token.type in (tokenize.STRING, tokenize.NEWLINE) for token in line):
         return
     for before, token, after in zip([None, *line], line, [*line[1:], None], strict=False):
@@ -147,7 +150,7 @@ def _number(text: str) -> str:
 
 
 def _after_colon(line: _Line) -> _Line:
-    """Return the tokens that follow a signature on the same line, which form a body of one line."""
+    """Return the tokens after the colon of a signature. They form a body on the same line."""
     open_brackets = 0
     for i, token in enumerate(line):
         if token.type == tokenize.OP:
@@ -159,7 +162,7 @@ def _after_colon(line: _Line) -> _Line:
 
 
 def _line_of(error: Exception) -> int:
-    """Return the line that an error of the tokenizer names, or the first line if it names none."""
+    """Return the line in the tokenizer's error. If the error has no line, return the first line."""
     place = error.args[1] if len(error.args) > 1 else ()
     numbers: Iterable[object] = place if isinstance(place, tuple) else ()
     return next((number for number in numbers if isinstance(number, int)), 1)

@@ -22,12 +22,12 @@ SMALLEST = 30  # tokens in the reference of an exercise that allows different so
 
 @dataclass(frozen=True)
 class Ground:
-    """The information that is needed to compare the code of a class.
+    """What a comparison needs to know about the chapters.
 
     ``parts`` maps each function that students edit, such as ch02_vectors/vector.py Vector3.dot, to
     its exercise. ``known`` contains the names in the engine. ``given`` contains the hashes of
-    stubs, given modules and the reference. ``small`` lists the exercises that are too short to be
-    compared.
+    stubs, given modules and the reference. ``small`` lists the exercises that are too short to
+    compare.
     """
 
     chapters: list[Chapter]
@@ -38,7 +38,7 @@ class Ground:
 
 
 def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
-    """Return the information that is needed to compare submissions for these chapters."""
+    """Collect what a comparison needs for ``chapters``: exercises, known names and given code."""
     names = [chapter.name for chapter in load_chapters(root)]
     known = frozenset(name for text in _our_files(root, names) for name in names_in(text))
     given: set[int] = set()
@@ -62,7 +62,7 @@ def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
 def collect(
     submissions: Iterable[Submission], ground: Ground, root: Path = ROOT
 ) -> Iterator[tuple[Work, list[str]]]:
-    """Yield the work of each student, with notes on files that could not be read."""
+    """Yield the work of each student, and notes on files that cannot be read."""
     for submission in submissions:
         with tempfile.TemporaryDirectory(prefix="similarity-") as folder:
             staged = stage(submission.path, ground.chapters, Path(folder), root)
@@ -77,9 +77,9 @@ def collect(
 
 
 def work_of(student: str, files: dict[str, str], ground: Ground) -> tuple[Work, list[str]]:
-    """Return a student's work in these files, and notes on problems.
+    """Return the work of ``student`` in ``files``, and notes on problems.
 
-    Given code and exercises that are too short are left out.
+    Given code is left out, and so are exercises that are too short.
     """
     parts: dict[str, Part] = {}
     notes = []

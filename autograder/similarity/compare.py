@@ -1,12 +1,12 @@
 """Compare the code of a class pair by pair, and rate how unusual the similarity of each pair is.
 
-Code is compared by its fingerprints. The fewer students share a fingerprint in the same exercise,
-the more weight it has. The similarity of a pair is its mean over the exercises, which are weighted
-so that no single exercise dominates.
+Code is compared by its fingerprints. A fingerprint has more weight if fewer students share it in
+the same exercise. The similarity of a pair is its mean over the exercises, which are weighted so
+that no single exercise dominates.
 
-Some students write code that resembles everybody's. So the usual similarity of both students to
-others is subtracted. The difference, divided by its spread over the class, is the surprise of the
-pair.
+Some students write code that resembles the code of many others. For this reason, the usual
+similarity of both students to others is subtracted. The result is divided by its spread over the
+class, and is called the surprise of the pair.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class Passage:
 
 @dataclass
 class Part:
-    """A student's code for one exercise, or the code in one file that belongs to no exercise."""
+    """A student's code for an exercise, or the code of a file outside all exercises."""
 
     passages: list[Passage] = field(default_factory=list)
     fingerprints: set[int] = field(default_factory=set)
@@ -53,7 +53,7 @@ class Work:
 
 @dataclass(frozen=True)
 class Pair:
-    """Two students, with the similarity of their code from 0 to 1 and how surprising it is."""
+    """Two students. The similarity of their code is from 0 to 1, and has a surprise."""
 
     one: Work
     other: Work
@@ -63,7 +63,7 @@ class Pair:
 
 @dataclass(frozen=True)
 class Shared:
-    """The code that a pair shares in one part. Its rarest piece is used by ``rarest`` students."""
+    """The code that a pair shares in a part. ``rarest`` students use its rarest piece."""
 
     name: str
     similarity: float
@@ -72,10 +72,10 @@ class Shared:
 
 
 class Comparison:
-    """All pairs of a class, with the most surprising pair first.
+    """All pairs of a class. The most surprising pair comes first.
 
-    A pair stands out if its surprise is greater than ``line``. If the class is small, there is
-    neither a surprise nor a line.
+    A pair stands out if its surprise is greater than ``line``. A small class has neither surprises
+    nor a line.
     """
 
     def __init__(self, pairs: list[Pair], line: float | None, measure: Measure) -> None:
@@ -84,7 +84,7 @@ class Comparison:
         self.measure = measure
 
     def stands_out(self, pair: Pair) -> bool:
-        """Return whether a pair is too similar for chance to be a likely reason in this class."""
+        """Return whether ``pair`` is too similar to be explained by chance in this class."""
         if self.line is None or pair.surprise is None:
             return False
         return pair.surprise >= self.line
@@ -140,9 +140,9 @@ class Measure:
         self.usual = {name: statistics.median(values) for name, values in totals.items()}
 
     def similarity(self, one: Work, other: Work) -> float:
-        """Return the mean similarity over the exercises.
+        """Return the mean similarity of two students over the exercises.
 
-        An exercise that one student lacks counts as 0.
+        If one student lacks an exercise, its similarity is 0.
         """
         found = sum(
             self.size(name) * self.similarity_in(name, one, other)
@@ -156,7 +156,7 @@ class Measure:
         return math.sqrt(self.usual[name])
 
     def similarity_in(self, name: str, one: Work, other: Work) -> float:
-        """Return the similarity of two students' code in one part, from 0 to 1."""
+        """Return the similarity of two students in the part ``name``, from 0 to 1."""
         both = one.parts[name].fingerprints & other.parts[name].fingerprints
         # A student who has written less has less to share, and must not stand out for that.
         sizes = [max(self.own[w.student, name], self.usual[name]) for w in (one, other)]
@@ -164,15 +164,15 @@ class Measure:
         return shared / math.sqrt(math.prod(sizes)) if shared else 0.0
 
     def weight(self, name: str, values: set[int]) -> float:
-        """Return the weight of some fingerprints in a part.
+        """Return the total weight of the fingerprints ``values`` in the part ``name``.
 
-        Fingerprints that few students have weigh more.
+        A fingerprint that few students have has more weight.
         """
         return sum(math.log(self.students / self.holders[name, value]) for value in values)
 
 
 def _excesses(pairs: list[Pair]) -> Iterator[float]:
-    """Yield how much more similar each pair is than its two students usually are to others."""
+    """For each pair, yield the similarity minus the usual similarity of its students to others."""
     of: dict[str, list[float]] = {}
     for pair in pairs:
         for work in (pair.one, pair.other):

@@ -1,4 +1,4 @@
-"""Write the pages of a comparison: an index of pairs, and the code of each pair side by side.
+"""Write the pages of a comparison: an index of pairs, and a page with the code of each pair.
 
 Names and code are inserted only as text, and the pages load nothing from other hosts.
 """
@@ -29,7 +29,7 @@ RARE = 0.1  # fraction of the class
 
 @dataclass(frozen=True)
 class Piece:
-    """A piece of code. Few students share it ("rare"), many do ("common"), or nobody does ("")."""
+    """A piece of code. Its kind is "rare" or "common" if it is shared, and "" if it is not."""
 
     text: str
     kind: str
@@ -37,7 +37,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Side:
-    """A function of one student, divided into pieces, and the line at which it begins."""
+    """A student's function, divided into pieces. It also has the line at which it begins."""
 
     name: str
     file: str
@@ -48,7 +48,7 @@ class Side:
 def write_pages(
     out: Path, comparison: Comparison, chapters: list[Chapter], small: list[str], notes: list[str]
 ) -> Path:
-    """Write index.html and a page for each pair that it lists. Return the path of the index."""
+    """Write index.html and a page for each listed pair. Return the path of the index."""
     shown = comparison.pairs[: max(FEWEST_ROWS, comparison.outstanding)]
     rows = [
         (f"pairs/pair-{number:03}.html", pair, comparison.shared(pair))
@@ -79,9 +79,9 @@ def write_pages(
 
 
 def pieces_of(passage: Passage, kinds: dict[int, str]) -> list[Piece]:
-    """Return the lines of a function, divided into pieces.
+    """Divide the lines of a function into pieces.
 
-    ``kinds`` maps token numbers to kinds.
+    ``kinds`` maps the numbers of tokens to kinds of pieces.
     """
     first, last = passage.tokens[0].start[0], passage.tokens[-1].end[0]
     lines = passage.text.split("\n")[first - 1 : min(last, first - 1 + MOST_LINES)]

@@ -23,7 +23,7 @@ WINDOW = 4
 
 @cache
 def hashes(words: tuple[str, ...]) -> tuple[int, ...]:
-    """Return the hash of each sequence of tokens, indexed by the position at which it begins."""
+    """Return the hash of each sequence of GRAM tokens, in the order of the sequences."""
     return tuple(_hash(words[i : i + GRAM]) for i in range(len(words) - GRAM + 1))
 
 
@@ -35,7 +35,7 @@ def fingerprints(words: tuple[str, ...]) -> set[int]:
 
 
 def covered(tokens: list[Token], shared: Collection[int]) -> set[int]:
-    """Return the numbers of the tokens that are part of a sequence with one of these hashes."""
+    """Return the numbers of the tokens in sequences whose hash is in ``shared``."""
     found = hashes(tuple(token.word for token in tokens))
     starts: Iterable[int] = (i for i, value in enumerate(found) if value in shared)
     return {i for start in starts for i in range(start, start + GRAM)}

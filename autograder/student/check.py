@@ -1,4 +1,4 @@
-"""Run the checks for a student, and separate the student's own failures from inherited ones."""
+"""Run the checks for a student, and separate the student's own failures from inherited failures."""
 
 from __future__ import annotations
 
@@ -32,13 +32,13 @@ def check(
     *,
     only: bool = False,
 ) -> bool:
-    """Check chapters or one exercise, print the results, and return whether everything passes.
+    """Check chapters or an exercise, print the results, and return whether everything passes.
 
-    If there is an ``exercise``, the exercises on which it depends are checked too. With ``only``,
-    the command shows just the physics checks of the exercise, and only these determine the result.
-    The robust checks, and the exercises on which it depends, are run but not shown. ``given``
-    chapters are taken from the reference. A written exercise has no checks, so it is shown and
-    counts as a success. An unanswered question does not prevent success either.
+    If ``exercise`` is given, check only this exercise and its prerequisites. If ``only`` is set,
+    only the physics checks of the exercise are shown and affect the result. Its robust checks and
+    its prerequisites are run but not shown. ``given`` chapters are taken from the reference. A
+    written exercise has no checks, so it is shown and counts as a success. An unanswered question
+    does not prevent success either.
     """
     if exercise and exercise.kind == "written":
         print_written(ProgressBar().console, chapters[0], exercise, engine)
@@ -66,10 +66,11 @@ def report_on(
     run: Callable[..., list[Verdict]],
     progress: ProgressBar,
 ) -> Report:
-    """Return the report on a chapter, or on one exercise and those on which it depends.
+    """Check ``chapter`` and return the report.
 
-    ``run`` is the function that runs the checks. A check that fails only because of an earlier
-    chapter is marked as inherited.
+    If ``exercise`` is given, check only this exercise and its prerequisites. ``run`` is the
+    function that runs the checks. A check that fails only because of an earlier chapter is marked
+    as inherited.
     """
     progress.title = f"chapter {chapter.number}"
     wanted = with_needs(chapter, [exercise.id] if exercise else None)

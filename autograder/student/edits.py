@@ -20,10 +20,10 @@ class Edits:
         self.look()
 
     def look(self) -> list[tuple[Chapter, Exercise, list[str]]]:
-        """Return the exercises edited since the last call, with what has changed in each.
+        """Return the exercises that were edited since the last call, and their changed parts.
 
-        Changes to the layout or to comments do not count. If a module cannot be read, all of its
-        functions count as edited, because any of them may have changed.
+        Changes to the layout or to comments do not count. If a module cannot be read, any function
+        may have changed, so all of its functions count as edited.
         """
         edited = []
         for chapter in self.chapters:
@@ -35,7 +35,7 @@ class Edits:
         return edited
 
     def _look_at(self, chapter: Chapter, name: str) -> set[str]:
-        """Return the parts of a file that have changed, and remember its current contents."""
+        """Return the parts of the file ``name`` that have changed, and remember its contents."""
         path = self.engine / chapter.name / name
         try:
             text = path.read_bytes()
@@ -67,5 +67,5 @@ def _bodies(module: str, text: bytes) -> dict[str, str] | None:
 
 
 def _is_in(name: str, edited: set[str]) -> bool:
-    """Return whether a function or a file was edited, or is in a module that counts as edited."""
+    """Return whether ``name`` is in ``edited``, or belongs to a module in ``edited``."""
     return name in edited or f"{name.partition('.')[0]}.*" in edited

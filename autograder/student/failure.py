@@ -1,4 +1,4 @@
-"""Describe one failed check in full, with the next steps. Both check and watch show this."""
+"""Describe a failed check in full, with the next steps. The commands check and watch show it."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Failure:
-    """A failed check: its diagnosis, the output of the student's code, and the next steps.
+    """A failed check, with its diagnosis, the output of the student's code, and the next steps.
 
-    ``place`` is the position to open in an editor. ``hints`` is the exercise whose hints are
-    helpful. Both are empty if an earlier chapter must be fixed first.
+    ``place`` is the position to open in an editor. ``hints`` is the exercise whose hints may help.
+    Both are empty if an earlier chapter must be fixed first.
     """
 
     heading: str
@@ -44,10 +44,10 @@ def failure_of(
     title: str = "",
     edited: Collection[str] = (),
 ) -> Failure | None:
-    """Return the failure of an exercise to show first, or None if no check fails.
+    """Return the first failure to show for an exercise, or None if no check fails.
 
-    Checks that call one of the ``edited`` functions come first. Failures of code that is already
-    written come before functions that are not written yet.
+    Checks that call a function in ``edited`` come first. After them, failures of finished code come
+    before functions that are not written yet.
     """
     exercise = result.exercise
     candidates = [check for check in result.checks if check.status == result.status]
@@ -93,7 +93,7 @@ def print_failure(console: Console, chapter: Chapter, result: Result, engine: li
 
 
 def few_printed(printed: str, lines: int, characters: int) -> list[Row]:
-    """Return a row with the first lines that the student's code printed, or an empty list."""
+    """Return a row with the first lines of the output. If there is no output, return []."""
     return _printed(few_lines(printed, lines, characters)) if printed else []
 
 
@@ -102,7 +102,7 @@ def _printed(printed: str) -> list[Row]:
 
 
 def _is_about(check: Verdict, edited: Collection[str]) -> bool:
-    """Return whether a check calls one of these functions, or fails inside one of them."""
+    """Return whether ``check`` calls a function in ``edited`` or fails inside such a function."""
     called, where = check.message.called, check.message.where
     return any(
         calls(called, name) or (where and where.function == own_name(name).removesuffix(".setter"))

@@ -1,7 +1,7 @@
-"""The screen at the end of a chapter, and the scenes that an exercise makes playable.
+"""Show the screen at the end of a chapter, and name the scenes that have become playable.
 
 A chapter is finished when the physics of its exercises works. Robust checks, questions, projects
-and going-further exercises may still be open, in which case the screen lists them.
+and going-further exercises may still be open. The screen lists them.
 """
 
 from __future__ import annotations
@@ -42,11 +42,11 @@ def print_finish(
 def end_of(
     reports: list[Report], exercise: Exercise | None, engine: list[Path], given: list[Chapter]
 ) -> list[tuple[str, str]]:
-    """Return the closing screen of a finished chapter, or a line about scenes that became playable.
+    """Return the closing screen of a finished chapter, or a line about playable scenes.
 
-    Each line comes with its style. If the student has not begun any unfinished chapter, the closing
-    screen of the last finished chapter is returned. Otherwise, the line names the scenes that
-    ``exercise`` makes playable. Without an ``exercise``, this is the last exercise that works.
+    Each line comes with its style. If the student has not begun any unfinished chapter, return the
+    closing screen of the last finished chapter. Otherwise, return a line with the scenes that
+    ``exercise`` makes playable. If ``exercise`` is None, use the last exercise that works.
     """
     unfinished = [report for report in reports if not is_finished(report)]
     begun = [report for report in unfinished if any(result.works for result in report.results)]
@@ -64,14 +64,14 @@ def end_of(
 
 
 def is_finished(report: Report) -> bool:
-    """Return whether the physics of a chapter works, apart from projects and extra exercises."""
+    """Return whether the physics works. Projects and extra exercises do not count."""
     working = {result.exercise.id for result in report.results if result.works}
     wanted = [e for e in report.chapter.exercises if e.kind != "written" and not _is_extra(e)]
     return all(exercise.id in working for exercise in wanted)
 
 
 def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> list[str]:
-    """Return the lines of a chapter's closing screen, which has at most 20 lines of 80 columns."""
+    """Return the lines of the closing screen. It has at most 20 lines of 80 columns."""
     chapter = report.chapter
     lines = [f"Well done! Chapter {chapter.number} works: {chapter.title}.", ""]
     lines += [*textwrap.wrap(" ".join(chapter.you_can), WIDTH, break_on_hyphens=False), ""]
@@ -93,10 +93,10 @@ def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> li
 
 
 def play_words(report: Report, result: Result, engine: list[Path], given: list[Chapter]) -> str:
-    """Return a sentence that names the scenes that this exercise makes playable.
+    """Return a sentence that names the scenes that an exercise makes playable.
 
-    The sentence is empty if this exercise or an earlier one does not work yet, or if an earlier
-    chapter has failures.
+    The sentence is empty if this exercise or an earlier exercise does not work yet, or if an
+    earlier chapter has failures.
     """
     exercise = result.exercise
     if not (exercise.play and result.works):
@@ -119,7 +119,7 @@ def _is_extra(exercise: Exercise) -> bool:
 
 
 def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
-    """Return whether a function of an exercise is still a stub, or its file is missing."""
+    """Return whether a function of ``exercise`` is still a stub, or its file is missing."""
     stub = re.compile(rf"raise NotImplementedError\(\s*[\"']Exercise {re.escape(exercise.id)}:")
     for file in {f"{name.partition('.')[0]}.py" for name in exercise.edit}:
         paths = [folder / chapter.name / file for folder in engine]
@@ -153,7 +153,7 @@ def _open(report: Report, engine: list[Path]) -> list[str]:
 
 
 def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
-    """Return the path of the picture that this code has drawn, or the command that draws it."""
+    """Return the path of the chapter's picture, or the command that draws it."""
     folder = ROOT / "build" / "plots" / chapter.name
     file, drawn_with = folder / f"{chapter.picture}.png", folder / DRAWN_WITH
     if file.is_file() and drawn_with.is_file():
@@ -166,7 +166,7 @@ def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
 
 
 def _last_change(chapter: Chapter, engine: Path) -> float:
-    """Return the time of the last change to any file that a chapter's picture may depend on."""
+    """Return when a file that affects the chapter's picture was last changed."""
     files = [
         file
         for file in engine.glob("ch??_*/*.*")
@@ -186,7 +186,7 @@ def _variables(engine: list[Path], given: list[Chapter]) -> dict[str, str]:
 
 
 def _labeled(label: str, words: str) -> list[str]:
-    """Wrap a text into lines, with a label in front of the first line."""
+    """Wrap ``words`` into lines. Put ``label`` in front of the first line."""
     width = WIDTH - LABEL
     lines = textwrap.wrap(words, width, break_long_words=False, break_on_hyphens=False)
     return [f"{label if i == 0 else '':{LABEL}}{line}" for i, line in enumerate(lines)]

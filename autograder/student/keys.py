@@ -16,7 +16,7 @@ END = "\x04"  # Ctrl-D, which also means the end of the input
 
 
 def available() -> bool:
-    """Return whether single keys can be read, which is the case if the input is a terminal."""
+    """Return whether single keys can be read. This requires that the input is a terminal."""
     return sys.stdin is not None and sys.stdin.isatty()
 
 
@@ -39,10 +39,10 @@ def single_keys() -> Iterator[None]:
 
 
 def pressed() -> str:
-    """Return the keys pressed since the last call. Do not wait, and leave out special keys.
+    """Return the keys pressed since the last call, without special keys. Do not wait for a key.
 
-    If the terminal has been closed, return END. Call this only if the input was a terminal at
-    first.
+    If the terminal has been closed, return END. Call this function only if ``available`` has
+    returned True.
     """
     keys = ""
     if sys.platform == "win32":

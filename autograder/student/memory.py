@@ -1,6 +1,6 @@
 """Reuse verdicts as long as the checked files stay the same, so that checks run faster.
 
-Verdicts are kept in memory only. They are never read from a file, because a student could edit it.
+Verdicts are kept only in memory. If they were read from a file, a student could edit them.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from autograder.manifest import Chapter
 
 
 class Memory:
-    """Runs checks, unless it has already run them on exactly the same files.
+    """Runs checks, and remembers the verdicts on each state of the files.
 
     ``run`` is a function with the same parameters as ``run_checks``.
     """
@@ -48,7 +48,7 @@ class Memory:
 
 
 def state_of(engine: list[Path], chapter: Chapter) -> str:
-    """Return a hash of all files on which the checks of a chapter may depend."""
+    """Compute a hash of all files that can affect the checks of ``chapter``."""
     state = hashlib.sha256()
     for number, folder in enumerate(engine):
         for file in sorted(folder.glob("ch??_*/*.*")):

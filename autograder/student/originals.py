@@ -1,6 +1,6 @@
 """Find out whether a student has edited a file that is given complete.
 
-The grader uses the original file, so such an edit has no effect there.
+The grader uses the original file, so the student's changes have no effect in grading.
 """
 
 from __future__ import annotations
@@ -12,9 +12,9 @@ from autograder.manifest import ROOT, Chapter
 
 
 def changed_files(chapter: Chapter, engine: list[Path], root: Path = ROOT) -> list[Path]:
-    """Return those files of a chapter that are given complete but differ from stubs.lock.
+    """Return the complete files of ``chapter`` that differ from stubs.lock.
 
-    A file that does not exist, or is not listed in the lock, does not count as changed.
+    A file does not count as changed if it does not exist or is not in the lock.
     """
     locked, changed = read_lock(root), []
     for name in chapter.complete:

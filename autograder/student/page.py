@@ -1,4 +1,4 @@
-"""The page that watch shows. It fits on the terminal, so its heading and keys remain visible."""
+"""Lay out the page of the command watch, so that its heading and keys fit on the terminal."""
 
 from __future__ import annotations
 
@@ -18,7 +18,8 @@ Line = tuple[str, str]  # a text and its style
 class Page:
     """The contents of the page: lines at the top, a failure, lines at the bottom, and a note.
 
-    ``whole`` is the command that shows the diagnosis in full if it is too long for the terminal.
+    ``whole`` is the command that shows the full diagnosis. The page shows this command if the
+    diagnosis does not fit on the terminal.
     """
 
     top: list[Line] = field(default_factory=list)
@@ -47,7 +48,10 @@ class Page:
             _print(console, words, style)
 
     def fitted(self, width: int, height: int, keys: list[Line]) -> list[Line]:
-        """Return the lines for a terminal of this size. Cut the middle of a long diagnosis."""
+        """Fit the page into ``width`` columns and ``height`` lines.
+
+        If the diagnosis is too long, cut out its middle.
+        """
         top, below = _wrapped(self.top, width), _wrapped(self._below(), width)
         printed = [(words, "") for words in wrapped_rows(self._printed(), width)]
         diagnosis = wrapped_rows(self.failure.diagnosis if self.failure else [], width)

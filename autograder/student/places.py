@@ -15,11 +15,11 @@ FOLDER = re.compile(r"ch\d\d_\w+")  # the name of a chapter's folder
 
 
 def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
-    """Return the place to open: the line that the message names, or the function that was called.
+    """Return the position to open: the line in the message, or the function that was called.
 
     A line inside a function of another exercise does not count, because that function may be
-    correct. A line in a complete file does not count either, because students do not edit such
-    files. If the check is about the student's own data, the data file is returned.
+    correct. A line in a complete file does not count either, because students do not edit it. If
+    the check is about the student's own data, return the data file.
     """
     complete = {(other.name, file) for other in load_chapters() for file in other.complete}
     called, where = failed.message.called, failed.message.where
@@ -40,10 +40,10 @@ def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed:
 
 
 def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
-    """Return where a function that students edit is defined, as path:line.
+    """Return the position of a function that students edit, as path:line.
 
-    ``name`` is its name in the manifest. The path is relative to the working folder if the file is
-    below it. If a file is missing or cannot be read, the path is returned without a line.
+    ``name`` is the function's name in the manifest. The path is relative to the working folder if
+    the file is inside that folder. If the file is missing or cannot be read, return only the path.
     """
     module, _, path = name.partition(".")
     file = _file(engine, chapter.name, f"{module}.py")
@@ -56,7 +56,7 @@ def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
 
 
 def _body_at(engine: list[Path], chapter: str, file: str, line: int) -> str | None:
-    """Return the name in the manifest of the function that contains a line of a chapter's file."""
+    """Return the manifest name of the function that contains the line ``line``."""
     tree = _read(_file(engine, chapter, file))
     for name, node in functions(tree).items() if tree else ():
         if node.lineno <= line <= (node.end_lineno or 0):
@@ -65,7 +65,7 @@ def _body_at(engine: list[Path], chapter: str, file: str, line: int) -> str | No
 
 
 def _read(file: Path) -> ast.Module | None:
-    """Return the syntax tree of a file, or None if the file is missing or cannot be read."""
+    """Return the syntax tree of ``file``. If it is missing or cannot be read, return None."""
     try:
         return ast.parse(file.read_text(encoding="utf-8-sig"))  # some editors add a BOM
     except (OSError, SyntaxError, ValueError):
@@ -73,7 +73,10 @@ def _read(file: Path) -> ast.Module | None:
 
 
 def _file(engine: list[Path], chapter: str, name: str) -> Path:
-    """Return the engine's file with this name, relative to the working folder if it is below it."""
+    """Return the path of the engine's file ``name``.
+
+    The path is relative to the working folder if the file is inside that folder.
+    """
     files = [folder / chapter / name for folder in engine]
     file = next((file for file in files if file.exists()), files[0])
     return file.relative_to(Path.cwd()) if file.is_relative_to(Path.cwd()) else file

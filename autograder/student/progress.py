@@ -26,9 +26,9 @@ class Progress:
         self.last: dict[tuple[str, str], Result] = {}
 
     def report(self, chapter: Chapter, exercise: Exercise | None = None) -> Report:
-        """Check a chapter or an exercise, and remember the results.
+        """Check ``chapter``, and remember the results.
 
-        If there is an exercise, those on which it depends are checked too.
+        If ``exercise`` is given, check only this exercise and its prerequisites.
         """
         with ProgressBar() as progress:
             report = report_on(chapter, exercise, self.folders, self.given, self.memory, progress)
@@ -37,7 +37,7 @@ class Progress:
         return report
 
     def next_open(self) -> tuple[Chapter, Exercise] | None:
-        """Return the next open exercise. In each chapter, physics comes before robust checks."""
+        """Return the next open exercise. Each chapter's physics comes before its robust checks."""
         for chapter in self.chapters:
             wanted = asked_for(chapter)
             results = [r for r in self.report(chapter).results if r.exercise.id in wanted]
@@ -48,17 +48,17 @@ class Progress:
         return None
 
     def works(self, chapter: Chapter, exercise: Exercise) -> bool:
-        """Return whether the physics of an exercise passed when it was last checked."""
+        """Return whether the physics of ``exercise`` passed in the last check."""
         result = self.last.get((chapter.name, exercise.id))
         return result is not None and result.works
 
     def has_all_physics(self, chapter: Chapter) -> bool:
-        """Return whether the physics of the whole chapter passed when it was last checked."""
+        """Return whether the physics of all exercises in ``chapter`` passed in the last check."""
         wanted = asked_for(chapter)
         return not any(lacks_physics(r) for r in self._results(chapter) if r.exercise.id in wanted)
 
     def words(self, chapter: Chapter) -> str:
-        """Return how much of a chapter is done, first of its physics, then of all checks."""
+        """Describe how much of ``chapter`` is done: first the physics, then all checks."""
         wanted = {e.id for e in chapter.exercises if e.kind != "written" and not e.optional}
         results = [r for r in self._results(chapter) if r.exercise.id in wanted]
         of = len(wanted)
@@ -73,7 +73,7 @@ class Progress:
 
 
 def lacks_physics(result: Result) -> bool:
-    """Return whether the physics checks of an exercise do not all pass yet."""
+    """Return whether a physics check of the exercise does not pass yet."""
     return result.status != "waiting" and not result.works
 
 

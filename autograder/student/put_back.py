@@ -12,9 +12,9 @@ from autograder.definitions import functions
 
 
 def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cst.Module:
-    """Return the module with deleted functions, such as Vector3.dot, restored from the stub.
+    """Restore the deleted functions ``names``, such as Vector3.dot, from ``stub``.
 
-    If a whole class is missing, all of it is restored.
+    Return the new module. If a whole class is missing, restore all of it.
 
     Raises:
         ValueError: The stub does not define one of the names.
@@ -44,7 +44,7 @@ def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cs
 
 
 def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
-    """Return a class to which the named members have been added from its stub."""
+    """Return the class ``node`` with the members ``names`` added from ``stub``."""
     members = [*node.body.body]
     if not isinstance(node.body, cst.IndentedBlock):  # the whole class is on one line
         members = [cst.SimpleStatementLine(members)]
@@ -57,7 +57,7 @@ def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
 
 
 def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
-    """Insert a node after its nearest predecessor in the stub, or else before its successor."""
+    """Insert ``node`` after its nearest predecessor in the stub, or else before its successor."""
     names = [_name(other) for other in body]
     at = [*order].index(node)
     for other in reversed(order[:at]):
@@ -73,7 +73,7 @@ def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
 
 
 def _name(node: Any) -> str:
-    """Return the name in the manifest of a class or a function, or "" for any other node."""
+    """Return the manifest name of a class or function. For any other node, return ""."""
     if isinstance(node, cst.ClassDef):
         return str(node.name.value)
     if isinstance(node, cst.FunctionDef):

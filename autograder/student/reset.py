@@ -1,8 +1,8 @@
-"""Restore the stub of one exercise, after copying the student's file to a safe place.
+"""Restore the stub of an exercise, after making a copy of the student's file.
 
-The stub is made from the student's own file and the manifest, so that other functions are not
-changed. If a function was deleted, its stub comes from the reference or, in a hand-out, from the
-folder stubs/.
+The stub is made from the student's own file and the manifest, so that other functions do not
+change. If a function was deleted, its stub comes from the reference. In a hand-out, it comes from
+the folder stubs/.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ COPIES = ROOT / "build" / "reset"
 
 @dataclass(frozen=True)
 class Change:
-    """The change that a reset makes to one file.
+    """A change that a reset makes to one file.
 
     ``gone`` is true if the functions in ``names`` were deleted from the file.
     """
@@ -46,13 +46,13 @@ def reset(
     *,
     whole: bool = False,
 ) -> str:
-    """Restore the stubs of an exercise, and say what was done and where the copies are.
+    """Restore the stubs of an exercise. Return a text that lists the changes and the copies.
 
-    Only the functions of the exercise change, unless ``whole`` is true, which restores entire
-    files. If some functions of the exercise were deleted, only these are restored.
+    Only the functions of the exercise change. If ``whole`` is true, entire files are restored. If
+    some functions of the exercise were deleted, only the deleted functions are restored.
 
     Raises:
-        ValueError: A file cannot be read or lacks a function. In that case, nothing is changed.
+        ValueError: A file cannot be read or lacks a function. Nothing is changed.
     """
     done = []
     for change in planned(chapter, exercise, engine, whole=whole):
@@ -77,7 +77,7 @@ def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = 
     """Return the question to ask before a reset.
 
     Raises:
-        ValueError: As for ``reset``.
+        ValueError: ``reset`` would raise ValueError too.
     """
     changes = planned(chapter, exercise, engine)
     names = ", ".join(name for change in changes for name in change.names)
@@ -95,10 +95,10 @@ def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = 
 def planned(
     chapter: Chapter, exercise: Exercise, engine: Path, *, whole: bool = False
 ) -> list[Change]:
-    """Return the changes that a reset would make, but do not make them.
+    """Return the changes that a reset would make. Do not make them.
 
     Raises:
-        ValueError: As for ``reset``.
+        ValueError: ``reset`` would raise ValueError too.
     """
     if not exercise.edit:
         raise ValueError(f"{exercise.id} is answered in answers.md, so it has no stub to restore")
@@ -116,7 +116,7 @@ def planned(
 
 
 def _change(chapter: Chapter, exercise: Exercise, file: Path, messages: dict[str, str]) -> Change:
-    """Return the change to one file. If functions are missing, it restores only those."""
+    """Return the change to ``file``. If functions are missing, it restores only these functions."""
     try:
         before = file.read_bytes()
         tree, module = ast.parse(before), cst.parse_module(before)
@@ -161,7 +161,7 @@ def _whole_stub(chapter: Chapter, file: str) -> bytes:
 
 
 def _keep(file: Path, content: bytes, folder: Path) -> Path:
-    """Write a copy of a file under the first number that is not used yet, and return its path."""
+    """Write ``content`` to a copy with an unused number, and return the path of the copy."""
     folder.mkdir(parents=True, exist_ok=True)
     for number in count(1):
         copy = folder / f"{file.stem}-{number}{file.suffix}"
@@ -173,5 +173,5 @@ def _keep(file: Path, content: bytes, folder: Path) -> Path:
 
 
 def _short(path: Path) -> Path:
-    """Return the path relative to the working folder if it is below that folder."""
+    """Return ``path`` relative to the working folder if it is inside that folder."""
     return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

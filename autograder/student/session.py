@@ -23,7 +23,10 @@ TROUBLE = (GraderError, ValueError, OSError)  # errors of one run, after which w
 
 
 class Session:
-    """The state of watch: the current exercise or, if that is finished, the exercise after it."""
+    """The state of the command watch.
+
+    It knows the current exercise and, if this exercise is finished, the next exercise.
+    """
 
     def __init__(
         self, progress: Progress, engine: list[Path], console: Console, *, has_keys: bool
@@ -40,7 +43,7 @@ class Session:
         self.seen = ""
 
     def look(self) -> bool:
-        """Run the checks again if files have changed. Return whether any have."""
+        """Run the checks again if files have changed. Return whether any files have changed."""
         state = state_of(self.progress.folders, self.progress.chapters[-1])
         if state == self.seen:
             return False
@@ -50,7 +53,10 @@ class Session:
         return True
 
     def choose(self) -> None:
-        """If exercises were edited, make one of them the current one, preferably an open one."""
+        """If exercises were edited, make one of them the current exercise.
+
+        An open exercise is preferred.
+        """
         edited = self.edits.look()
         if edited:
             chapter, exercise, names = min(
@@ -69,7 +75,10 @@ class Session:
             self.show()
 
     def show(self) -> None:
-        """Check the current exercise, and show its state. If there is none, find the next one."""
+        """Check the current exercise, and show its state.
+
+        If there is none, find the next exercise.
+        """
         self.next = None
         self.page = Page()
         try:
@@ -84,11 +93,11 @@ class Session:
         self.page.draw(self.console, with_keys=self.has_keys)
 
     def is_done(self, chapter: Chapter, exercise: Exercise) -> bool:
-        """Check an exercise, show its state, and return whether it is done.
+        """Check ``exercise``, show its state, and return whether it is done.
 
-        The exercises on which it depends are checked too. If the physics of one of them no longer
-        passes, that exercise becomes the current one. An exercise is done when its physics passes.
-        Its robust checks count only after the physics of the whole chapter passes.
+        Its prerequisites are checked too. If the physics of a prerequisite no longer passes, the
+        prerequisite becomes the current exercise. An exercise is done when its physics passes. Its
+        robust checks count only after the physics of the whole chapter passes.
         """
         worked = self.progress.works(chapter, exercise)
         report = self.progress.report(chapter, exercise)
@@ -123,7 +132,7 @@ class Session:
         page.say(self.progress.words(chapter))
 
     def say_done(self, result: Result, *, wait: bool) -> None:
-        """Show that the physics of an exercise passes, and which robust checks are left."""
+        """Show that the physics of an exercise passes, and which robust checks still fail."""
         exercise, count = result.exercise, len(result.checks)
         title = f"{exercise.id} {exercise.title}"
         left = sum(check.status != "passed" for check in result.robust)
@@ -143,7 +152,8 @@ class Session:
     def find_next(self) -> None:
         """Find the next open exercise, and show how to continue with it.
 
-        At the start, or if keys cannot be read, it becomes the current exercise immediately.
+        At the start, or if keys cannot be read, the next exercise becomes the current exercise
+        immediately.
         """
         self.next = self.progress.next_open()
         if self.current or self.next is None:

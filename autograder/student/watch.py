@@ -26,11 +26,11 @@ TICK = 100  # milliseconds between two looks for pressed keys
 def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Chapter]) -> None:
     """Show the state of the current exercise, and update it after every save until q is pressed.
 
-    The current exercise is the one that was edited last. At the start, it is the first open
-    exercise in these chapters.
+    The current exercise is the exercise that was edited last. At the start, it is the first open
+    exercise in ``chapters``.
 
     Raises:
-        ValueError: The reference of a given chapter is not in this folder.
+        ValueError: The reference of a given chapter does not exist in this folder.
     """
     with with_given(given, engine) as folders, keys.single_keys():
         progress = Progress(chapters, folders, given, Memory(seed))

@@ -1,4 +1,4 @@
-"""Draw a box in 3D, with one color per axis. Faces that point away from the viewer are left out."""
+"""Draw a box in 3D. Each axis has a color, and faces that point away from the viewer are hidden."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ def draw_box(
     turn: Callable[[Vector3], Vector3],
     center: tuple[float, float] = (0.0, 0.0),
 ) -> None:
-    """Draw a box whose sides have these lengths in m.
+    """Draw a box. ``sides`` are the lengths of its sides in m.
 
     ``turn`` is a function that rotates a vector from the box's axes to the world's axes. ``center``
-    is the point of the picture at which the center of the box is drawn.
+    is the position of the box's center in the picture.
     """
     x0, y0 = center
     for face, axis in _faces(sides):
@@ -34,7 +34,10 @@ def draw_box(
 
 
 def _faces(sides: tuple[float, float, float]) -> list[tuple[list[Vector3], int]]:
-    """Return the axis and the corners of each face, counter-clockwise as seen from outside."""
+    """Return the axis and the corners of each face.
+
+    Seen from outside, the corners are counter-clockwise.
+    """
     around = ((-1, -1), (1, -1), (1, 1), (-1, 1))
     faces = []
     for axis in range(3):

@@ -11,11 +11,11 @@ TOWARD = (0.4, 0.3)  # how far one unit along z moves a point to the left and do
 
 
 def flat(v: Vector3) -> tuple[float, float]:
-    """Return the (x, y) at which a point in space is drawn."""
+    """Return the picture coordinates (x, y) of the point ``v`` in space."""
     return v.x - TOWARD[0] * v.z, v.y - TOWARD[1] * v.z
 
 
 def on_the_ground(x: float, y: float) -> tuple[float, float]:
-    """Return the x and z of the point on the ground (y = 0) that is drawn at (x, y)."""
+    """Return x and z of the ground point (y = 0) whose picture coordinates are (x, y)."""
     z = -y / TOWARD[1]
     return x + TOWARD[0] * z, z

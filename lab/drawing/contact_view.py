@@ -1,4 +1,4 @@
-"""Show the work of a contact resolver: its contacts, its impulses and its iterations."""
+"""Show how a contact resolver works, by drawing its contacts, impulses and iterations."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from lab.drawing.pen import Pen
 
 
 class ContactView(ContactResolver):
-    """A resolver that delegates to another resolver and records what it did in the last step."""
+    """Wraps another resolver, and records its contacts and impulses in the last step."""
 
     def __init__(self, resolver: ContactResolver) -> None:
         self.resolver = resolver
@@ -40,12 +40,16 @@ class ContactView(ContactResolver):
     def forget(self) -> None:
         """Clear the record of the last step.
 
-        Call this before each step, which may have no contacts.
+        Call this method before each step, because a step without contacts does not call the
+        resolver.
         """
         self.impulses, self.pairs, self.iterations_used = [], [], 0
 
     def draw(self, pen: Pen, scale: float) -> None:
-        """Draw each impulse as an arrow, ``scale`` m long per N s, and each contact as a dot."""
+        """Draw each impulse as an arrow and each contact as a dot.
+
+        ``scale`` is the length of the arrows in m per N s.
+        """
         for position, impulse in self.impulses:
             pen.arrow(position, impulse * scale, "pink", "contact")
         pen.dots([(0.5 * (a.x + b.x), 0.5 * (a.y + b.y)) for a, b in self.pairs], "pink", 5.0)

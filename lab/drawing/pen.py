@@ -1,4 +1,4 @@
-"""A pen that records what a scene draws as plain data, which a page or matplotlib draws later.
+"""Record what a scene draws as plain data. A page or matplotlib draws this data later.
 
 Coordinates are in the scene's own units, with +x to the right and +y up. A point is either a
 Vector3 or a pair (x, y). Colors are given by name, so that a page can choose suitable shades for a
@@ -29,7 +29,7 @@ Item = list[Any]
 
 
 class Pen:
-    """Records each drawn item as a list, which begins with the kind and the color of the item."""
+    """Records each drawn item as a list that begins with the item's kind and color."""
 
     def __init__(self) -> None:
         self.items: list[Item] = []
@@ -50,7 +50,7 @@ class Pen:
         self._add("circle", color, *_xy(center), _short(radius), fill, grab)
 
     def dots(self, centers: Iterable[Point], color: str = "blue", size: float = 4.0) -> None:
-        """Draw dots with a size in pixels, which does not depend on the view's scale."""
+        """Draw dots. ``size`` is in pixels, so it does not change when the view is scaled."""
         self._add("dots", color, _flat(centers), size)
 
     def line(
@@ -79,11 +79,11 @@ class Pen:
         self._add("spring", color, *_xy(a), *_xy(b))
 
     def arrow(self, start: Point, vector: Point, color: str = "green", kind: str = "") -> None:
-        """Draw an arrow. If its kind is listed in ARROWS, the reader can show or hide it."""
+        """Draw an arrow. If ``kind`` is listed in ARROWS, the reader can show or hide the arrow."""
         self._add("arrow", color, *_xy(start), *_xy(vector), kind)
 
     def text(self, at: Point, words: str, color: str = "black", size: float = 14.0) -> None:
-        """Write a text centered at a point. The size is in pixels."""
+        """Write ``words``, centered at the point ``at``. ``size`` is in pixels."""
         self._add("text", color, *_xy(at), words, size)
 
     def ground(self, height: float = 0.0) -> None:
@@ -106,5 +106,5 @@ def _flat(points: Iterable[Point]) -> list[float]:
 
 
 def _short(value: float) -> float:
-    """Round a number to the precision that a picture needs, which keeps messages small."""
+    """Round ``value`` to the precision that a picture needs. This keeps messages short."""
     return float(f"{value:.5g}")

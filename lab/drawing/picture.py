@@ -33,7 +33,7 @@ TURNS = 24  # corners of a spring
 
 
 class Picture:
-    """A matplotlib figure of a scene, which can be redrawn as the scene moves."""
+    """A matplotlib figure of a scene. It can be drawn again after the scene has moved."""
 
     def __init__(self, scene: Scene, figure: Figure, *, arrows: bool = True) -> None:
         self.scene = scene

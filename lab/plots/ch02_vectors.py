@@ -42,7 +42,7 @@ def addition() -> Picture:
 
 
 def projection() -> Picture:
-    """Draw a vector, its projection onto a direction, and the remaining part of the vector."""
+    """Draw a vector, its projection onto a direction, and the rest of the vector."""
     a, b = (math.cos(0.3), math.sin(0.3), 0.0), (2.0, 4.0, 0.0)
     direction, v = Vector3(*a), Vector3(*b)
     along = direction * direction.dot(v)
@@ -61,7 +61,7 @@ def projection() -> Picture:
 
 
 def cross_product() -> Picture:
-    """Draw the vector product of two vectors, and its length against the angle between them."""
+    """Draw the vector product of two vectors. Plot its length against the angle between them."""
     a, b = (0.3, 0.1, 1.2), (1.0, 0.0, 0.2)
     product = numbers(Vector3(*a).cross(Vector3(*b)))
     figure = pyplot.figure(figsize=(10, 5), layout="constrained")
@@ -125,7 +125,10 @@ PLOTS = (addition, projection, cross_product, basis)
 
 
 def _product_length(angle: float) -> float:
-    """Return the engine's |a x b| for |a| = 2 and |b| = 3 at this angle, in a tilted plane."""
+    """Compute |a x b| with the engine for |a| = 2 and |b| = 3 in a tilted plane.
+
+    ``angle`` is the angle between a and b.
+    """
     along, across = 3.0 * math.cos(angle), 3.0 * math.sin(angle)
     a, b = Vector3(1.2, 1.6, 0.0), Vector3(0.6 * along, 0.8 * along, across)
     return math.hypot(*numbers(a.cross(b)))

@@ -139,9 +139,10 @@ PLOTS = (damping_comparison, integration_error, trajectories)
 
 
 def _losses(rate: float, undamped: float) -> tuple[float, float, float]:
-    """Return the fraction of the velocity that each form of damping removes in one second of fall.
+    """Return the fraction of the velocity that each form of damping removes in 1 s of fall.
 
-    The frame durations are random around 1 / rate, and the fractions are means over several runs.
+    The frame durations are random around 1 / ``rate``, and the fractions are means over several
+    runs.
     """
     gravity = Vector3(*GRAVITY)
     per_frame = KEPT ** (1.0 / TUNED_AT)

@@ -1,4 +1,4 @@
-"""Pictures of chapter 4: the five shots, all types of fireworks, and the error of the step."""
+"""Pictures of chapter 4: the five shots, all types of fireworks, and the integration error."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ LONGEST = 600  # frames, enough for every shot to land and every firework to bur
 
 
 def shots() -> Picture:
-    """Draw the paths of the five shots, and what fraction of its energy each shot keeps."""
+    """Draw the paths of the five shots. Show the fraction of its energy that each shot keeps."""
     figure, (paths, energies) = pyplot.subplots(
         2, 1, figsize=(9, 7), height_ratios=(2, 1), layout="constrained"
     )
@@ -115,9 +115,9 @@ def fireworks() -> Picture:
 
 
 def step_error() -> Picture:
-    """Plot the error of the integration step against the length of a frame.
+    """Plot the error of the integration step against the duration of a frame.
 
-    The error is the difference from the closed form.
+    The error is the difference from the exact solution.
     """
     counts = (15, 30, 60, 120, 240, 480, 960, 1920)
     seconds = 2.0
@@ -157,9 +157,9 @@ PLOTS = (shots, fireworks, step_error)
 
 
 def _flight(name: str) -> Iterator[list[tuple[str, Numbers, Numbers]]]:
-    """Fire a shot.
+    """Fire the shot ``name``.
 
-    After each frame, yield the type, the position and the velocity of each piece.
+    After each frame, yield the type, the position and the velocity of each particle.
     """
     at = BallisticRange()
     at.fire(name)
@@ -184,7 +184,7 @@ def _streaks(
 ) -> list[int]:
     """Draw all frames of a show into one picture.
 
-    Return the number of burning fireworks in each.
+    Return the number of burning fireworks in each frame.
     """
     seen: dict[int, tuple[list[float], list[float]]] = {}
     counts = []

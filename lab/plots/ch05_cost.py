@@ -29,7 +29,10 @@ DOWN = (0.0, -G, 0.0)
 
 
 def cost_of_a_generator() -> Picture:
-    """Plot the time per frame with each generator, relative to gravity as an acceleration."""
+    """Plot the time per frame with each generator as a multiple of the time with gravity.
+
+    The time for comparison is that of a particle whose acceleration is gravity.
+    """
     place, motion = Vector3(3.0, 1.0, 0.0), Vector3(0.0, 0.0, 5.0)
     brake = Airbrake(0.5)
     brake.on = True
@@ -88,7 +91,7 @@ def _frames(frame: Callable[[float], None]) -> None:
 
 
 def _registered(particle: Particle, generator: ForceGenerator) -> Callable[[float], None]:
-    """Return a function that advances a particle by one frame under a generator's force."""
+    """Return a function that simulates ``particle`` for a frame with the force of ``generator``."""
     registry = ForceRegistry()
     registry.add(particle, generator)
 

@@ -31,7 +31,7 @@ PERIOD = 2.0 * math.pi
 
 
 def terminal_speeds() -> Picture:
-    """Plot falls with linear and with quadratic drag, and their terminal speeds."""
+    """Plot falls with linear drag and with quadratic drag. Show their terminal speeds."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.6), layout="constrained")
     rows: list[Sequence[object]] = []
     worst = 0.0
@@ -85,7 +85,7 @@ def terminal_speeds() -> Picture:
 
 
 def fall_with_drag() -> Picture:
-    """Plot a fall with quadratic drag in long frames beside the closed form, and its errors."""
+    """Plot a fall with quadratic drag in long frames, the exact solution, and the errors."""
     k2, seconds, frame = 0.05, 4.0, 0.2
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.6), layout="constrained")
     count = round(seconds / frame)
@@ -128,7 +128,7 @@ def fall_with_drag() -> Picture:
 
 
 def orbit() -> Picture:
-    """Plot the energy and the angular momentum during 20 orbits, simulated with the book's step."""
+    """Simulate 20 orbits with the book's step. Plot the energy and the angular momentum."""
     figure, (path, energies, momenta) = pyplot.subplots(
         1, 3, figsize=(14, 4.6), layout="constrained"
     )
@@ -180,7 +180,7 @@ PLOTS = (terminal_speeds, fall_with_drag, orbit, cost_of_a_generator)
 def _fall(
     mass: float, k1: float, k2: float, frame: float, frames: int
 ) -> list[tuple[float, float]]:
-    """Let a particle fall from rest with drag.
+    """Simulate the fall of a particle with drag from rest.
 
     Return its distance and its speed after each frame.
     """
@@ -195,7 +195,10 @@ def _fall(
 
 
 def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers]]:
-    """Move a particle around mu = 1, starting from its farthest point. Return every n-th state."""
+    """Simulate an orbit with mu = 1 that starts from the farthest point.
+
+    Return the position and the velocity after every ``every`` frames.
+    """
     farthest = 1.0 + ECCENTRICITY
     slowest = math.sqrt((1.0 - ECCENTRICITY) / farthest)
     particle = Particle(Vector3(-farthest, 0.0, 0.0), Vector3(0.0, -slowest, 0.0))
@@ -210,19 +213,19 @@ def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers
 
 
 def _momentum_drift(h: float) -> float:
-    """Return the angular momentum that the book's step adds in one turn of the exact orbit.
+    """Return the angular momentum that the book's step adds during one exact orbit.
 
-    A step changes r x v by h^2 v x a, since r x a is 0. Here v x a = L / r^3 with
-    L = (1 - e^2)^(1/2), and the mean of 1 / r^3 over a turn is (1 - e^2)^(-3/2).
+    A step changes r x v by h^2 v x a, since r x a is 0. Here v x a = L / r^3 with L = (1 -
+    e^2)^(1/2), and the mean of 1 / r^3 over a turn is (1 - e^2)^(-3/2).
     """
     return h * PERIOD / (1.0 - ECCENTRICITY**2)
 
 
 def _energy_drift(h: float) -> float:
-    """Return the energy that the book's step adds in one turn of the exact orbit.
+    """Return the energy that the book's step adds during one exact orbit.
 
-    A step adds h^2 / 2 times a^2 + v . H v, where H is the Hessian of -1 / r. This is
-    1 / r^4 + (v^2 - 3 v_r^2) / r^3, and the function sums it over the angles of a turn.
+    A step adds h^2 / 2 times a^2 + v . H v, where H is the Hessian of -1 / r. This is 1 / r^4 +
+    (v^2 - 3 v_r^2) / r^3, and the function sums it over the angles of a turn.
     """
     p = 1.0 - ECCENTRICITY**2
     count = 2000

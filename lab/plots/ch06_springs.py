@@ -94,7 +94,7 @@ def force_against_length() -> Picture:
 
 
 def three_regimes() -> Picture:
-    """Plot the exact motion of a damped spring in its three regimes, and simulations beside it."""
+    """Plot a damped spring in its three regimes. Show the exact motion and simulations."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     k, frames = 100.0, 90
     times = [i * FRAME for i in range(frames + 1)]
@@ -178,7 +178,7 @@ def energy_over_time() -> Picture:
 
 
 def error_against_work() -> Picture:
-    """Plot the largest error of every method within one second against its force evaluations."""
+    """Plot each method's largest error within 1 s against its force evaluations."""
     figure, panels = pyplot.subplots(1, 4, figsize=(16, 5.6), layout="constrained", sharey=True)
     rows: list[Sequence[object]] = []
     words = []
@@ -242,7 +242,7 @@ PLOTS = (
 
 
 def _force(generator: ForceGenerator, place: float, axis: int) -> float:
-    """Return the force on a particle along the X or the Y axis, at a position on that axis."""
+    """Return the force on a particle along the axis ``axis``, at the position ``place`` on it."""
     particle = Particle(Vector3(*(place if i == axis else 0.0 for i in range(3))))
     generator.update_force(particle, FRAME)
     return numbers(particle.force_accumulator)[axis]

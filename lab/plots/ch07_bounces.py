@@ -79,7 +79,7 @@ def bounce_heights() -> Picture:
 
 
 def resting_jitter() -> Picture:
-    """Plot a ball at rest with the resting rule, without it, and with a rule that is too strict."""
+    """Plot a ball at rest with the resting rule, without this rule, and with a stricter rule."""
     figure, panels = pyplot.subplots(1, 3, figsize=(16, 5.4), layout="constrained")
     rows: list[Sequence[object]] = []
     rules = {"resting rule": None, "no rule": without_rule}
@@ -210,7 +210,7 @@ def _bouncing(name: str, restitution: float, frames: int) -> Callable[[], Track]
 def _resting(
     name: str, restitution: float, rule: Resolve | None, generated: bool
 ) -> Callable[[], Track]:
-    """Return a run that starts slightly above the ground.
+    """Return a function that runs a ball from a start slightly above the ground.
 
     With this start, explicit Euler has no contact at first.
     """
@@ -222,7 +222,7 @@ def _falling(height: float, restitution: float, rule: Resolve | None) -> Callabl
 
 
 def _finite(runs: Iterable[Track]) -> list[float]:
-    """Return those heights that fit into a picture. With a wrong engine, the ball may be lost."""
+    """Return the heights that fit into a picture. With a wrong engine, the ball may fly away."""
     return [height for run in runs for height in run.values if abs(height) < 10.0 * HEIGHT]
 
 
@@ -240,9 +240,9 @@ def _rise(run: Track) -> float:
 
 
 def _drops() -> tuple[str, list[tuple[str, float, float]]]:
-    """Return the name of a file and the drops in it.
+    """Return the name of the file with the measured drops, and the drops.
 
-    The file is the student's own or, if that is empty, the sample file.
+    If the student's file is empty, use the sample file.
     """
     for name in ("drops.csv", "drops_sample.csv"):
         try:

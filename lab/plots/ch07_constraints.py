@@ -1,4 +1,4 @@
-"""Pictures of chapter 7: what the resolver leaves unresolved in a pile, and how far stacks sink.
+"""Pictures of chapter 7: the errors that the resolver leaves in a pile, and how stacks sink.
 
 Each title states a quantity that was measured in the picture. A mistake in the engine therefore
 shows up in the title. Curves of exercises that are not written yet are left out.
@@ -23,7 +23,7 @@ from studies.runs.piles import pile, residuals, stack
 
 
 def resolver_convergence() -> Picture:
-    """Plot the largest closing velocity and depth in a pile against the number of resolutions."""
+    """Plot the largest closing velocity and depth in a pile against the number of iterations."""
     figure, panels = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     counts = [*range(31), *range(32, 100, 4), *range(100, 401, 20)]
     found = written(

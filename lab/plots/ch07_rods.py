@@ -1,4 +1,4 @@
-"""Pictures of chapter 7: a rope of rods by several methods, the errors of rods, and a pendulum."""
+"""Pictures of chapter 7: a rope of rods by several methods, errors of rods, and a pendulum."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ KINDS: dict[str, Link] = {"Rod": Rod, "TwoSidedRod": TwoSidedRod}
 
 
 def rope_by_method() -> Picture:
-    """Plot the error in length of a rope of rods released at 30 degrees, for each method."""
+    """Plot the length error of a rope of rods for each method. It is released at 30 degrees."""
     figure, axes = pyplot.subplots(figsize=(10, 5.6), layout="constrained")
     frames = 120
     ten = by_resolver(20, HeapResolver)
@@ -119,7 +119,7 @@ def rods_hold() -> Picture:
 
 
 def pendulum_energy() -> Picture:
-    """Plot the energy of a pendulum on a rod, for ten seconds after it is released horizontally."""
+    """Plot the energy of a pendulum on a rod for 10 s. It is released horizontally."""
     figure, axes = pyplot.subplots(figsize=(10, 5.6), layout="constrained")
     shown = [("explicit Euler", 60, RED), ("semi-implicit Euler", 60, SKY)]
     shown += [("semi-implicit Euler", 240, PINK), ("semi-implicit Euler", 960, BLACK)]
@@ -153,7 +153,7 @@ def pendulum_energy() -> Picture:
 def _hanging(
     link: Link, count: int, iterations: int | None, substeps: int
 ) -> Callable[[], tuple[float, str]]:
-    """Return a scene that lets a chain hang for 2 s, and returns the largest error of a rod."""
+    """Return a function that lets a chain hang for 2 s and returns the largest error of a rod."""
 
     def scene() -> tuple[float, str]:
         resolve = by_resolver(iterations, HeapResolver)

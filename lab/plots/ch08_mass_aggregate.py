@@ -65,7 +65,7 @@ def energy_of_platform() -> Picture:
 
 
 def variable_frames() -> Picture:
-    """Plot a blob and a bridge in even and in uneven frames, two of which last half a second."""
+    """Plot a blob and a bridge in even and uneven frames. Two uneven frames last 0.5 s."""
     figure, panels = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
     spikes, seconds = (1.0, 2.5), 4.0
     rows: list[Sequence[object]] = []
@@ -127,7 +127,7 @@ PLOTS: tuple[Callable[[], Picture], ...] = (
 
 
 def _energies(what: str, ways: dict[str, Way]) -> Picture:
-    """Plot energies over time, and how far they deviate from their middle at rest, in percent."""
+    """Plot energies over time. Show how far each deviates from its middle at rest, in percent."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
     found = written(
         {name: _energy_of(make, rate, time) for name, (make, rate, time, _) in ways.items()},

@@ -33,7 +33,7 @@ THROUGH = 1e3  # %, where an infinite excess length is drawn
 
 
 def mass_ratios() -> Picture:
-    """Plot how far the bridge's cables stretch under balls of 1 kg to 1 t, for each method."""
+    """Plot how far the bridge's cables stretch under a ball of 1 kg to 1 t, for each method."""
     figure, axes = pyplot.subplots(figsize=(10, 5.8), layout="constrained")
     ratios = (1, 10, 30, 100, 300, 1000)
     # Cases that take the longest and are accurate enough anyway are left out.
@@ -89,7 +89,7 @@ def mass_ratios() -> Picture:
 
 
 def hanging_rope() -> Picture:
-    """Plot how far a rope between two nails sinks below its rest position, and the work for it."""
+    """Plot how far a rope between two nails sinks below its rest position, and the work."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
     # A rope that starts at rest should stay there, and DirectChain keeps it there to 1e-8 m. So
     # DirectChain is also shown with a rope that starts in the shape of a V.
@@ -163,7 +163,10 @@ def hanging_rope() -> Picture:
 
 
 def _late(run: Track, since: float) -> float:
-    """Return the largest value after a time, or infinity if the engine failed before that time."""
+    """Return the largest value after the time ``since`` in s.
+
+    If the engine failed before this time, return infinity.
+    """
     late = [value for time, value in run.points if time >= since]
     return max(late, default=math.inf) if not run.message else math.inf
 
@@ -171,7 +174,7 @@ def _late(run: Track, since: float) -> float:
 def _ended(
     scene: Callable[[], Hanging], key: tuple[int, str], notes: list[str]
 ) -> Callable[[], Hanging | None]:
-    """Return a scene that adds a note and returns None if the engine raises an error in it."""
+    """Wrap ``scene``. If the engine raises an error, add a note and return None."""
 
     def run() -> Hanging | None:
         hung: list[Hanging] = []

@@ -52,7 +52,7 @@ WAYS: dict[str, tuple[Step, Velocity, float, str, str]] = {
 
 
 def drift_of_first_order() -> Picture:
-    """Plot the errors of Eq. 9.5 in length and in angle, and the errors of better methods."""
+    """Plot the length and angle errors of Eq. 9.5, and the errors of better methods."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.4), layout="constrained")
     rows: list[Sequence[object]] = []
     notes: list[str] = []
@@ -181,7 +181,7 @@ def _errors_in_angle(axes: Any, rows: list[Sequence[object]], notes: list[str]) 
 
 
 def _drift(duration: float, steps: int) -> tuple[float, float]:
-    """Return the length and angle of first_order_drift in degrees, or NaN if it is a stub."""
+    """Return length and angle of first_order_drift in degrees. If it is a stub, return NaN."""
     found: list[object] = []
     if is_written(lambda: found.append(first_order_drift(TAU, duration, steps))):
         length, angle = found[0] if isinstance(found[0], tuple) else (None, None)
@@ -197,7 +197,7 @@ def _of_drift(off: Sequence[float], unit: str) -> str:
 
 
 def _ends(way: str, notes: list[str]) -> list[float]:
-    """Return the final error of a method in degrees, for each of the rates."""
+    """Return the final error of the method ``way`` in degrees, for each rate."""
     step, velocity, share, *_ = WAYS[way]
     wanted = (steady_orientation if velocity is steady_velocity else coning_orientation)(END)
     errors = []
@@ -210,7 +210,10 @@ def _ends(way: str, notes: list[str]) -> list[float]:
 
 
 def _worst_rate(x: float, distance: float, z: float) -> tuple[float, str]:
-    """Return the largest Euler rates at a distance in degrees from gimbal lock, and any error."""
+    """Return the magnitude of the largest Euler rates near gimbal lock, and the text of any error.
+
+    ``distance`` is the distance from gimbal lock in degrees.
+    """
     left = math.radians(distance)
     found: list[float] = []
 

@@ -63,7 +63,7 @@ SMALL = LABEL | {"fontsize": 9}
 
 
 def turning_motion() -> Picture:
-    """Draw a thrown disc that wobbles as it flies, and its axes at seven different times."""
+    """Draw a thrown disc that wobbles as it flies. Show its axes at seven times."""
     rates = (120, 240, 480)
     throws = {rate: throw_disc(rate) for rate in rates}
     shown = throws[240]
@@ -114,7 +114,7 @@ def turning_motion() -> Picture:
 
 
 def order_of_turns() -> Picture:
-    """Draw a letter L, rotated by 90° about the world's X and then Y, and in the opposite order."""
+    """Draw a letter L after rotations by 90° about the world's X and Y, in both orders."""
     figure = pyplot.figure(figsize=(10.5, 7.2), layout="constrained")
     grid = figure.add_gridspec(2, 3)
     quarter = {
@@ -171,7 +171,7 @@ PLOTS: tuple[Callable[[], Picture], ...] = (
 
 
 def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
-    """Return the arrows as the engine rotates them. If it raises an error, add a note about it."""
+    """Rotate the arrows with the engine. If the engine raises an error, add a note."""
     found: list[Arrows] = []
     if message := stopped(lambda: found.append(arrows_by_engine(q))):
         notes.append(message)
@@ -179,7 +179,7 @@ def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
 
 
 def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> list[Arrows]:
-    """Return the arrows rotated by matrices: at the start, after one rotation, and after both."""
+    """Return the arrows at the start, after one rotation and after two. Rotate with matrices."""
     found: list[Arrows] = []
 
     def act() -> None:
@@ -193,14 +193,14 @@ def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> lis
 
 
 def _letter(space: Any, found: Arrows) -> None:
-    """Draw an upright letter L that faces along Z, rotated in the same way as the arrows."""
+    """Draw an upright letter L that faces along Z, rotated like the arrows ``found``."""
     if is_drawable(*found):
         for x, y in (((-0.1, 0.1), (-0.1, 0.8)), ((0.1, 0.5), (-0.1, 0.1))):
             _block(space, found, (x, y, (-0.1, 0.1)))
 
 
 def _block(space: Any, found: Arrows, sides: Sequence[tuple[float, float]]) -> None:
-    """Draw a block with these ranges of its own coordinates, rotated like the arrows."""
+    """Draw a block, rotated like the arrows ``found``. ``sides`` are its ranges on each axis."""
     corners = {c: _beyond(ORIGIN, found, c) for c in product(*sides)}
     faces = []
     for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
@@ -212,7 +212,7 @@ def _block(space: Any, found: Arrows, sides: Sequence[tuple[float, float]]) -> N
 
 
 def _disc(space: Any, place: Numbers, found: Arrows) -> None:
-    """Draw a disc of 0.45 m about its own Y axis, rotated in the same way as the arrows."""
+    """Draw a disc of 0.45 m around its own Y axis, rotated like the arrows ``found``."""
     if is_drawable(*found):
         around = [math.radians(angle) for angle in range(0, 360, 10)]
         rim = [(0.45 * math.cos(a), 0.0, 0.45 * math.sin(a)) for a in around]
@@ -221,7 +221,10 @@ def _disc(space: Any, place: Numbers, found: Arrows) -> None:
 
 
 def _beyond(place: Numbers, found: Arrows, own: Numbers) -> Numbers:
-    """Return the world position of the point ``own`` of an object rotated like the arrows."""
+    """Return the world position of ``own``, a point in the coordinates of a rotated object.
+
+    The object is at ``place`` and is rotated like the arrows ``found``.
+    """
     x, y, z = (
         at + math.fsum(v[i] * c for v, c in zip(found, own, strict=True))
         for i, at in enumerate(place)

@@ -14,7 +14,7 @@ TIP = 0.14  # m, radius of the draggable tip of a vector
 
 
 def rotated(x: float, y: float, angle: float) -> tuple[float, float]:
-    """Return the point (x, y), rotated counter-clockwise by an angle in radians."""
+    """Rotate the point (x, y) counter-clockwise. ``angle`` is in radians."""
     c, s = math.cos(angle), math.sin(angle)
     return c * x - s * y, s * x + c * y
 

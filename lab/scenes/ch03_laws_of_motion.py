@@ -79,7 +79,7 @@ class FrameRates(Scene):
             pen.text((trail[-1][0] + 0.2, trail[-1][1] + 0.8), f"{rate} Hz", color)
 
     def off(self, i: int) -> float:
-        """Return a ball's distance in m from its exact position after the same number of steps."""
+        """Return the distance in m between ball ``i`` and its exact position."""
         x, y, _ = self.flight.exact(self.steps[i] / self.rates[i]).position
         return math.hypot(self.balls[i].position.x - x, self.balls[i].position.y - y)
 
@@ -106,9 +106,10 @@ class FrameRates(Scene):
 
 
 class DampingForms(Scene):
-    """A scene with three identical pucks that are slowed down by damping in three ways.
+    """A scene with three identical pucks, each with a different form of damping.
 
-    One follows Eq. 3.5, one follows Eq. 3.6, and one follows the exact solution.
+    The first puck follows Eq. 3.5, the second follows Eq. 3.6, and the third follows the exact
+    solution.
     """
 
     chapter = 3
@@ -147,7 +148,7 @@ class DampingForms(Scene):
             self.speeds[1] = damp_per_second(self.speeds[1], Vector3(), self.kept, h)
 
     def slid(self) -> float:
-        """Return the distance in m that the exact puck has slid in the time simulated so far."""
+        """Return the distance in m that the exact puck has slid so far."""
         k = -math.log(self.kept)
         return self.SPEED * -math.expm1(-k * self.steps / self.rate) / k
 

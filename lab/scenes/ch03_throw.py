@@ -127,9 +127,9 @@ class Throw(Scene):
         self.flies, self.rest = False, self.REST
 
     def past_hoop(self, path: list[Point]) -> float | None:
-        """Return how far beyond the rim's center, in m, a path comes down to the rim's height.
+        """Return how far beyond the rim's center a path comes down to the rim's height, in m.
 
-        The result is None if the path never comes down through that height.
+        The result is None if the path never comes down to this height.
         """
         x, y = self.hoop
         for (x1, y1), (x2, y2) in pairwise(path):
@@ -138,7 +138,10 @@ class Throw(Scene):
         return None
 
     def is_in(self, beyond: float | None) -> bool:
-        """Return whether a ball that comes down at this distance goes through the hoop."""
+        """Return whether the ball goes through the hoop.
+
+        ``beyond`` is the distance from the rim's center in m at which the ball comes down.
+        """
         return beyond is not None and abs(beyond) < self.RIM
 
     def told(self, beyond: float | None) -> str:
@@ -205,7 +208,10 @@ class Throw(Scene):
             self.throw()
 
     def aim(self, angle: float, speed: float) -> None:
-        """Set the aim: an angle in degrees and a speed in m/s, limited to what an arm can do."""
+        """Set the aim.
+
+        ``angle`` is in degrees and ``speed`` in m/s. Both are limited to human throws.
+        """
         self.values["angle"] = max(0.0, min(88.0, angle))
         self.values["speed"] = max(4.0, min(20.0, speed))
 

@@ -26,7 +26,7 @@ MIDDLE = -20.0  # y at which the view from above is drawn, below the view from t
 
 
 class Ballistics(Scene):
-    """A range with shots at blocks, seen from the side and, below that view, from above."""
+    """A range with shots at blocks. The view from the side is above the view from above."""
 
     chapter = 4
     title = "The ballistic range"
@@ -105,7 +105,10 @@ class Ballistics(Scene):
         pen.arrow((0.0, MIDDLE), above, COLORS.get(self.name, "pink"))
 
     def muzzle(self) -> float:
-        """Return the elevation in radians that the player chose, or the shot type's default."""
+        """Return the elevation in radians.
+
+        It is the player's choice or the default of the shot type.
+        """
         vx, vy, vz = SHOT_TYPES[self.name].velocity
         own = math.atan2(vy, math.hypot(vx, vz))
         return own if self.elevation is None else self.elevation
@@ -191,18 +194,18 @@ class Artillery(Scene):
         ]
 
     def shot(self, elevation: float) -> Particle:
-        """Return a shell that is fired from the ground at an elevation in degrees."""
+        """Return a shell that is fired from the ground. ``elevation`` is in degrees."""
         a = math.radians(elevation)
         velocity = Vector3(self.speed * math.cos(a), self.speed * math.sin(a))
         return Particle(Vector3(), velocity, Vector3(0.0, -9.81), damping=self.damping)
 
     def place_after(self, time: float, elevation: float) -> tuple[float, float]:
-        """Return the exact position of a shell after a time in s."""
+        """Return the exact position of a shell at ``time`` in s. ``elevation`` is in degrees."""
         position, _ = state_after(self.shot(elevation), time)
         return position.x, position.y
 
     def landing(self, elevation: float) -> tuple[float, float]:
-        """Return the range of a shell in m and its flight time in s, as found by bisection."""
+        """Find the range of a shell in m and its flight time in s by bisection."""
         low, high = 0.01, 20.0  # s; the shell is above the ground at first and below it at last
         while high - low > 1e-9:
             middle = 0.5 * (low + high)

@@ -110,7 +110,7 @@ class Fireworks(Scene):
 
 
 def can_turn() -> bool:
-    """Return whether the student has written the wheel, by testing whether it throws sparks."""
+    """Return whether the student has written the Catherine wheel, so that it emits sparks."""
     trial = FireworksShow([WHEEL_SPARK], capacity=9, seed=1)
     return is_written(lambda: make_wheel(trial, Vector3()).update(1.0))
 

@@ -124,7 +124,7 @@ class FallInAir(Scene):
 
 
 class Orbit(Scene):
-    """A planet that orbits a star, with a step that updates the position first or last.
+    """A planet that orbits a star. The time step updates the position either first or last.
 
     The book's step updates the position first.
     """
@@ -185,7 +185,7 @@ class Orbit(Scene):
         return math.tau * math.sqrt(self.AXIS**3 / self.MU)
 
     def kepler(self, time: float) -> tuple[float, float]:
-        """Return the exact position after a time in s, from Kepler's equation M = E - e sin E."""
+        """Compute the exact position at ``time`` in s from Kepler's equation M = E - e sin E."""
         e, mean = self.eccentricity, math.tau * time / self.period()
         anomaly = mean
         for _ in range(12):

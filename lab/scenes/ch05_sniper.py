@@ -50,7 +50,7 @@ class Sniper(Scene):
         self.begin()
 
     def begin(self) -> None:
-        """Begin a new round, with winds that differ from those of the last round."""
+        """Begin a new round, with winds that differ from the winds in the last round."""
         self.seed += 1
         self.range = SniperRange(self.seed)
         self.aim = (0.0, 0.0)
@@ -139,7 +139,7 @@ SCENES = (Sniper,)
 
 
 def seen(x: float, y: float, z: float) -> tuple[float, float]:
-    """Return where a point appears as seen from the muzzle, in milliradians.
+    """Return the position in the scope, in milliradians, of the point (x, y, z).
 
     World +x is to the left.
     """

@@ -46,9 +46,9 @@ class SpringBridge(Stepped):
         self.x, self.owed = 0.5, 0.0
 
     def step(self, duration: float) -> None:
-        """Make the steps that are due.
+        """Make the time steps that fit into ``duration``, which is in s.
 
-        Before each step, add the walker's weight to the planks below.
+        Before each step, the walker's weight is added to the nearest planks.
         """
         length = 1.0 / self.rate
         self.owed += duration
@@ -163,5 +163,5 @@ SCENES = (SpringBridge, Cloth)
 
 
 def oblique(place: Vector3) -> tuple[float, float]:
-    """Return where a point is drawn, as seen from the side and slightly from above."""
+    """Return the picture coordinates of ``place``, seen from the side and slightly from above."""
     return place.x + place.z / 3.0, place.y + place.z / 3.0

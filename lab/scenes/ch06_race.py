@@ -77,7 +77,7 @@ class IntegratorRace(Scene):
                 self.trails[name] = [*self.trails[name][-90:], self.phase(ball)]
 
     def phase(self, ball: Particle) -> tuple[float, float]:
-        """Return a ball's position, and its velocity scaled so that the exact path is a circle."""
+        """Return a ball's position and its scaled velocity. The exact path is then a circle."""
         return ball.position.x, ball.velocity.x / math.sqrt(self.stiffness / self.MASS)
 
     def draw(self, pen: Pen) -> None:

@@ -95,7 +95,7 @@ class OneSpring(Stepped):
         self.let_go(max(-2.0, min(2.0, x)), 0.0)
 
     def let_go(self, x: float, v: float) -> None:
-        """Set the ball's position and velocity, and restart the exact motion from there."""
+        """Set the ball's position and velocity, and restart the exact motion from this state."""
         self.ball.position.x, self.ball.velocity.x = x, v
         self.since, self.x0, self.v0 = self.time, x, v
 

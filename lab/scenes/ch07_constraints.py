@@ -33,7 +33,7 @@ def rises(scene: Bounce) -> int:
 
 
 class Bounce(Scene):
-    """A scene with a ball that keeps all or part of its speed when it bounces on the ground."""
+    """A scene with a ball that bounces on the ground and keeps all or part of its speed."""
 
     chapter = 7
     title = "A ball that bounces"
@@ -129,7 +129,7 @@ class Bounce(Scene):
 
 
 class PymunkBounce(Bounce):
-    """The same ball in pymunk, bouncing on a segment with the scene's restitution."""
+    """The same ball in pymunk. It bounces on a segment with the same restitution."""
 
     def build(self) -> None:
         import pymunk  # not needed without this peer

@@ -56,7 +56,10 @@ class Ropes(Scene):
         self.chain = DirectChain(self.ropes[2][1:], Vector3())
 
     def rope(self) -> list[Particle]:
-        """Return an immovable particle, and a straight chain of particles that hangs from it."""
+        """Return a straight chain of particles.
+
+        The first particle is immovable and holds the others.
+        """
         a, link = math.radians(self.angle), LENGTH / self.count
         direction, down = Vector3(math.sin(a), -math.cos(a)), Vector3(0.0, -9.81)
         chain = [
@@ -74,7 +77,7 @@ class Ropes(Scene):
         self.chain.step(duration)
 
     def too_long(self, i: int) -> float:
-        """Return the stretch of a rope in m, summed over its rods."""
+        """Return the stretch of rope ``i`` in m, summed over its rods."""
         return math.fsum(
             (b.position - a.position).magnitude() - LENGTH / self.count
             for a, b in pairwise(self.ropes[i])

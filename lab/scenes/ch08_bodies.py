@@ -19,7 +19,7 @@ DIRECTIONS = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "down": (0.0, -1.0), "up
 
 
 def lower_end(scene: Platform) -> int:
-    """Return the index of the end that goes down: 0 for left, 1 for right, or 2 for neither."""
+    """Return the index of the end that sinks: 0 for left, 1 for right, or 2 for neither."""
     ends = tilting_platform.LEFT + tilting_platform.RIGHT
     torque = 2.0 * tilting_platform.MASS * ends + scene.mass * scene.x
     return 2 if abs(torque) < 1e-9 else int(torque > 0.0)
@@ -115,7 +115,7 @@ class Platform(WorldScene):
 class Blob(WorldScene):
     """A blob of bonds that break and heal.
 
-    The reader can push it, and hold it together by cables.
+    The reader can push the blob, and hold it together with cables.
     """
 
     chapter = 8

@@ -17,7 +17,7 @@ LATE = 0.5  # s, duration of a late frame
 
 
 class Bridge(WorldScene):
-    """A rope bridge across which a heavy ball walks.
+    """A rope bridge with a heavy ball that walks across it.
 
     The reader can make some of the frames late.
     """
@@ -99,7 +99,7 @@ class Bridge(WorldScene):
 
 
 class BallGame(Scene):
-    """A game in which the player bounces from plank to plank without falling (project 8.1)."""
+    """A game in which a ball bounces from plank to plank and must not fall (project 8.1)."""
 
     chapter = 8
     title = "A game on the bridge"
@@ -151,7 +151,7 @@ class BallGame(Scene):
             self.game.direction = {"left": -1, "down": 0, "right": 1}[key]
 
     def play(self, time: float) -> None:
-        """Win a game by steering to the next row that has not been visited, and lose another."""
+        """Win a game by steering to the next unvisited row. Then lose a game."""
         frame = round(60.0 * time)
         if frame == 424:
             self.press("n")
@@ -161,7 +161,7 @@ class BallGame(Scene):
             self.press(self.next_key())
 
     def next_key(self) -> str:
-        """Return the key that steers toward the first row that has not been visited."""
+        """Return the key that steers toward the first unvisited row."""
         ball = self.game.ball
         for row, (a, b) in enumerate(self.game.rows):
             if row not in self.game.rules.visited:

@@ -62,7 +62,7 @@ class Charts(Scene):
         self.frame = min(self.frame + 1, len(self.places) - 1)
 
     def seen(self, place: Place) -> list[tuple[float, float]]:
-        """Return the points to draw for a position, scaled so that the whole path fits."""
+        """Return the points to draw for ``place``, scaled so that the whole path fits."""
         x0, y0 = self.middle
         return [(2.0 * (x - x0) / self.size, 2.0 * (y - y0) / self.size) for x, y in points(place)]
 
@@ -95,7 +95,7 @@ class Charts(Scene):
 
 
 def points(place: Place) -> list[tuple[float, float]]:
-    """Return the points in a position, which consists of pairs of x and y or of a single height."""
+    """Return the points of ``place``, which has pairs of x and y or a single height."""
     numbers = [float(number) for number in place]
     if len(numbers) == 1:
         return [(0.0, numbers[0])]

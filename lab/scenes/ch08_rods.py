@@ -177,7 +177,7 @@ class Cube(WorldScene):
 
 
 def tilted(place: Vector3) -> tuple[float, float]:
-    """Return where a position is drawn, as seen from a corner and from above."""
+    """Return the picture coordinates of ``place``, seen from a corner and from above."""
     across, away = 0.87 * place.x - 0.5 * place.z, 0.5 * place.x + 0.87 * place.z
     return across, 0.94 * place.y + 0.34 * away
 

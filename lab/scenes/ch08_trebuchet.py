@@ -77,7 +77,7 @@ class Trebuchet(WorldScene):
             )
 
     def share(self) -> float:
-        """Return the fraction of the counterweight's lost energy that went to the projectile."""
+        """Return the fraction of the counterweight's lost energy that the projectile gained."""
         return self.gained / self.lost if self.lost > 0.0 else 0.0
 
     def draw(self, pen: Pen) -> None:

@@ -17,7 +17,7 @@ SPINS = ("smallest", "middle", "largest")
 
 
 class Spin(Scene):
-    """A box like a thick book, which spins about one of its axes and slightly about another one."""
+    """A box like a thick book. It spins about one axis, and slightly about another axis."""
 
     chapter = 9
     title = "A book thrown into the air"
@@ -54,7 +54,7 @@ class Spin(Scene):
         self.turned_over, self.before = 0, self.SPEED
 
     def momentum(self) -> Vector3:
-        """Return the angular momentum in kg m^2/s that follows from the box's rotation."""
+        """Compute the angular momentum in kg m^2/s from the box's rotation."""
         own = self.box.own_velocity().component_product(self.box.inertia)
         return self.box.orientation.rotate(own)
 

@@ -21,7 +21,7 @@ PLACES = {"matrix": -2.4, "quaternion": 0.0, "Euler angles": 2.4}
 
 
 class Orientations(Scene):
-    """Three boxes with the same angular velocity that store their orientations differently."""
+    """Three boxes with the same angular velocity. Each box stores its orientation differently."""
 
     chapter = 9
     title = "Matrix, quaternion, Euler angles"
@@ -78,7 +78,10 @@ class Orientations(Scene):
             self.columns[2] = x.cross(y)
 
     def step_angles(self, h: float) -> None:
-        """Advance the angles by their rates, which do not exist in gimbal lock."""
+        """Add the rates of the angles, multiplied by ``h``.
+
+        In gimbal lock, the rates do not exist.
+        """
         a = self.angles
         try:
             a.add_scaled(euler_rates(a.x, a.y, a.z, self.velocity), h)
@@ -103,7 +106,7 @@ class Orientations(Scene):
         }
 
     def errors(self) -> list[float]:
-        """Return the largest error of an axis for each box, in percent of the axis's length."""
+        """Return the largest error of an axis for each box, in percent of the axis length."""
         speed = self.velocity.magnitude()
         right = Quaternion.from_axis_angle(self.velocity, speed * self.time)
         axes = [right.rotate(a) for a in (Vector3(1.0), Vector3(0.0, 1.0), Vector3(0.0, 0.0, 1.0))]
@@ -157,7 +160,7 @@ class Orientations(Scene):
 
 
 class FirstOrder(Scene):
-    """A hand that rotates by Eq. 9.5, which moves its quaternion along a straight line."""
+    """A hand that rotates by Eq. 9.5. Each step moves its quaternion along a straight line."""
 
     chapter = 9
     title = "What Eq. 9.5 leaves out"

@@ -12,7 +12,7 @@ from studies.accuracy.scenes.springs import SPRINGS
 
 
 def scenes_with(part: str) -> list[Scene]:
-    """Return the scenes whose names contain this text. An empty text selects all scenes.
+    """Return the scenes whose names contain ``part``. If ``part`` is empty, return all scenes.
 
     Raises:
         ValueError: No scene matches. The message lists all names.

@@ -1,4 +1,4 @@
-"""Draw the charts: each scene's error over processor time and over work, and an overview."""
+"""Draw a chart of each scene and an overview. A chart plots error over processor time and work."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ COLUMNS = (
 
 
 def draw(points: Sequence[Point], counted: str, png: Path) -> None:
-    """Write the chart of one scene and a table of its points."""
+    """Draw the chart of one scene into the file ``png``, and write a table of its points."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.5), layout="constrained")
     styles = styles_of(points)
     edge = front(points)
@@ -89,7 +89,7 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
 def _draw_extrapolated(
     axes: Axes, points: Sequence[Point], styles: dict[str, dict[str, Any]]
 ) -> None:
-    """Draw a dotted line to the tightest tolerance to which pymunk's time is extrapolated."""
+    """Draw a dotted line to the tightest tolerance for which pymunk's time is extrapolated."""
     sides = [(tolerance, row(points, tolerance).pymunk) for tolerance in TOLERANCES]
     found = [(tolerance, side) for tolerance, side in sides if side.order is not None]
     if not found:
@@ -105,14 +105,14 @@ def _draw_extrapolated(
 
 
 def draw_overview(rows: Sequence[Row], png: Path) -> None:
-    """Draw pymunk's time relative to our best model's, for each scene and each tolerance.
+    """Draw pymunk's time as a multiple of our best model's, for each scene and each tolerance.
 
-    - An open mark shows a ratio for which pymunk's time was extrapolated from its order of
+    - An open mark shows an extrapolated ratio. Pymunk's time then follows from its order of
       convergence.
     - An open mark with an arrow shows a bound, because one side did not reach the tolerance in the
-      time that it was given.
+      time limit.
     - The word "never" at the edge shows that one side can never reach the tolerance.
-    - Nothing is drawn if neither side reaches the tolerance.
+    - If neither side reaches the tolerance, there is no mark.
     """
     scenes = list(dict.fromkeys(row.scene for row in rows))[::-1]
     tolerances = sorted({row.tolerance for row in rows}, reverse=True)
@@ -142,7 +142,7 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
 
 
 def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None:
-    """Draw the ratio in one row of the table as a mark.
+    """Draw the ratio of the table row ``found`` as a mark.
 
     The mark is open if a time is extrapolated. A bound is an open mark with an arrow. If one side
     can never reach the tolerance, the word "never" is written at the edge instead of a mark.
@@ -178,9 +178,9 @@ def said(found: Row) -> str:
 
 
 def told(side: Side) -> str:
-    """Describe one side of a row by its model and time, or by the reason why it has no time.
+    """Describe a side by its model and its time, or say why it has no time.
 
-    If the time is extrapolated, the order of convergence is added.
+    If the time is extrapolated, the text includes the order of convergence.
     """
     if side.time is not None:
         time = f"{side.model}, {_number(1e3 * side.time)} ms"
@@ -189,9 +189,9 @@ def told(side: Side) -> str:
 
 
 def told_ratio(found: Row) -> str:
-    """Return pymunk's time as a multiple of ours: a number, a bound, or an empty string.
+    """Format pymunk's time as a multiple of ours: a number, a bound, or an empty string.
 
-    A number for which the time was extrapolated begins with "~".
+    If a time is extrapolated, the number begins with "~".
     """
     low, high = found.bounds
     if found.ratio:
@@ -202,7 +202,7 @@ def told_ratio(found: Row) -> str:
 
 
 def _number(value: float) -> str:
-    """Format a number with three digits, or all digits before the point: 0.0277, 5.51, 4,190."""
+    """Format ``value`` with three digits, or all digits before the point: 0.0277, 5.51, 4,190."""
     return f"{value:.3g}" if value < 1000.0 else f"{float(f'{value:.3g}'):,.0f}"
 
 

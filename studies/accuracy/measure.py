@@ -36,10 +36,10 @@ LONG, FEW = 1.0, 2  # s, rounds: a run that takes longer is timed only in the fi
 
 @dataclass
 class Point:
-    """The results of a model for one choice of its steps.
+    """The results of a model for one number of steps.
 
     ``steps`` is the number of steps per frame. For a model that takes a tolerance, it is 1 /
-    tolerance. ``times`` contains one time in s per round.
+    tolerance. ``times`` contains the time in s of each round.
     """
 
     scene: str
@@ -63,7 +63,7 @@ class Point:
 
 @dataclass
 class Measured:
-    """All points of a run, and the number of rounds in which they were timed."""
+    """All points of a run, and the number of rounds in which their times were measured."""
 
     points: list[Point]
     rounds: int = 0
@@ -72,9 +72,9 @@ class Measured:
 def explore(
     scenes: Sequence[Scene], slowest: float, theirs: float, hear: Callable[[str], None]
 ) -> Measured:
-    """Measure the error and the work of each model in these scenes. Times are measured later.
+    """Measure the error and the work of each model in ``scenes``. Do not measure times yet.
 
-    Each model is run with more and more steps, until it is exact or until a run takes longer than
+    Each model is run with more and more steps, until it is exact or a run takes longer than
     ``slowest`` seconds. For pymunk's models, the limit is ``theirs`` seconds.
     """
     points = []
@@ -93,7 +93,7 @@ def explore(
 
 
 def run(model: Model, steps: int) -> Outcome | None:
-    """Run a model. Return None if it fails, as it may if its steps are too long."""
+    """Run a model. If the run fails, for example because its steps are too long, return None."""
     try:
         return model.run(steps)
     except (ArithmeticError, ValueError):
@@ -101,7 +101,7 @@ def run(model: Model, steps: int) -> Outcome | None:
 
 
 def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], None]) -> None:
-    """Time all points once, in random order, and add these times as one round."""
+    """Measure the time of every point in random order, and add the times as one round."""
     models = {(scene.name, model.name): model for scene in scenes for model in scene.models}
     for point in random.sample(measured.points, len(measured.points)):
         if len(point.times) < FEW or point.time < LONG:
@@ -111,9 +111,9 @@ def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], No
 
 
 def seconds_of(model: Model, steps: int) -> float:
-    """Return the processor time of a run in s.
+    """Return the processor time in s of a run with ``steps`` steps per frame.
 
-    A short run is repeated, and its mean time returned.
+    A short run is repeated, and the result is the mean of the times.
     """
     count = 0
     start = time.process_time()
@@ -124,13 +124,16 @@ def seconds_of(model: Model, steps: int) -> float:
 
 
 def save(measured: Measured, path: Path, sign: str) -> None:
-    """Save the results atomically, together with a signature of what was measured."""
+    """Save the results atomically. ``sign`` is the signature of the scenes, code and versions."""
     data = {"sign": sign, "rounds": measured.rounds, "points": [*map(asdict, measured.points)]}
     replace_bytes(path, json.dumps(data).encode())
 
 
 def load(path: Path, sign: str) -> Measured | None:
-    """Return the saved results, or None if there are no results with this signature."""
+    """Load the results from ``path``.
+
+    If there are none with the signature ``sign``, return None.
+    """
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
         if data["sign"] != sign:
@@ -141,7 +144,7 @@ def load(path: Path, sign: str) -> Measured | None:
 
 
 def sign_of(names: Sequence[str], slowest: float, theirs: float) -> str:
-    """Return a signature of these scenes, of all code that they run, and of the versions used."""
+    """Return a signature of the scenes, of all code that they run, and of the versions."""
     digest = hashlib.sha256(f"{[*names]} {slowest} {theirs}".encode())
     for folder in ("solutions", "chapters", "studies"):
         for file in sorted((ROOT / folder).rglob("*.py")):

@@ -1,6 +1,6 @@
-"""Find the time that each model needs to meet a tolerance, and the fastest model of each side.
+"""Find the time in which each model meets a tolerance, and the fastest model of each side.
 
-The two sides are our models and pymunk's models.
+One side consists of our models, and the other side consists of pymunk's models.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ FARTHEST = 1000.0  # an error is extrapolated to a thousandth of the smallest er
 class Side:
     """The fastest model of one side that meets a tolerance, and its time in s.
 
-    Both are None if no model meets the tolerance. In that case, every model that might meet it with
-    more steps has been run for at least ``longest`` seconds. ``never`` is true if no model could
-    ever meet it.
+    If no model meets the tolerance, both are None. Every model that might meet the tolerance with
+    more steps has then been run for at least ``longest`` seconds. ``never`` is true if no model
+    could ever meet the tolerance.
 
     If ``order`` is not None, the model has not been run with enough steps. Its time is then
-    extrapolated from this order of convergence.
+    extrapolated, and ``order`` is the order of convergence.
     """
 
     model: str | None
@@ -60,7 +60,7 @@ class Row:
 
     @property
     def bounds(self) -> tuple[float, float]:
-        """The smallest and largest possible ratio if a side did not meet the tolerance in time."""
+        """The smallest and the largest possible ratio, if one side did not meet the tolerance."""
         low = 0.0 if self.ours.time is None else self._of(self.pymunk) / self.ours.time
         high = math.inf if self.pymunk.time is None else self.pymunk.time / self._of(self.ours)
         return low, high
@@ -71,10 +71,10 @@ class Row:
 
 
 def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
-    """Return the index of the first point from which on a model meets a tolerance, or None.
+    """Return the index of the first point that meets ``tolerance`` with all points after it.
 
-    ``ordered`` is sorted by steps. A single point may meet the tolerance by chance. So all points
-    with more steps must meet it as well.
+    ``ordered`` is sorted by steps. All points with more steps must also meet the tolerance, because
+    a single point may meet it by chance. If there is no such point, return None.
     """
     outside = [i for i, point in enumerate(ordered) if not point.error <= tolerance]
     first = outside[-1] + 1 if outside else 0
@@ -82,7 +82,7 @@ def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
 
 
 def time_to(points: Sequence[Point], tolerance: float) -> float | None:
-    """Return the time in s that a model needs to meet a tolerance, or None if it never meets it.
+    """Return the time in s in which a model meets ``tolerance``, or None if it never does.
 
     The time is interpolated between two measured numbers of steps, on logarithmic scales.
     """
@@ -101,10 +101,9 @@ def time_to(points: Sequence[Point], tolerance: float) -> float | None:
 def stalls(points: Sequence[Point]) -> bool:
     """Return whether a model's error no longer decreases when it makes more steps.
 
-    A model stalls if its error has not even been halved while its number of steps grew eightfold.
-    At order 1, the error would have fallen to an eighth. A model that stalls is assumed to never
-    reach smaller errors. If the error is a tenth of the scale or more, it is too large for this
-    conclusion.
+    A model stalls if its error is not even halved when its number of steps grows eightfold. At
+    order 1, the error would fall to an eighth. A model that stalls is assumed to never reach
+    smaller errors. An error of a tenth of the scale or more is too large for this conclusion.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     before = [point for point in ordered if EIGHTFOLD * point.steps <= ordered[-1].steps]
@@ -112,11 +111,11 @@ def stalls(points: Sequence[Point]) -> bool:
 
 
 def order_of(points: Sequence[Point]) -> float | None:
-    """Return a model's order of convergence, measured over its last eightfold increase of steps.
+    """Measure a model's order of convergence over its last eightfold increase of steps.
 
-    The order is the exponent p in an error that is proportional to 1 / steps^p. The result is None
-    if the order is unknown, which is the case if the error does not fall steadily, if it is a tenth
-    of the scale or more, or if there are fewer than four points.
+    The order is the exponent p in an error that is proportional to 1 / steps^p. It is None if the
+    error does not fall steadily, if the error is a tenth of the scale or more, or if there are
+    fewer than four points.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     last = [point for point in ordered if EIGHTFOLD * point.steps >= ordered[-1].steps]
@@ -131,11 +130,11 @@ def order_of(points: Sequence[Point]) -> float | None:
 
 
 def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None:
-    """Return the time in s that a model would need to meet a tolerance, if it had enough steps.
+    """Estimate the time in s in which a model would meet ``tolerance`` with enough steps.
 
-    The time follows from the model's order of convergence. Each step is assumed to take as long as
-    in the run with the most steps. The result is None if the model has no steady order, or if it is
-    too far from the tolerance.
+    The number of steps follows from the model's order of convergence. Each step is assumed to take
+    as long as in the run with the most steps. The result is None if the model has no steady order,
+    or if it is too far from the tolerance.
     """
     finest = max(points, key=lambda point: point.steps)
     order = order_of(points)
@@ -153,7 +152,7 @@ def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
 
 
 def side_of(points: Sequence[Point], tolerance: float) -> Side:
-    """Return a side, with the model that meets a tolerance in the shortest time."""
+    """Return a ``Side`` with the fastest of these models that meets ``tolerance``."""
     models = models_of(points)
     open_ones = [own for own in models.values() if not stalls(own)]
     times = {name: time for name, own in models.items() if (time := time_to(own, tolerance))}
@@ -179,7 +178,7 @@ def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, P
 
 
 def split(points: Sequence[Point]) -> tuple[list[Point], list[Point]]:
-    """Return two lists: our points, which include the book's, and pymunk's points."""
+    """Split the points into our points, which include the book's, and pymunk's points."""
     ours = [point for point in points if point.by != "pymunk"]
     return ours, [point for point in points if point.by == "pymunk"]
 
@@ -216,7 +215,7 @@ def table(points: Sequence[Point]) -> list[Row]:
 
 
 def front(points: Sequence[Point]) -> list[Point]:
-    """Return the points for which no other point is better in both time and error, sorted by time.
+    """Return the points that no other point beats in both time and error, sorted by time.
 
     Errors that come only from rounding all count as equal.
     """

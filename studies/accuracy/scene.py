@@ -1,9 +1,9 @@
-"""What a chart is about: a scene, its exact solution, and the models that run the scene.
+"""Define a scene of the charts, with its exact solution and the models that run it.
 
 A model returns the positions at the end of every frame, at 60 frames per second. It may make any
 number of steps per frame. Its error is the largest deviation of any coordinate from the exact
-solution at the end of any frame, as a fraction of the scene's scale. Being right at a single moment
-is therefore not enough.
+solution at the end of any frame, as a fraction of the scene's scale. A model must therefore be
+accurate all the time, and not only at a single moment.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ Pull = Callable[[float, float, float, float], tuple[float, float]]  # N, from x,
 
 @dataclass(frozen=True)
 class Outcome:
-    """The positions at the end of every frame, and how often the forces were evaluated."""
+    """The positions at the end of every frame, and the number of force evaluations."""
 
     places: list[Place]
     work: int
@@ -42,7 +42,7 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Model:
-    """A way to run a scene with a number of steps per frame.
+    """A method that runs a scene with a given number of steps per frame.
 
     ``by`` is "ours", "the book" or "pymunk". An exact model has no steps to choose, so its
     ``steps`` is (1,). If ``takes_tolerance`` is true, the model chooses its own steps. The numbers
@@ -58,12 +58,12 @@ class Model:
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene that runs for a number of frames, with its exact solution and its models.
+    """A scene with its number of frames, its exact solution and its models.
 
     ``truth`` returns the exact position at a time in s. ``scale`` is the size of the scene in m.
     ``counted`` describes what the models count as their work.
 
-    If ``truth`` is neither a closed form nor SciPy's solution of a single equation, ``differs``
+    If ``truth`` is not a closed form and not SciPy's solution of a single equation, ``differs``
     checks it. This function computes the exact solution in two independent ways, and returns the
     difference as a fraction of the scale.
     """
@@ -114,7 +114,7 @@ def solved(
 def in_frames(
     step: Callable[[float], object], place: Callable[[], Place], frames: int, steps: int
 ) -> list[Place]:
-    """Run frames with this number of steps each. Return the positions at the end of each frame."""
+    """Run ``frames`` frames with ``steps`` steps each. Return the positions after each frame."""
     places: list[Place] = []
     duration = 1.0 / (RATE * steps)
     for _ in range(frames):
@@ -127,7 +127,7 @@ def in_frames(
 def by_integrators(make: Callable[[], Made], frames: int) -> list[Model]:
     """Return one model for each integrator of chapter 6.
 
-    Each moves one particle under its forces.
+    Each model moves one particle under its forces.
     """
     fixed = [
         Model(
@@ -192,10 +192,10 @@ def by_pymunk(
     frames: int,
     pull: Pull | None = None,
 ) -> Model:
-    """Return the model that steps a pymunk body and evaluates its forces once per step.
+    """Return a model that steps a pymunk body and evaluates its forces once per step.
 
-    ``pull`` is a force that is applied by hand before every step. Without it, the body feels only
-    gravity and pymunk's own springs.
+    ``pull`` is a force that the model applies before every step. Without ``pull``, only gravity and
+    pymunk's own springs act on the body.
     """
 
     def run(steps: int) -> Outcome:

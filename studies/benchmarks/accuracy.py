@@ -76,7 +76,7 @@ def lines_of_adaptive() -> list[Measurement]:
 def coarsest(
     scene: Scene, model: Model, choices: Sequence[int], tolerance: float
 ) -> tuple[int, Outcome]:
-    """Find the coarsest choice that meets a tolerance, by bisection. Return it with its run."""
+    """Find the coarsest choice that meets ``tolerance`` by bisection. Return it and its run."""
 
     def is_within(choice: int) -> bool:
         outcome = run(model, choice)
@@ -94,9 +94,9 @@ def line(
     target: Target | None = None,
     tolerance: float = TOLERANCE,
 ) -> Measurement:
-    """Return the measurement of pymunk's time relative to ours, at the same tolerance.
+    """Measure pymunk's time as a multiple of ours, at the same tolerance.
 
-    If ``ours`` is None, our fastest exact model is used.
+    ``ours`` is the name of our model. If it is None, our fastest exact model is used.
     """
     (scene,) = scenes_with(part)
     mine = model_of(scene, ours) if ours else fastest_exact(scene)
@@ -135,7 +135,7 @@ def is_exact(model: Model) -> bool:
 
 
 def fewest_steps(scene: Scene, model: Model, tolerance: float) -> tuple[int, float]:
-    """Return the smallest number of steps per frame that meets a tolerance, and the error.
+    """Find the fewest steps per frame that meet ``tolerance``. Return their number and the error.
 
     The number is a power of two. If even MOST steps per run do not meet the tolerance, return the
     largest number that was tried.
@@ -145,9 +145,9 @@ def fewest_steps(scene: Scene, model: Model, tolerance: float) -> tuple[int, flo
 
 
 def tried_steps(scene: Scene, model: Model, tolerance: float) -> list[Point]:
-    """Return all points that were tried.
+    """Try more and more steps, and return a point for each number of steps.
 
-    The steps double until they meet the tolerance or reach MOST.
+    The number doubles until it meets ``tolerance`` or reaches MOST.
     """
     tried: list[Point] = []
     steps = 1

@@ -1,4 +1,4 @@
-"""Measure the cost of contacts: with and without a heap, among spheres, and in a chain."""
+"""Measure the cost of contacts: with and without a heap, between spheres, and in a chain."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def resolving(kind: type[ContactResolver], count: int) -> Timer:
 
 
 def spread(count: int) -> ParticlePairs:
-    """Return spheres of radius 0.5 m in a cube, with one per 8 m^3 on average."""
+    """Return spheres of radius 0.5 m in a cube. On average, there is one sphere per 8 m^3."""
     rng = random.Random(1)
     size = 2.0 * count ** (1.0 / 3.0)
     places = [[rng.uniform(0.0, size) for _ in range(3)] for _ in range(count)]
@@ -94,7 +94,10 @@ def spread(count: int) -> ParticlePairs:
 
 
 def by_direct_solve(rate: int) -> tuple[float, float]:
-    """Release a chain, and return the position of its tip after one second."""
+    """Release a chain, and return the position of its tip after 1 s.
+
+    ``rate`` is in frames per s.
+    """
     particles = chain_particles(LINKS, ANGLE)
     chain = DirectChain(particles[1:], Vector3())
     for _ in range(SECONDS * rate):
@@ -104,7 +107,7 @@ def by_direct_solve(rate: int) -> tuple[float, float]:
 
 
 def by_direct_net(rate: int) -> tuple[float, float]:
-    """Return the position of the tip of the same chain, simulated as a net of rods."""
+    """Simulate the same chain as a net of rods. Return the position of its tip."""
     particles = chain_particles(LINKS, ANGLE)[1:]
     first = AnchoredRod(particles[0], Vector3(), LINK)
     net = DirectNet([first, *(Rod(a, b, LINK) for a, b in pairwise(particles))])
@@ -115,7 +118,10 @@ def by_direct_net(rate: int) -> tuple[float, float]:
 
 
 def by_pymunk(rate: int) -> tuple[float, float]:
-    """Return the position of the tip with pymunk's pin joints and its default of 10 iterations."""
+    """Simulate the same chain with pymunk's pin joints. Return the position of its tip.
+
+    The solver makes its default of 10 iterations.
+    """
     space = pymunk.Space()
     space.gravity = (0.0, -GRAVITY)
     before = space.static_body
@@ -133,8 +139,9 @@ def by_pymunk(rate: int) -> tuple[float, float]:
 def matching_rate() -> int:
     """Return the frame rate at which pymunk's tip is as accurate as ours.
 
-    Starting at four times our rate, the rate is doubled until that is the case. The exact position
-    is approximated by DirectChain at 16 times its rate, where its error is 256 times smaller.
+    The search starts at four times our rate and doubles the rate until pymunk is accurate enough.
+    DirectChain at 16 times its rate serves as the exact position, because its error is then 256
+    times smaller.
     """
     true = by_direct_solve(16 * RATE)
     ours = math.dist(by_direct_solve(RATE), true)

@@ -75,7 +75,7 @@ def generator_steps(frames: list[float]) -> Numbers:
 def forced_arithmetic(frames: list[float]) -> Numbers:
     """Make the same steps under one force in local variables, and return the final position.
 
-    The force is added to a sum, which the step uses and then clears.
+    Each step adds the force to a sum, uses the sum, and then clears it.
     """
     x, y, z = PROJECTILE.start.position
     vx, vy, vz = PROJECTILE.start.velocity

@@ -1,4 +1,4 @@
-"""Measure the cost of running untrusted code in workers rather than in the checks' own process."""
+"""Measure how much more it costs to run untrusted code in workers than in the checks' process."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def lines() -> list[Measurement]:
 
 
 def _one_check(chapter: Chapter, behind: Behind, target: Target | None) -> Measurement:
-    """Measure how many ms longer a check takes in a worker, including its share of the start-up."""
+    """Measure how many ms longer a check takes in a worker. This includes part of the start-up."""
 
     def checked(where: Behind | None) -> int:
         return len(run_checks(chapter, ENGINE, seed="1", behind=where))
@@ -63,7 +63,7 @@ def _twenty(behind: Behind) -> Measurement:
 
 
 def _sample_class(behind: Behind) -> Measurement:
-    """Return the line for the sample class, which includes the waits for its endless loops."""
+    """Measure the sample class. Its submissions contain endless loops, which run out of time."""
     submissions, _ = find_submissions(ROOT / "sample_class")
     chapters = load_chapters()
 

@@ -45,14 +45,14 @@ def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
 
 
 def rounded(figure: float) -> float:
-    """Return a figure rounded to three digits, because its spread makes more digits meaningless."""
+    """Round ``figure`` to three digits. Its spread makes more digits meaningless."""
     return float(f"{figure:.3g}")
 
 
 def kept(file: Path = FILE) -> dict[str, float]:
-    """Return the ratios of the last run, keyed by description.
+    """Return the ratios of the last run, by their descriptions.
 
-    Before the first run, it is empty.
+    Before the first run, the dict is empty.
     """
     if not file.exists():
         return {}
@@ -61,10 +61,10 @@ def kept(file: Path = FILE) -> dict[str, float]:
 
 
 def with_quotations(page: str, ratios: dict[str, float]) -> str:
-    """Return a page whose quotations are updated to the figures of a run, with two digits.
+    """Return ``page`` with its quotations updated to the ratios of a run, with two digits.
 
     Raises:
-        ValueError: A quotation fits no line of the run, or more than one.
+        ValueError: A quotation does not fit exactly one line of the run.
     """
 
     def renewed(match: re.Match[str]) -> str:

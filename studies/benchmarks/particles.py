@@ -93,7 +93,7 @@ def steps(particle: Particle, frames: list[float]) -> None:
 
 
 def operator_steps(particle: Particle, frames: list[float]) -> None:
-    """Make the same steps with v + w and v * s. Assigned vectors are checked and copied."""
+    """Make the same steps with v + w and v * s. Each assigned vector is checked and copied."""
     for frame in frames:
         particle.position = particle.position + particle.velocity * frame
         keep = particle.damping**frame
@@ -101,7 +101,7 @@ def operator_steps(particle: Particle, frames: list[float]) -> None:
 
 
 def in_place_steps(particle: Particle, frames: list[float]) -> None:
-    """Make the same steps with those methods of Vector3 that change a vector in place."""
+    """Make the same steps with the methods of Vector3 that change a vector in place."""
     position, velocity = particle.position, particle.velocity
     for frame in frames:
         position.add_scaled(velocity, frame)
@@ -112,8 +112,8 @@ def in_place_steps(particle: Particle, frames: list[float]) -> None:
 def arithmetic(frames: list[float]) -> Numbers:
     """Make the same steps in local variables, and return the final position.
 
-    This shows what a step costs without any objects. It computes a power in every frame, which
-    Particle.integrate avoids if a frame is as long as the previous one.
+    The result shows what a step costs without any objects. The function computes a power in every
+    frame. Particle.integrate avoids this if a frame is as long as the previous frame.
     """
     x, y, z = PROJECTILE.start.position
     vx, vy, vz = PROJECTILE.start.velocity

@@ -1,6 +1,6 @@
-"""Compare sparks that are stepped frame by frame with the closed form of their motion.
+"""Compare two ways to compute sparks: frame by frame, and with a closed form.
 
-Both return lists of coordinates, which is what a screen needs.
+Both return lists of coordinates, because these are needed to draw the sparks.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ def speeds_of(show: FireworksShow) -> list[list[float]]:
 
 
 def step(show: FireworksShow, frames: int, axes: str) -> list[list[float]]:
-    """Step a show, and return the coordinates of the sparks along these axes."""
+    """Step ``show`` for ``frames`` frames. Return the sparks' coordinates along ``axes``."""
     for _ in range(frames):
         show.update(FRAME)
     places = [firework.particle.position for firework in show.fireworks]
@@ -83,7 +83,7 @@ def step(show: FireworksShow, frames: int, axes: str) -> list[list[float]]:
 
 
 def positions(speeds: list[list[float]], time: float, axes: str) -> list[list[float]]:
-    """Return the coordinates of the sparks along these axes at a time, from the closed form."""
+    """Compute the sparks' coordinates along ``axes`` at ``time`` from the closed form."""
     return [
         burst_positions(START[axis], speeds[axis], GRAVITY[axis], DAMPING, time)
         for axis in range(len(axes))

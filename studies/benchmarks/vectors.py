@@ -1,4 +1,4 @@
-"""Compare Vector3 with the vectors of those other libraries that are installed."""
+"""Compare Vector3 with the vectors of other libraries, if they are installed."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from studies.timing import Measurement, Statements, Target, against_peers
 
 
 def lines(console: Console) -> list[Measurement]:
-    """Return the time of each peer relative to Vector3, over the operations that both have."""
+    """Measure each library's time as a multiple of Vector3's, for operations that both have."""
     peers = (
         ("pyglet", "pyglet Vec3", Target("at least", 2.4)),
         ("numpy", "NumPy array", Target("at least", 4.5)),

@@ -56,7 +56,7 @@ def lines() -> list[Measurement]:
 def asleep(
     what: str, make: Callable[[type[ParticleWorld]], ParticleWorld], target: Target
 ) -> Measurement:
-    """Measure a world with all balls awake, relative to one in which nine tenths of them sleep."""
+    """Measure a world with all balls awake, relative to a world with nine tenths asleep."""
     worlds = make(ParticleWorld), make(SleepingWorld)
     return Measurement(
         f"{BALLS} balls {what}: ParticleWorld / SleepingWorld with nine tenths of them asleep",
@@ -102,18 +102,18 @@ def stepping(world: ParticleWorld) -> Callable[[], None]:
 
 
 def stepping_bare(step: Integrator, particles: Sequence[Particle]) -> Callable[[], None]:
-    """Return a function that advances particles by one frame with an integrator, but no world."""
+    """Return a function that steps ``particles`` for a frame with ``step``, without a world."""
     return lambda: step(particles, no_forces, FRAME)
 
 
 def on_the_ground(kind: type[ParticleWorld]) -> ParticleWorld:
-    """Return a world of balls that lie on the ground, while a tenth of them roll."""
+    """Return a world of balls on the ground. A tenth of them roll, and the others lie still."""
     balls = [Particle(Vector3(2.0 * i), acceleration=DOWN) for i in range(BALLS)]
     return settled(kind(balls, [GroundPlane(balls)]))
 
 
 def on_springs(kind: type[ParticleWorld]) -> ParticleWorld:
-    """Return a world of balls that hang still on springs, while a tenth of them fly away."""
+    """Return a world of balls on springs. A tenth of them fly away, and the others hang still."""
     balls = [Particle(Vector3(2.0 * i)) for i in range(BALLS)]
     world = kind(balls)
     for i, ball in enumerate(balls):
@@ -122,7 +122,7 @@ def on_springs(kind: type[ParticleWorld]) -> ParticleWorld:
 
 
 def settled(world: ParticleWorld) -> ParticleWorld:
-    """Return a world after enough frames for resting balls to fall asleep, if they can."""
+    """Run ``world`` until resting balls have had time to fall asleep, and return it."""
     for ball in world.particles[: BALLS // 10]:
         ball.velocity.z = 5.0
     for _ in range(FRAMES):

@@ -1,4 +1,4 @@
-"""Logarithmic axes for charts in SVG, which place values and label powers of ten."""
+"""Define logarithmic axes for charts in SVG, with labels at powers of ten."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ MOST = 5  # labels on an axis
 
 @dataclass(frozen=True)
 class Axis:
-    """An axis from ``low`` to ``high``, which are drawn at ``start`` and ``end``."""
+    """An axis from ``low`` to ``high``, drawn from the coordinate ``start`` to ``end``."""
 
     low: float
     high: float
@@ -19,9 +19,9 @@ class Axis:
     end: float
 
     def at(self, value: float) -> float:
-        """Return the coordinate of a value, rounded to 0.1.
+        """Return the coordinate of ``value``, rounded to 0.1.
 
-        Values beyond an end are placed at that end.
+        If the value is beyond an end of the axis, return the coordinate of this end.
         """
         share = math.log(value / self.low) / math.log(self.high / self.low)
         return round(self.start + min(max(share, 0.0), 1.0) * (self.end - self.start), 1)
@@ -35,7 +35,7 @@ class Axis:
 
 
 def axis_for(values: Iterable[float], start: float, end: float) -> Axis:
-    """Return an axis that covers these positive values and contains at least one power of ten."""
+    """Create an axis that covers the positive ``values`` and at least one power of ten."""
     seen = [*values]
     low, high = min(seen) / 1.6, max(seen) * 1.6
     while math.ceil(math.log10(low)) > math.floor(math.log10(high)):
@@ -44,5 +44,5 @@ def axis_for(values: Iterable[float], start: float, end: float) -> Axis:
 
 
 def shown(power: int) -> str:
-    """Return a power of ten as a plain number, or in a form such as 1e-6 if that is shorter."""
+    """Format a power of ten as a number, or in a form such as 1e-6 if this is shorter."""
     return f"{10.0**power:g}" if -3 <= power <= 4 else f"1e{power}"

@@ -21,7 +21,7 @@ SHOWN = re.compile(r"!\[[^\]]*\](?=\([^)]*overview\.png\))")
 
 
 def keep(rows: Sequence[Row], out: Path, root: Path = ROOT) -> None:
-    """Copy the picture and the page of a run into the repository, and describe the picture."""
+    """Copy the picture and the page from ``out`` into the repository. Describe the picture."""
     replace_bytes(root / PICTURE, (out / "overview.png").read_bytes())
     replace_bytes(root / PAGE, (out / "index.html").read_bytes())
     for name in READMES:
@@ -36,7 +36,7 @@ def _wrapped(alt: str) -> str:
 
 
 def described(rows: Sequence[Row]) -> str:
-    """Describe in words what the overview shows: how much longer, or less long, pymunk takes."""
+    """Describe the overview in words: how much more or less time pymunk takes."""
     scenes = len({row.scene for row in rows})
     ratios = {row.ratio: row for row in rows if row.ratio}
     told = [
@@ -61,6 +61,6 @@ def described(rows: Sequence[Row]) -> str:
 
 
 def _rounded(value: float) -> str:
-    """Format a number with two digits, because a picture does not show more."""
+    """Format ``value`` with two digits, because the picture does not show more."""
     digits = max(0, 1 - math.floor(math.log10(value)))
     return f"{float(f'{value:.2g}'):,.{digits}f}"

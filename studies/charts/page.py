@@ -1,4 +1,4 @@
-"""Write all charts to a single page that needs no other files, and their data to a CSV file."""
+"""Write all charts to a single page without other files, and their data to a CSV file."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Prepare what the page shows about a scene: a chart of error over time, and a table of points."""
+"""Prepare what the page shows about a scene: a chart of error over time, and a table."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ SIDES = {"pymunk": "pymunk", "the book": "the book's step"}  # ours need no rema
 
 @dataclass(frozen=True)
 class Drawn:
-    """The line of a model in the chart, and its points with their rows in the table."""
+    """A model's line in the chart, and its points with their rows in the table."""
 
     name: str
     side: str
@@ -124,7 +124,7 @@ def panel(scene: Scene, points: Sequence[Point]) -> Panel:
 
 
 def _path(places: Sequence[tuple[float, float]]) -> str:
-    """Return an SVG path through these places. A single place becomes a dot."""
+    """Return an SVG path through ``places``. A single place becomes a dot."""
     if len(places) == 1:
         return f"M{places[0][0]:g},{places[0][1]:g}h0"
     return "M" + "L".join(f"{a:g},{b:g}" for a, b in places) if places else ""

@@ -39,15 +39,15 @@ class Halved:
 def halved(
     runs: Sequence[Run | None], ratio: float, order: float, *, may_repeat: bool = False
 ) -> Halved:
-    """Return the estimated errors of the runs of one model.
+    """Estimate the errors of a model's runs.
 
-    From one run to the next, the steps become shorter by the factor ``ratio``. A run that failed is
-    None. Its error is infinite, and so are the errors of all runs before it. The error of any other
-    run is its distance from the finest run, plus the estimated error of the finest run.
+    From each run to the next, the steps become shorter by the factor ``ratio``. A run that failed
+    is None. Its error is infinite, and so are the errors of all runs before it. The error of any
+    other run is its distance from the finest run, plus the estimated error of the finest run.
 
     ``order`` is the highest order that the model can have. If a higher order is observed, it is a
-    coincidence and is not used. Two equal runs normally show that both are exact. This does not
-    hold if runs ``may_repeat`` each other, because several tolerances can lead to the same steps.
+    coincidence and is not used. Two equal runs normally show that both are exact. If ``may_repeat``
+    is set, they do not show this, because several tolerances can lead to the same steps.
     """
     first = max((i + 1 for i, run in enumerate(runs) if run is None), default=0)
     good: list[Run] = [run for run in runs[first:] if run is not None]

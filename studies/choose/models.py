@@ -1,4 +1,4 @@
-"""Determine which models can run a world. The contents of the world decide this.
+"""Determine which models can run a world, based on its contents.
 
 - A world without contacts can use every integrator of chapter 6. If it has no forces either, the
   closed form is exact.
@@ -31,7 +31,7 @@ ORDERS = {"leapfrog": 2, "velocity Verlet": 2, "Runge-Kutta 4": 4}  # the others
 
 @dataclass(frozen=True)
 class Model:
-    """A way to step a world, and the order of convergence that it should have.
+    """A method that steps a world, and the order of convergence that it should have.
 
     ``step_of`` takes a new world and returns the function that steps it. The numbers in ``choices``
     are steps per frame. If ``takes_tolerance`` is true, they are 1 / tolerance instead, and the
@@ -51,7 +51,7 @@ class Model:
         return "once per frame" if choice == 1 else f"{choice} steps per frame"
 
     def steps_of(self, world: ParticleWorld, choice: int) -> tuple[Step, int]:
-        """Return the function that steps a world, and the number of steps per frame."""
+        """Return the function that steps ``world``, and the number of steps per frame."""
         if self.takes_tolerance:
             world.integrator = adaptive(1.0 / choice)
             return self.step_of(world), 1
@@ -85,7 +85,7 @@ def _special(world: ParticleWorld) -> list[Model]:
 
 
 def _with(integrator: Integrator) -> Callable[[ParticleWorld], Step]:
-    """Return a function that steps only the particles of a world, for worlds without contacts."""
+    """Return a function that steps only the particles of a world. The world has no contacts."""
 
     def step_of(world: ParticleWorld) -> Step:
         particles, forces = world.particles, world.registry.update_forces

@@ -23,7 +23,7 @@ APART = 3.0  # factor of the estimated errors beyond which two models contradict
 
 
 def choose(path: Path, tolerance: float, console: Console) -> int:
-    """Measure the models and report. Return 1 if no model is known to meet the tolerance.
+    """Measure the models, and report the cheapest. Return 1 if no model meets the tolerance.
 
     Raises:
         SceneError: The file does not describe a scene.
@@ -63,10 +63,10 @@ def _told(found: list[Tried], point: Point) -> str:
 
 
 def _table(found: list[Tried], scene: OwnScene, tolerance: float) -> Table:
-    """Return a table with a row for each model.
+    """Create a table with a row for each model.
 
-    The row shows what the model needs to meet the tolerance or, if it does not meet it, its finest
-    run.
+    The row shows what the model needs to meet the tolerance. If the model does not meet it, the row
+    shows the finest run.
     """
     table = Table("model", "steps / frame", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("error", "ms", "order"):
@@ -88,7 +88,7 @@ def _table(found: list[Tried], scene: OwnScene, tolerance: float) -> Table:
 
 
 def _order(tried: Tried) -> str:
-    """Return the observed order of a model's last runs, next to the order that it should have."""
+    """Return the order of a model's last runs, and the order that the model should have."""
     if tried.halved.is_exact:
         return "exact"
     seen = f"{tried.halved.orders[-1]:.1f}" if tried.halved.orders else "?"
@@ -96,7 +96,7 @@ def _order(tried: Tried) -> str:
 
 
 def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
-    """Return warnings that a reader should know before trusting the estimated errors."""
+    """Return warnings about the estimated errors. The reader needs them to judge the result."""
     told = []
     unsteady = [tried for tried in found if not tried.halved.is_steady]
     if unsteady:
@@ -124,7 +124,7 @@ def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
 
 
 def _seen(tried: Tried) -> str:
-    """Return the name of a model and the last observed orders, or the reason why there are none."""
+    """Return the name of a model and its last orders, or the reason why it has no orders."""
     shown = ", ".join(f"{each:.1f}" for each in tried.halved.orders[-3:])
     if not shown:
         return f"{tried.model.name} ({tried.failure or 'its runs hardly differ'})"
@@ -132,7 +132,7 @@ def _seen(tried: Tried) -> str:
 
 
 def _contradicting(found: list[Tried], chosen: Point) -> str:
-    """Return a warning if the most accurate other model does not confirm the chosen one."""
+    """Return a warning if the most accurate other model contradicts the chosen model."""
     mine = next(tried for tried in found if tried.model.name == chosen.model)
     run = mine.runs[mine.model.choices.index(chosen.steps)]
     others = [tried for tried in found if tried is not mine and tried.halved.is_steady]

@@ -1,4 +1,4 @@
-"""Run a reader's scene with every model, using shorter and shorter steps, and time the runs."""
+"""Run a reader's scene with every model and ever shorter steps, and time the runs."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ STILL = 1e-12  # fraction of the measured values below which a displacement is n
 
 @dataclass
 class Tried:
-    """A model, the results of its runs with its first choices, and the time of each run in s.
+    """A model with its runs and the time of each run in s.
 
-    ``halved`` contains the estimated errors of the runs. If the last run failed, ``failure``
-    explains why.
+    ``halved`` contains the estimated errors of the runs. If the last run failed, ``failure`` is the
+    reason.
     """
 
     model: Model
@@ -35,7 +35,7 @@ class Tried:
     failure: str = ""
 
     def add(self, run: Run | str, taken: float) -> None:
-        """Add a run, or the reason why it failed, and estimate the errors again."""
+        """Add a run and estimate the errors again. If the run failed, ``run`` is the reason."""
         if isinstance(run, str):
             self.failure = run
         self.runs.append(None if isinstance(run, str) else run)
@@ -47,7 +47,7 @@ class Tried:
         self.halved = halved(self.runs, ratio, model.order, may_repeat=may_repeat)
 
     def is_enough(self, tolerance: float) -> bool:
-        """Return whether the errors are known, and a run and two finer runs meet the tolerance."""
+        """Return whether the errors are known, and the last three runs meet ``tolerance``."""
         found = self.halved
         within = all(error <= tolerance for error in found.errors[-3:])
         return found.is_exact or (found.is_steady and within)
@@ -154,7 +154,7 @@ def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
 
 
 def seconds_of(scene: OwnScene, model: Model, choice: int) -> float:
-    """Return the processor time of a run in s. A short run is repeated and averaged."""
+    """Return the processor time of a run in s. Short runs are repeated and averaged."""
     total, count = 0.0, 0
     while total < LEAST:
         total += run_once(scene, model, choice)[1]

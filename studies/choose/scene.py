@@ -1,4 +1,4 @@
-"""Load a scene from a reader's file: how it is built, how long it runs, and what is measured."""
+"""Load a scene from a reader's file, with its duration and its measured values."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ NAME = "scene_file"  # name of the module that is made from a file
 class SceneError(ValueError):
     """Raised when a file does not describe a valid scene.
 
-    The message says what is wrong with it.
+    The message explains the problem with the file.
     """
 
 
@@ -100,10 +100,10 @@ class OwnScene:
 
 
 def load(path: Path) -> OwnScene:
-    """Return the scene that a file describes.
+    """Load the scene that the file ``path`` describes.
 
     Raises:
-        SceneError: There is no such file, it cannot be run, or it lacks a name.
+        SceneError: The file does not exist, cannot be run, or does not define a required name.
     """
     module = _run(path)
     build, measure = _function(path, module, "build"), _function(path, module, "measure")
@@ -123,7 +123,7 @@ def load(path: Path) -> OwnScene:
 
 
 def why(error: BaseException, path: Path) -> str:
-    """Describe an exception: its message, and the last line of the reader's file that led to it."""
+    """Describe an exception by its message and the line of the reader's file that caused it."""
     frames = traceback.extract_tb(error.__traceback__)
     lines = [frame.lineno for frame in frames if Path(frame.filename) == path.absolute()]
     if isinstance(error, SyntaxError) and Path(error.filename or "") == path.absolute():
@@ -154,7 +154,7 @@ def _run(path: Path) -> ModuleType:
 
 
 def _function(path: Path, module: ModuleType, name: str) -> Callable[..., Any] | None:
-    """Return a function of the file, or None if it is missing."""
+    """Return the function ``name`` of the file. If the file does not define it, return None."""
     found = getattr(module, name, None)
     if found is not None and not callable(found):
         raise SceneError(f"{path}: {name} must be a function, got {found!r}")
@@ -162,7 +162,7 @@ def _function(path: Path, module: ModuleType, name: str) -> Callable[..., Any] |
 
 
 def _numbers(found: Any) -> Iterable[float]:
-    """Yield the numbers in what measure returned. Raise TypeError for anything else."""
+    """Yield the numbers in the result of measure(). Raise TypeError for any other value."""
     if isinstance(found, (int, float)):
         yield float(found)
     elif isinstance(found, str):

@@ -44,13 +44,16 @@ def of_scene(points: Sequence[Point], scene: str) -> dict[str, list[Point]]:
 
 
 def time_within(points: Sequence[Point], scene: str, solver: str, tolerance: float) -> float | None:
-    """Return the time in ms per frame in which a solver reaches an error, or None if unknown."""
+    """Return the time in ms per frame in which ``solver`` reaches an error of ``tolerance``.
+
+    If it never reaches this error, return None.
+    """
     own = of_scene(points, scene).get(solver)
     return time_to(own, tolerance) if own else None
 
 
 def table(points: Sequence[Point]) -> list[list[str]]:
-    """Return a row of text for each scene and error.
+    """Create a table with a row of text for each scene and error.
 
     A dash means that the error was not reached.
     """
@@ -64,7 +67,7 @@ def table(points: Sequence[Point]) -> list[list[str]]:
 
 
 def draw(points: Sequence[Point]) -> Figure:
-    """Draw the error over time for two scenes, and the time over the mass ratio for two more."""
+    """Draw the error over time for two scenes, and the time over the mass ratio for two others."""
     figure, panels = pyplot.subplots(2, 2, figsize=(11, 8.4), layout="constrained")
     stack, swing = of_scene(points, named(STACK, 1)), of_scene(points, f"{SWING}, energy")
     _errors(panels[0, 0], stack, "overlap in a stack", "overlap / diameter")

@@ -16,7 +16,7 @@ FILE = Path(__file__).with_name("figures.json")
 
 
 def rounded(points: Sequence[Point]) -> list[Point]:
-    """Return points with their median time per frame in ms, all with three digits."""
+    """Replace the times of each point with the median in ms per frame. Round to three digits."""
 
     def digits(value: float) -> float:
         return float(f"{value:.3g}")
@@ -28,7 +28,7 @@ def rounded(points: Sequence[Point]) -> list[Point]:
 
 
 def keep(points: Sequence[Point], file: Path = FILE) -> None:
-    """Write points with the date and the Python version, one point per line."""
+    """Write the points to ``file``, one per line, with the date and the Python version."""
     start = {"measured": date.today().isoformat(), "python": platform.python_version()}
     lines = [json.dumps([p.scene, p.model, p.by, p.steps, p.error, p.time]) for p in points]
     text = json.dumps(start, indent=1)[:-2] + ',\n "points": [\n  ' + ",\n  ".join(lines)

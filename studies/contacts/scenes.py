@@ -49,7 +49,7 @@ Move = Callable[[float], object]
 
 @dataclass(frozen=True)
 class Bodies:
-    """Particles, the constraints that hold them in place, and the error that a scene measures.
+    """Particles with the constraints that hold them, and a function that measures an error.
 
     ``error`` takes the duration of a step. Its result has no unit.
     """
@@ -60,7 +60,7 @@ class Bodies:
 
 
 class ColdStart(SequentialImpulses):
-    """Sequential impulses that start from zero, rather than from the impulses of the last step."""
+    """Sequential impulses that start from zero, instead of from the impulses of the last step."""
 
     def step(self, duration: float) -> None:
         self.impulses.clear()
@@ -68,7 +68,7 @@ class ColdStart(SequentialImpulses):
 
 
 def by_book(particles: list[Particle], generators: Iterable[ContactGenerator]) -> Move:
-    """Return the step of a world that uses the book's resolver in its fast implementation."""
+    """Return a function that makes a step with the book's resolver in its fast implementation."""
     world = ParticleWorld(particles, generators)
     world.resolver = HeapResolver()
     return world.step
@@ -84,7 +84,7 @@ SOLVERS: dict[str, Callable[[list[Particle], list[Any]], Move]] = {
 
 
 def stack(ratio: float) -> Bodies:
-    """Return spheres on the ground, one on top of the other, each just touching the next."""
+    """Return a stack of spheres on the ground. Each sphere just touches the next sphere."""
     spheres = [
         Particle(Vector3(0.0, (2 * i + 1) * RADIUS), acceleration=DOWN) for i in range(COUNT)
     ]
@@ -99,7 +99,7 @@ def stack(ratio: float) -> Bodies:
 
 
 def rope(ratio: float, angle: float = 0.0, two_sided: bool = True) -> Bodies:
-    """Return a straight rope of rods below an immovable particle, at an angle."""
+    """Return a straight rope of rods. It hangs from an immovable particle at an angle."""
     along = Vector3(LENGTH * math.sin(angle), -LENGTH * math.cos(angle))
     joints = [Particle(along * i, acceleration=DOWN) for i in range(COUNT + 1)]
     joints[0].mass, joints[-1].mass = math.inf, ratio
@@ -114,9 +114,9 @@ def rope(ratio: float, angle: float = 0.0, two_sided: bool = True) -> Bodies:
 
 
 def swinging(two_sided: bool = True) -> Bodies:
-    """Return the rope without a weight, released at an angle.
+    """Return a rope without a weight, which is released at an angle.
 
-    The measured error is that of energy.
+    The measured error is the change in energy.
     """
     bodies = rope(1.0, ANGLE, two_sided)
     start = mechanical_energy(bodies.particles)
@@ -134,7 +134,7 @@ def swinging(two_sided: bool = True) -> Bodies:
 
 
 def run(make: Callable[[], Bodies], solver: str, steps: int) -> Outcome:
-    """Run a scene, and return its error at the end of every frame."""
+    """Run a scene with ``solver``. Return the error at the end of every frame."""
     bodies, duration = make(), 1.0 / (RATE * steps)
     step = SOLVERS[solver](bodies.particles, bodies.generators)
     places = in_frames(step, lambda: (bodies.error(duration),), FRAMES, steps)
@@ -142,7 +142,7 @@ def run(make: Callable[[], Bodies], solver: str, steps: int) -> Outcome:
 
 
 def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> Scene:
-    """Return a scene with one model per solver. With small steps, two-sided rods are not needed."""
+    """Return a scene with one model for each solver. Small steps do not need two-sided rods."""
     models = []
     for solver in solvers:
         one_sided = solver == SMALL and NET in solvers

@@ -97,9 +97,9 @@ def draw_maps(png: Path) -> None:
 
 
 def divergence() -> list[Loss]:
-    """Return the steps that each method takes to diverge, as predicted and as simulated.
+    """Predict and count the steps that each method takes to diverge.
 
-    The predictions follow from the eigenvalues of a step.
+    The predictions follow from the eigenvalues of a step, and the counts come from simulations.
     """
     rows = []
     for name, damping in LOST.items():
@@ -113,11 +113,11 @@ def divergence() -> list[Loss]:
 
 
 def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> tuple[int, int]:
-    """Count the steps until an oscillation is 1e6 times as large, from release and later on.
+    """Count the steps until an oscillation has grown by a factor of 1e6. Return two numbers.
 
-    The first number counts from release. The second number counts from 1e3 to 1e9 times the initial
-    size, when the initial state no longer matters. ``predicted`` is the expected number of steps.
-    The size of an oscillation combines x and v / sqrt(k / m).
+    The first number counts from the release. The second number counts from 1e3 to 1e9 times the
+    initial size, when the initial state no longer matters. ``predicted`` is the expected number of
+    steps. The size of an oscillation combines x and v / sqrt(k / m).
     """
     integrator, pull, d = stepping(name, kappa, damping)
     chi = math.sqrt(pull.stiffness)

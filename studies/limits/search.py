@@ -43,10 +43,10 @@ Growth = Callable[[float], float]
 
 
 class Bound(NamedTuple):
-    """The limit of a method in one case, as measured and from theory. No limit is infinity.
+    """The measured and the theoretical limit of a method in one case. Infinity means no limit.
 
     ``steps`` is the number of steps in which an oscillation just outside the limit grows by the
-    factor HUGE, or NaN if nothing grows.
+    factor HUGE. It is NaN if nothing grows.
     """
 
     method: str
@@ -59,7 +59,7 @@ class Bound(NamedTuple):
 def pymunk_step(
     by_hand: bool, x: float, v: float, k: float, c: float, mass: float, duration: float
 ) -> State:
-    """Step a pymunk body on a spring, and return its position and velocity as a Solver does."""
+    """Step a pymunk body on a spring. Return its position and velocity, like a Solver."""
     space = pymunk.Space()
     body = pymunk.Body(mass, 1.0)
     body.position, body.velocity = (x, 0.0), (v, 0.0)
@@ -92,10 +92,10 @@ PYMUNK: dict[str, Solver] = {
 
 
 def stepping(name: str, kappa: float, damping: float) -> tuple[Integrator, Pull, float]:
-    """Return a method, its spring with k h^2 / m = kappa, and the damping d of the particle.
+    """Return a method, its spring, and the damping d of the particle.
 
-    For an integrator, ``damping`` is d^h of the particle. For every other method it is c h / m of
-    the spring.
+    The spring has k h^2 / m = ``kappa``. For an integrator, ``damping`` is d^h of the particle. For
+    every other method it is c h / m of the spring.
     """
     k = kappa / FRAME**2
     if name in INTEGRATORS:
@@ -104,17 +104,17 @@ def stepping(name: str, kappa: float, damping: float) -> tuple[Integrator, Pull,
 
 
 def growth_at(name: str, damping: float, kappa: float) -> float:
-    """Return the growth per step of a method, given by name, at k h^2 / m = kappa."""
+    """Return the growth per step of the method ``name`` at k h^2 / m = ``kappa``."""
     integrator, pull, d = stepping(name, kappa, damping)
     return growth(integrator, pull, FRAME, d)
 
 
 def theory_at(name: str, damping: float) -> float:
-    """Return the k h^2 / m above which a spring explodes, with the damping of ``stepping``.
+    """Return the largest stable k h^2 / m of a spring. ``damping`` has the meaning of ``stepping``.
 
     Pymunk steps its spring by p' = p + v h, v' = (v + a' h) e^(-c h / m). This is semi-implicit
-    Euler with D = e^(-c h / m). With a force by hand, its step is explicit Euler. The determinant
-    1 - c h / m + kappa is then 1 at kappa = c h / m, which is the limit up to c h / m = 2.
+    Euler with D = e^(-c h / m). With a force by hand, its step is explicit Euler. The determinant 1
+    - c h / m + kappa is then 1 at kappa = c h / m, which is the limit up to c h / m = 2.
     """
     if name in SOLVERS:
         return math.inf
@@ -157,10 +157,11 @@ def ground_limit() -> Bound:
 
 
 def thrown(kappa: float) -> int:
-    """Return the first of 2000 steps after which a resting body has left the ground, or 0 if none.
+    """Return the number of the first step after which a resting body has left the ground.
 
-    The body starts slightly below its rest position, by a fraction 1 / HUGE of its depth. It
-    therefore leaves the ground when its displacement has grown by the factor HUGE.
+    The result is 0 if the body stays on the ground for 2000 steps. The body starts slightly below
+    its rest position, by a fraction 1 / HUGE of its depth. It therefore leaves the ground when its
+    displacement has grown by the factor HUGE.
     """
     depth = 10.0 / (kappa / FRAME**2)
     heights = bounces(kappa / FRAME**2, -depth * (1.0 + 1.0 / HUGE), 2000)
@@ -189,7 +190,10 @@ DRAG_THEORY = {
 
 
 def drag_limits() -> list[Bound]:
-    """Return each method's limits of k1 h / m, above which a step increases or reverses speed."""
+    """Return the limits of k1 h / m of each method.
+
+    Above a limit, a step increases or reverses speed.
+    """
     rows = []
     for name, (grows, turns) in DRAG_THEORY.items():
         kept = partial(drag_factor, name)
@@ -201,9 +205,10 @@ def drag_limits() -> list[Bound]:
 
 
 def drag_factor(name: str, z: float) -> float:
-    """Return the factor by which a step under drag alone multiplies a speed, at k1 h / m = z.
+    """Return the factor by which a step multiplies a speed under drag alone.
 
-    Integrators use the force of chapter 5. The other methods use their damper without a spring.
+    ``z`` is k1 h / m. Integrators use the force of chapter 5. The other methods use their damper
+    without a spring.
     """
     k1 = z / FRAME
     if name in INTEGRATORS:
@@ -213,9 +218,9 @@ def drag_factor(name: str, z: float) -> float:
 
 
 def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
-    """Find where growth begins.
+    """Find the smallest value that shows growth.
 
-    Return it with the theoretical limit and the steps to divergence.
+    Return it with the theoretical limit and the number of steps to divergence.
     """
     found = first(growth)
     bears = 0.0 < found < math.inf
@@ -224,10 +229,10 @@ def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
 
 
 def first(growth: Growth) -> float:
-    """Return the smallest value that shows growth, found by bisection.
+    """Find the smallest value that shows growth by bisection.
 
-    Many values are tried first, and the bisection starts below the first one that grows. The result
-    is 0 if even LEAST shows growth, and infinity if no value up to MOST does.
+    The search tries many values and starts the bisection below the first value that shows growth.
+    The result is 0 if even LEAST shows growth, and infinity if all values up to MOST are stable.
     """
     low, high = 0.0, LEAST
     while not growth(high) > 1.0 + 1e-13:
@@ -238,9 +243,10 @@ def first(growth: Growth) -> float:
 
 
 def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
-    """Return the energy of each method after these numbers of oscillations, in ascending order.
+    """Return the energy of each method after each number of oscillations in ``swings``.
 
-    The initial energy is 1. Explicit Euler is left out, because it explodes at this stiffness.
+    The numbers are in ascending order. The initial energy is 1. Explicit Euler is left out, because
+    it explodes at this stiffness.
     """
     ways = methods(STIFFNESS) | {"pymunk's spring": solving(PYMUNK["pymunk's spring"], STIFFNESS)}
     del ways["explicit Euler"]
@@ -251,7 +257,7 @@ def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
 
 
 def energies_after(matrix: tuple[float, float, float, float], swings: list[int]) -> list[float]:
-    """Return the energy after these numbers of oscillations, relative to the initial energy.
+    """Return the energy after each number of oscillations in ``swings``. The initial energy is 1.
 
     Each value is the mean over one oscillation, because the energy of a symplectic method
     oscillates around a constant mean. ``matrix`` is the matrix of a step of (x, v h).

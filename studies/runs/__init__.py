@@ -1,1 +1,1 @@
-"""Runs of scenes on any engine, which return plain numbers. Pictures and studies use them."""
+"""Run scenes on any engine, and return plain numbers. Pictures and studies use these runs."""

@@ -14,7 +14,7 @@ GRAVITY = 9.81
 
 @dataclass(frozen=True)
 class BalanceLine:
-    """A balance line at an angle in degrees, with the engine's values and the exact values."""
+    """A balance line with the engine's values and the exact values. Its angle is in degrees."""
 
     angle: int
     offset: float

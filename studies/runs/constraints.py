@@ -39,14 +39,14 @@ Resolve = Callable[[list[Contact], float], object]
 
 
 class Link(Protocol):
-    """A function that makes a link between two particles, such as Rod or TwoSidedRod."""
+    """A function that links two particles, such as Rod or TwoSidedRod."""
 
     def __call__(self, a: Particle, b: Particle, length: float, /) -> ContactGenerator: ...
 
 
 @dataclass(frozen=True)
 class Track:
-    """Values at the start and after each step, and any error that ended the run early."""
+    """The values at the start and after each step, and the error if the run ended early."""
 
     times: list[float]
     values: list[float]
@@ -85,7 +85,10 @@ def resolving(
     apply_forces: ApplyForces = no_forces,
     substeps: int = 1,
 ) -> Move:
-    """Return a function that makes one frame in substeps and resolves contacts after each."""
+    """Return a function that makes one frame in substeps.
+
+    Contacts are resolved after each substep.
+    """
     every = [*generators]
 
     def move(duration: float) -> None:
@@ -100,7 +103,10 @@ def resolving(
 def by_resolver(
     iterations: int | None = None, kind: type[ContactResolver] = ContactResolver
 ) -> Resolve:
-    """Return a resolver with this number of iterations per contact. None means its default, 2."""
+    """Return a resolver that makes ``iterations`` iterations per contact.
+
+    If ``iterations`` is None, it uses the default of 2.
+    """
 
     def resolve(contacts: list[Contact], duration: float) -> None:
         if contacts:
@@ -122,7 +128,7 @@ def without_rule(contacts: list[Contact], duration: float) -> None:
 
 
 def no_bounce_below(speed: float) -> Resolve:
-    """Return a deliberately too strict rule: contacts below this speed never bounce."""
+    """Return a rule that is too strict on purpose. Contacts slower than ``speed`` never bounce."""
 
     def resolve(contacts: list[Contact], duration: float) -> None:
         for contact in contacts:
@@ -141,10 +147,10 @@ def ball(
     resolve: Resolve | None = None,
     generated: bool = False,
 ) -> Track:
-    """Return the height over time of a ball that is dropped above the ground.
+    """Drop a ball above the ground, and return its height over time.
 
-    Gravity is the particle's constant acceleration or comes from a generator. Without a
-    ``resolve``, a ContactResolver resolves the contacts.
+    If ``generated`` is true, gravity comes from a generator. Otherwise it is the particle's
+    constant acceleration. If ``resolve`` is None, a ContactResolver resolves the contacts.
     """
     down = Vector3(0.0, -GRAVITY)
     particle = Particle(Vector3(0.0, height), acceleration=None if generated else down)
@@ -184,7 +190,10 @@ def ball_by_time_division(height: float, restitution: float, frames: int) -> Tra
 
 
 def chain_particles(count: int, angle: float = 0.0) -> list[Particle]:
-    """Return an immovable particle and a straight chain below it, at an angle in degrees."""
+    """Return an immovable particle and a straight chain that hangs from it.
+
+    ``angle`` is measured from straight down, in degrees.
+    """
     x, y = LINK * math.sin(math.radians(angle)), -LINK * math.cos(math.radians(angle))
     down = Vector3(0.0, -GRAVITY)
     chain = [Particle(Vector3(i * x, i * y), acceleration=down) for i in range(1, count + 1)]

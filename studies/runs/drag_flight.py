@@ -1,4 +1,4 @@
-"""Drag flights: flights of a particle under constant acceleration and drag, with the exact path.
+"""Run drag flights, in which a particle moves under constant acceleration and drag.
 
 Plots, reference checks and benchmarks share these flights. A flight consists of plain numbers in SI
 units and has an exact solution. A model runs a flight in frames of equal length, and returns the
@@ -47,7 +47,7 @@ class DragFlight:
     duration: float
 
     def exact(self, time: float) -> State:
-        """Return the state at a time, from the closed form of dv/dt = a - k v."""
+        """Return the state at ``time`` from the exact solution of dv/dt = a - k v."""
         k = -math.log(self.damping)
         pairs = [
             _fall(x, v, a, k, time)
@@ -70,7 +70,7 @@ def with_particle(flight: DragFlight, frame: float, frames: int) -> list[State]:
 
 
 def with_pymunk(flight: DragFlight, frame: float, frames: int) -> list[State]:
-    """Run a flight with pymunk, which is two-dimensional. The z coordinate is 0."""
+    """Run ``flight`` with pymunk. Pymunk is two-dimensional, so the z coordinate is 0."""
     space, (body,) = make_space(flight)
     states = [State((*body.position, 0.0), (*body.velocity, 0.0))]
     for _ in range(frames):
@@ -90,7 +90,7 @@ def make_particle(flight: DragFlight) -> Particle:
 
 
 def make_space(flight: DragFlight, bodies: int = 1) -> tuple[pymunk.Space, list[pymunk.Body]]:
-    """Return a space of pymunk with this number of bodies at the start of a flight."""
+    """Create a pymunk space. ``bodies`` is the number of bodies at the start of the flight."""
     import pymunk  # here, because plots of a student's engine do not need it
 
     space = pymunk.Space()
@@ -120,7 +120,7 @@ def _fall(x: float, v: float, a: float, k: float, t: float) -> tuple[float, floa
 
 
 def flight_of(shot: ShotType, duration: float) -> DragFlight:
-    """Return the flight of a shot of chapter 4, with x along the range."""
+    """Return the flight of a shot in chapter 4. The x axis points along the range."""
     start = State((0.0, 1.5, 0.0), (shot.velocity[2], shot.velocity[1], 0.0))
     return DragFlight(shot.name, start, shot.acceleration, shot.damping, duration)
 

@@ -35,7 +35,7 @@ Measure = Callable[[], float]
 
 
 class MassAggregate(Protocol):
-    """The attributes that the bridge, the platform, the blob and the wheel have in common."""
+    """The attributes that the bridge, the platform, the blob and the wheel share."""
 
     @property
     def world(self) -> ParticleWorld: ...

@@ -1,7 +1,7 @@
-"""Orientations as plain numbers, to compare an engine with, and motions for the plots.
+"""Provide orientations in plain numbers, for comparison with an engine, and motions for plots.
 
 An orientation is described either by its components r, i, j and k, or by its arrows. The arrows are
-the directions in which its own axes X, Y and Z point in the world.
+the directions of its own axes X, Y and Z in the world.
 """
 
 from __future__ import annotations
@@ -39,19 +39,19 @@ TAU = math.tau
 
 
 def components(q: Any) -> Components:
-    """Return the components of an engine's quaternion, with NaN for each that is not a number."""
+    """Return the components of an engine's quaternion. If one is not a number, it becomes NaN."""
     r, i, j, k = (number(getattr(q, name, None)) for name in "rijk")
     return r, i, j, k
 
 
 def turn(axis: Numbers, angle: float) -> Components:
-    """Return the components of a rotation about an axis of any length except zero."""
+    """Return the components of a rotation about ``axis``. Its length must not be zero."""
     share = math.sin(0.5 * angle) / math.hypot(*axis)
     return math.cos(0.5 * angle), axis[0] * share, axis[1] * share, axis[2] * share
 
 
 def product(b: Components, a: Components) -> Components:
-    """Return the components of the rotation that applies a first and then b."""
+    """Return the components of the rotation that applies ``a`` first and then ``b``."""
     u, v = b[1:], a[1:]
     i, j, k = (b[0] * q + a[0] * p + c for p, q, c in zip(u, v, cross(u, v), strict=True))
     return b[0] * a[0] - dot(u, v), i, j, k
@@ -95,7 +95,7 @@ def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
 
 
 def off_right_angles(found: Arrows) -> float:
-    """Return the largest deviation from 90 degrees of the angles between arrows, in degrees."""
+    """Return how far the angles between the arrows are from 90 degrees, at most, in degrees."""
     x, y, z = found
     return largest([abs(angle_between(a, b) - 90.0) for a, b in ((x, y), (y, z), (z, x))])
 
@@ -129,7 +129,7 @@ TILTED = turn((0.0, 0.0, -1.0), TILT)  # the disc's own Y along its axis
 
 @dataclass(frozen=True)
 class Throw:
-    """The engine's arrows and the exact arrows at some times, and any error that ended the run."""
+    """The engine's arrows, the exact arrows, and the error if the run ended early."""
 
     times: list[float]
     found: list[Arrows]
@@ -166,7 +166,7 @@ def disc_acceleration(time: float) -> Numbers:
 
 
 def throw_disc(rate: int) -> Throw:
-    """Rotate the disc with integrate_rotation, at this number of steps per second."""
+    """Rotate the disc with integrate_rotation. ``rate`` is in steps per second."""
     orientation = Quaternion(*TILTED)
     velocity = Vector3(SPIN * AXIS[0], SPIN * AXIS[1] + PRECESSION, 0.0)
     times: list[float] = []
@@ -211,7 +211,7 @@ CONING, SLANTING = 0.5 * TAU, (TAU * 0.6, 0.0, TAU * 0.8)
 
 
 def steady_velocity(_: float) -> Numbers:
-    """Return the angular velocity of the steady rotation, which is always the same."""
+    """Return the angular velocity of the steady rotation. It does not change."""
     return STEADY
 
 
@@ -239,8 +239,8 @@ def turn_by_steps(
 ) -> tuple[list[Components], str]:
     """Return the orientations at the start and after each step, and any error that ended the run.
 
-    ``share`` is the point within a step at which the velocity is evaluated: 0 is the start of the
-    step, and 0.5 is its middle.
+    ``share`` is the fraction of a step after which the velocity is evaluated. It is 0 for the start
+    of the step and 0.5 for the middle.
     """
     q = Quaternion(*START)
     found = [components(q)]
@@ -265,13 +265,16 @@ def worst_axis(distance: float, z: float) -> Numbers:
 
 
 def columns(matrix: Any) -> Arrows:
-    """Return the columns of an engine's Matrix3. They are the axes that it has rotated."""
+    """Return the columns of an engine's Matrix3. They are the rotated axes."""
     a, b, c, d, e, f, g, h, i = nine(matrix)
     return (a, d, g), (b, e, h), (c, f, i)
 
 
 def singular_values(matrix: Any) -> Numbers:
-    """Return the singular values of an engine's Matrix3, largest first, or NaN if it is wrong."""
+    """Return the singular values of an engine's Matrix3, largest first.
+
+    If it is wrong, return NaN.
+    """
     found = nine(matrix)
     if not all(map(math.isfinite, found)):
         return math.nan, math.nan, math.nan
@@ -280,6 +283,6 @@ def singular_values(matrix: Any) -> Numbers:
 
 
 def nine(matrix: Any) -> list[float]:
-    """Return the nine numbers of an engine's Matrix3, row by row, or NaN if it is wrong."""
+    """Return the nine numbers of an engine's Matrix3, row by row. If it is wrong, return NaN."""
     found = [number(entry) for entry in getattr(matrix, "entries", ())]
     return found if len(found) == 9 else [math.nan] * 9

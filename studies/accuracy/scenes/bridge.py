@@ -97,7 +97,7 @@ def sleeping() -> Scene:
 
 
 def truth(_: float) -> Place:
-    """Return the positions of both ends of each row, seen from the side. They never change."""
+    """Return the positions of both ends of each row, seen from the side. They do not change."""
     return tuple(part for place in hanging() for part in place * 2)
 
 
@@ -113,10 +113,10 @@ def cables() -> list[tuple[int | tuple[float, float], int, float]]:
 
 @cache
 def hanging(extra: float = 0.0) -> list[Place]:
-    """Return the positions of the rows on one side that have the least potential energy.
+    """Return the positions of the rows on one side with the least potential energy.
 
     In these positions the weights and the tensions of the cables are in balance, and all cables are
-    taut. Each cable is longer than its normal length by ``extra`` m.
+    taut. ``extra`` is the length in m that is added to the normal length of each cable.
     """
     held = cables()
 
@@ -142,7 +142,7 @@ def hanging(extra: float = 0.0) -> list[Place]:
 
 
 def two_sided(rows: list[Row]) -> list[ContactGenerator]:
-    """Return two-sided rods in place of all links. This is possible because all cables are taut."""
+    """Replace all links with two-sided rods. This is possible because all cables are taut."""
     found: list[ContactGenerator] = []
     for link in links_of(rows):
         if isinstance(link, AnchoredCable):
@@ -158,7 +158,7 @@ def two_sided(rows: list[Row]) -> list[ContactGenerator]:
 def by_world(
     integrator: Integrator, links: Links, resolver: ContactResolver, steps: int
 ) -> Outcome:
-    """Step the world of the bridge, whose particles have the bridge's own damping."""
+    """Step the world of the bridge. Its particles have the bridge's own damping."""
     ends, _, held = hung(links)
     world, work = ParticleWorld(ends, held, integrator=integrator), 0
     world.resolver = resolver
@@ -186,7 +186,7 @@ def hung(links: Links) -> tuple[list[Particle], list[Row], list[ContactGenerator
 
 
 def whole() -> tuple[list[Particle], list[Any]]:
-    """Return the ends of the rows, and all rods and cables between them."""
+    """Return the ends of the rows, and all rods and cables of the bridge."""
     ends, _, held = hung(links_of)
     return ends, held
 
@@ -207,9 +207,9 @@ def from_the_side() -> tuple[list[Particle], list[Any]]:
 
 
 def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> Outcome:
-    """Hold the bridge with a net that is solved directly for all links at once.
+    """Hold the bridge with a net, which solves for all links at once.
 
-    The bridge is at rest, so the tensions of the last step are also correct for the next one.
+    The bridge is at rest, so the tensions of the last step are also correct for the next step.
     """
     ends, links = make()
     places = in_frames(DirectNet(links).step, partial(place_of, ends), FRAMES, steps)

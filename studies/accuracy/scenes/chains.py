@@ -40,11 +40,11 @@ COUNTED = "contacts resolved, or rods solved for"
 
 @dataclass(frozen=True)
 class Chain:
-    """A straight chain of rods that is released from rest at an angle, and moves for some frames.
+    """A straight chain of rods. It is released from rest and moves for some frames.
 
-    It is attached to the origin. All rods have the same ``length`` in m. ``masses`` are in kg, from
-    the first particle to the tip. ``angle`` is in radians from straight down, and ``gravity`` is in
-    m/s^2.
+    The chain is attached to the origin. All rods have the same ``length`` in m. ``masses`` are in
+    kg, from the first particle to the tip. ``angle`` is measured from straight down, in radians.
+    ``gravity`` is in m/s^2.
     """
 
     length: float
@@ -73,7 +73,7 @@ class Chain:
         return [self.length] * count, self.masses, [self.angle] * count
 
     def by_its_angles(self) -> AngleChain:
-        """Return the chain described by its angles, as an AngleRope if all masses are equal."""
+        """Describe the chain by its angles. If all masses are equal, return an AngleRope."""
         first = self.masses[0]
         if all(mass == first for mass in self.masses):
             return AngleRope(
@@ -108,7 +108,10 @@ class Chain:
 
 
 def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
-    """Return the models for a chain, with pymunk's last. ``steps`` are their steps per frame."""
+    """Return the models for ``chain``. Pymunk's models come last.
+
+    ``steps`` are the numbers of steps per frame to try.
+    """
     return [
         Model("by its angles, Runge-Kutta 4", partial(by_angles, chain), steps),
         Model("by its angles in long steps", partial(by_long_steps, chain), LONG_STEPS),
@@ -132,7 +135,7 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
 
 
 def by_angles(chain: Chain, steps: int) -> Outcome:
-    """Step only the angles, using Runge-Kutta 4, which evaluates the forces four times per step."""
+    """Step only the angles with Runge-Kutta 4. Each step evaluates the forces four times."""
     angles = chain.by_its_angles()
     places = in_frames(angles.step, lambda: flat(angles.positions), chain.frames, steps)
     return Outcome(places, 4 * chain.frames * steps * len(chain.masses))
@@ -162,7 +165,7 @@ def by_long_steps(chain: Chain, steps: int) -> Outcome:
 
 
 def by_tensions(chain: Chain, steps: int) -> Outcome:
-    """Step the particles using Runge-Kutta 4, with the tensions of the rods as forces."""
+    """Step the particles with Runge-Kutta 4. The tensions of the rods act as forces."""
     particles = chain.particles()
     rods = RodTensions(particles, Vector3())
     places = in_frames(
@@ -203,7 +206,10 @@ def by_resolver(
 
 
 def by_pin_joints(chain: Chain, iterations: int, steps: int) -> Outcome:
-    """Connect the particles with pin joints in pymunk, with this number of solver iterations."""
+    """Connect the particles with pin joints in pymunk.
+
+    ``iterations`` is the number of iterations of pymunk's solver.
+    """
     import pymunk
 
     space = pymunk.Space()

@@ -106,9 +106,9 @@ def quadratic_drag() -> Scene:
 
 
 def orbit(e: float, turns: int, period: float) -> Scene:
-    """Return the scene of an orbit with eccentricity e and a semi-major axis of 1 m.
+    """Return the scene of an orbit with the eccentricity ``e`` and a semi-major axis of 1 m.
 
-    The period is in s. The orbit begins at the point nearest to the center of attraction.
+    ``period`` is in s. The orbit begins at the point nearest to the center of attraction.
     """
     frames = math.floor(turns * period * RATE)
     rate = 2.0 * math.pi / period

@@ -26,7 +26,10 @@ RADIUS = 0.1  # m
 
 
 class Balls:
-    """Balls above each other that start at rest. Heights are those of the centers, lowest first."""
+    """Balls above each other that start at rest. A height is the height of a ball's center.
+
+    The lowest ball comes first.
+    """
 
     def __init__(
         self, heights: Sequence[float], masses: Sequence[float], ground: float, pair: float
@@ -49,7 +52,7 @@ class Balls:
         return Detectors(ground, ParticlePairs(particles, RADIUS, self.pair))
 
     def places_at(self, times: Sequence[float]) -> list[Place]:
-        """Return the heights at these times, computed in plain numbers from impact to impact."""
+        """Compute the heights at ``times`` in plain numbers, from impact to impact."""
         heights, speeds, now = [*self.heights], [0.0] * len(self.heights), 0.0
         found = []
         for time in times:
@@ -64,7 +67,7 @@ class Balls:
         return found
 
     def _next(self, heights: list[float], speeds: list[float]) -> tuple[float, int]:
-        """Return the time until the next impact, and the index of the upper ball in it."""
+        """Return the time until the next impact, and the index of the upper ball in this impact."""
         first, v = heights[0] - RADIUS, speeds[0]
         impacts = [((v + math.sqrt(max(v * v + 2.0 * G * first, 0.0))) / G, 0)]
         for i in range(1, len(heights)):
@@ -183,7 +186,7 @@ def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
 
 
 def bouncing_ball(restitution: float) -> Scene:
-    """Return the scene of a ball that is dropped from 2 m and bounces, for 3 s."""
+    """Return the scene of a ball that is dropped from 2 m and bounces. It lasts 3 s."""
     balls = Balls((2.0 + RADIUS,), (1.0,), restitution, 1.0)
     return scene_of(f"bouncing ball, restitution {restitution:g}", balls, 180, 2.0)
 

@@ -22,11 +22,11 @@ ROUND_G = 10.0  # m/s^2, in the scenes of the pendulum and of the rope
 
 
 def pendulum() -> Scene:
-    """Return the scene of a pendulum of 1 m that is released horizontally, for 5 s."""
+    """Return the scene of a pendulum of 1 m that is released horizontally. It lasts 5 s."""
     chain = Chain(1.0, [1.0], 0.5 * math.pi, ROUND_G, frames=300)
 
     def truth(time: float) -> Place:
-        """Return the exact position of a pendulum, computed with Jacobi's elliptic functions.
+        """Compute the exact position of a pendulum at ``time`` with Jacobi's elliptic functions.
 
         With t in s, sin(angle / 2) is sin(start / 2) times cn / dn of t sqrt(g / l).
         """

@@ -65,17 +65,17 @@ def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) ->
 
 
 def bridge_ties() -> list[Tie]:
-    """Return the cables of one side of the rope bridge, as long as they appear from that side."""
+    """Return the cables of one side of the rope bridge. Their lengths are seen from the side."""
     return [(start, end, length, 1) for start, end, length in cables()]
 
 
 def hung() -> list[tuple[float, float]]:
-    """Return the positions in which the rows of one side hang, with a load on the third row."""
+    """Return the rest positions of the rows on one side, with a load on the third row."""
     return [(x, y) for x, y in hanging()]
 
 
 def settled(plane: Plane, wind: float = 0.0) -> Plane:
-    """Return a plane whose knots start at rest, balanced against a wind along X in m/s^2."""
+    """Return a plane whose knots are at rest in a wind. ``wind`` is along X, in m/s^2."""
     knots = plane.particles()
     for knot in knots:
         knot.acceleration.x = wind
@@ -101,10 +101,10 @@ def swinging() -> Scene:
 
 
 def walked_over() -> Scene:
-    """Return the scene of one side of the bridge, across which a ball walks at 2 m/s for 3.6 s.
+    """Return the scene of one side of the bridge with a ball that walks across. It lasts 3.6 s.
 
-    The ball has a mass of 5 kg. This side carries half of its weight, which is divided between the
-    two rows beside the ball. All cables stay taut.
+    The ball has a mass of 5 kg and walks at 2 m/s. This side carries half of its weight, which is
+    divided between the two rows beside the ball. All cables stay taut.
     """
 
     def make() -> Plane:

@@ -46,7 +46,7 @@ class Plane:
     gravity: float = 9.81
 
     def load(self, time: float, places: Any) -> Any:
-        """Return the weights of all knots in N. The weight of the walker is included."""
+        """Return the weights of all knots in N, including the weight of the walker."""
         forces = numpy.outer(self.masses, (0.0, -self.gravity))
         if self.walker:
             start, pace, weight = self.walker
@@ -56,7 +56,7 @@ class Plane:
         return forces.ravel()
 
     def exact(self) -> Any:
-        """Return the exact positions at the end of each frame, computed by SciPy."""
+        """Compute the exact positions at the end of each frame with SciPy."""
         motion = TautMotion(self.masses, self.ties, self.load)
         times = [frame / RATE for frame in range(1, self.frames + 1)]
         still = numpy.zeros((len(self.masses), 2))
@@ -71,7 +71,7 @@ class Plane:
         ]
 
     def links(self, knots: Sequence[Particle]) -> list[Any]:
-        """Return the cables and struts of chapter 7 that correspond to the ties."""
+        """Create cables and struts of chapter 7 for the ties between ``knots``."""
         found: list[Any] = []
         for start, end, length, kind in self.ties:
             if not isinstance(start, int):
@@ -84,7 +84,10 @@ class Plane:
 
 
 def borne(xs: Sequence[float], x: float) -> tuple[int, float]:
-    """Return the index of the knot behind a walker, and the progress to the next (0 to 1)."""
+    """Find the knot behind a walker at ``x``. Return its index and the progress to the next knot.
+
+    The progress is between 0 and 1.
+    """
     knot = sum(x >= other for other in xs[1:-1])
     return knot, min(max((x - xs[knot]) / (xs[knot + 1] - xs[knot]), 0.0), 1.0)
 
@@ -92,14 +95,14 @@ def borne(xs: Sequence[float], x: float) -> tuple[int, float]:
 class Walker:
     """A force generator for the weight of a walker.
 
-    Register it for only one knot. It adds forces to both knots beside the walker by itself.
+    Register the generator for only one knot. It adds forces to both knots beside the walker.
     """
 
     def __init__(self, knots: Sequence[Particle], walker: Particle, weight: float) -> None:
         self.knots, self.walker, self.weight = knots, walker, weight
 
     def update_force(self, _: Particle, __: float) -> None:
-        """Divide the weight between the two knots beside the walker, by their distances."""
+        """Divide the walker's weight between the two knots beside it. The nearer knot gets more."""
         xs = [knot.position.x for knot in self.knots]
         knot, share = borne(xs, self.walker.position.x)
         self.knots[knot].add_force(Vector3(0.0, (share - 1.0) * self.weight))
@@ -107,7 +110,7 @@ class Walker:
 
 
 def made(plane: Plane, kind: type[DirectNet] | type[SmoothNet]) -> tuple[list[Particle], Any]:
-    """Return the knots of a new net, and a function that advances the net by one step."""
+    """Create the knots of a net, and a function that makes one step. Return both."""
     knots = plane.particles()
     registry, walkers = ForceRegistry(), []
     if plane.walker:
@@ -166,7 +169,10 @@ def by_long_steps(plane: Plane, steps: int) -> Outcome:
 
 
 def by_slide_joints(plane: Plane, iterations: int, steps: int) -> Outcome:
-    """Hold the knots with pymunk's slide joints, with this many solver iterations per step."""
+    """Hold the knots with pymunk's slide joints.
+
+    ``iterations`` is the number of iterations of pymunk's solver per step.
+    """
     import pymunk
 
     space = pymunk.Space()

@@ -135,7 +135,7 @@ def elastic_pendulum() -> Scene:
 
 
 def by_solver(solver: Solver, stiffness: float, damping: float, steps: int) -> Outcome:
-    """Step a linear spring with a solver, which evaluates one formula in each step."""
+    """Step a linear spring with ``solver``. It evaluates one formula per step."""
     x, v = 1.0, 0.0
 
     def step(duration: float) -> None:

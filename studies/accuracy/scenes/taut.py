@@ -29,7 +29,7 @@ EVENTS = 2000
 
 
 class TautMotion:
-    """The motion of knots with masses in kg, which are held by ties.
+    """The motion of knots that are held by ties. The masses are in kg.
 
     ``load`` returns the external forces in N. They may depend on the time and on the positions.
     """
@@ -50,7 +50,7 @@ class TautMotion:
         self.events = 0
 
     def gaps(self, places: Any) -> Any:
-        """Return each tie's distance in m from its limit, which is negative beyond the limit."""
+        """Return each tie's distance in m from its limit. It is negative beyond the limit."""
         ways = self.ends @ places.reshape(-1, 2) - self.anchors
         return self.kinds * (self.lengths - numpy.linalg.norm(ways, axis=1))
 
@@ -87,7 +87,10 @@ class TautMotion:
         return free - self.inverse * (held.T @ pulls), pulls
 
     def choose(self, time: float, state: Any) -> tuple[Any, Any]:
-        """Resolve impacts at this time. Return the new state and the indices of the taut ties."""
+        """Resolve the impacts at ``time``.
+
+        Return the new state and the indices of the taut ties.
+        """
         places, speeds = numpy.split(state, 2)
         matrix, bent = self.rows(places, speeds)
         near = numpy.flatnonzero(self.gaps(places) < NEAR)
@@ -103,7 +106,7 @@ class TautMotion:
         ]
 
     def run(self, places: Any, speeds: Any, times: Sequence[float]) -> Any:
-        """Return the positions at the given times, one row per time, from the state at time 0."""
+        """Start from the state at time 0. Return the positions at ``times``, one row per time."""
         state = numpy.concatenate([numpy.ravel(places), numpy.ravel(speeds)]).astype(float)
         time, found = 0.0, []
         for _ in range(EVENTS):

@@ -151,7 +151,9 @@ def test_what_is_pushed_as_before_sleeps_on(rng: Random) -> None:
     about(
         f"a particle that sleeps, pushed by {push} N/kg against a wall", read=f"{WAKE}wake_pushed"
     )
-    compare = "Compare the acceleration with the one that is stored in its Sleep."
+    compare = (
+        "Compare the acceleration with the acceleration that is stored in the particle's Sleep."
+    )
     for new in (push, 1.009 * push, 0.991 * push):
         about.cause = (
             f"The force has changed by no more than SAME, so the particle must not wake. {compare}"

@@ -168,12 +168,10 @@ def test_what_cannot_be_balanced_is_refused() -> None:
          "platform here. If x is on the side that sinks, no mass can help, so raise ValueError."),
         ([1.0, 2.0], [1.0, -2.0], -3.0, ValueError, "The left side sinks here, and x = -3 is on "
          "the left, so no mass at x can help. Raise ValueError."),
-        ([1.0], [0.5], 0.25, ValueError, "x is on the side that sinks, so no mass at x can help. "
-                                         "This is true even if x is very near to the pivot. "
-                                         "Raise ValueError."),
-        ([1.0], [-0.5], -0.25, ValueError, "x is on the side that sinks, so no mass at x can "
-                                           "help. This is true even if x is very near to the "
-                                           "pivot. Raise ValueError."),
+        ([1.0], [0.5], 0.25, ValueError, "x is on the side that sinks, even if it is near to "
+         "the pivot. No mass at x can help, so raise ValueError."),
+        ([1.0], [-0.5], -0.25, ValueError, "x is on the side that sinks, even if it is near to "
+         "the pivot. No mass at x can help, so raise ValueError."),
         ([1.0, 2.0], [-1.0, 2.0], 0.0, ValueError, "A mass at the pivot has no torque, so it "
          "cannot balance anything. Raise ValueError."),
         ([1.0, -2.0], [5.0, 2.0], -3.0, ValueError, "One of the masses is negative. Check every "
@@ -310,7 +308,7 @@ def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
     about(f"platform.put_weight({mass}, {x}), then 30 steps of 1/60 s: the left end", read=WEIGHT)
     about.cause = (
         f"The left end must sink if the weight at {x} m is more than {limit:.3f} kg, and "
-        "stay up if it is less. There, mass times distance is the same on both sides of the pivot."
+        "stay up if it is less. At this limit the platform is exactly balanced."
     )
     places = tipped(mass, x, 30, 1.0 / 60.0)
     sinks = places[2][1] < places[4][1]
@@ -362,9 +360,7 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
         if left:
             about.cause += f" They still allow this motion: {told(left[0], 'particle')}."
         expect_exactly(len(left), 0)
-    about.cause = (
-        "The length of this rod is wrong. It must be the distance between the two ends of the rod."
-    )
+    about.cause = "The length of this rod is wrong. It must be the distance between its ends."
     for i, j, length in done["rods"]:
         about.call = f"platform.free_pivot(): the length of the rod from {i} to {j}"
         wanted = math.dist(PLACES[i], PLACES[j])

@@ -120,8 +120,8 @@ def test_what_has_parted_is_no_group(rng: Random) -> None:
         )
     elif any(seen[: fast + 4]):
         about.cause = (
-            f"The particle itself was fast in step {fast}, so its slow steps must be counted from "
-            "there."
+            f"The particle falls asleep too early. It was fast itself in step {fast}, so count its "
+            "slow steps from the step after that."
         )
     expect_exactly(seen, wanted)
     about.call = (

@@ -45,7 +45,10 @@ def test_a_row_counts_once(rng: Random) -> None:
     about.call = (
         f"Rules({rows}), then rules.landed(row) for each row of {events}: visited and lives"
     )
-    about.cause = "A landing adds its row to visited, and it does not cost a life."
+    about.cause = (
+        "Each landing must add its row to visited. Only a fall costs a life, so a landing must "
+        "leave lives unchanged."
+    )
     expect_exactly(seen[-1][2], sorted((a, b)))
     expect_exactly(seen[-1][1], 3)
 
@@ -140,8 +143,8 @@ def test_a_row_that_there_is_not_is_refused(rng: Random) -> None:
     about.read = RULES
     rows = rng.randint(3, 6)
     about.cause = (
-        "Rows are numbered from 0, so the last one is rows - 1. Raise ValueError for any other "
-        "number."
+        "There is no row with this number, because rows are numbered from 0 to rows - 1. Raise "
+        "ValueError for any other number."
     )
     for row in (rows, -1):
         about.call = f"Rules({rows}).landed({row}): the name of the error ('' if there was none)"
@@ -280,8 +283,8 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
         "game.step(1/60): score and lives"
     )
     about.cause = (
-        "The ball must land once. After that it moves up from the row, so it must not land again "
-        "or lose a life within these steps."
+        "The ball must land once and then move up, so it must not land again or lose a life "
+        "within these steps. Check that landings.row is None while the ball moves up."
     )
     seen = played(20, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0))[-1]
     got = (seen["score"], seen["lives"])
@@ -291,8 +294,8 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
         "game.step(1/60): the velocity of the ball along Y, and the score"
     )
     about.cause = (
-        "The ball jumps from every row that it lands on. This includes a row that was visited "
-        "before and therefore scores nothing."
+        "The ball must jump from every row that it lands on. A row that was visited before scores "
+        "nothing, but the ball must still jump from it."
     )
     seen = played(1, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0), visited=[row])[-1]
     got = (seen["velocity"][1], seen["score"])
@@ -313,7 +316,10 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
     )
     seen = played(1, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), visited=[2, 4])[-1]
     expect_exactly(seen["lives"], 2, then=": lives")
-    kept = "A fall takes a life, but the visited rows must stay visited."
+    kept = (
+        "The fall has changed the visited rows. It must take a life, but rows that were visited "
+        "before must stay visited."
+    )
     expect_exactly(seen["visited"], [2, 4], then=": visited, which was [2, 4]", cause=kept)
     got = seen["place"] + seen["velocity"]
     place = (FIRST, 6.0, 0.0, 0.0, 0.0, 0.0)

@@ -226,8 +226,8 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     expect_close(got, wanted, tolerance=1e-12)
     about(
         f"spread of a single particle at {p}",
-        cause="A single particle is at its own center of mass, so its distance from it is 0 and "
-        "the spread is 0.",
+        cause="A single particle is at its own center of mass. Its distance from the center is 0, "
+        "so the spread must be 0.",
     )
     expect_close(spread_of([p], [m])[0], 0.0, tolerance=1e-12)
 

@@ -97,8 +97,8 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
 def test_nothing_else_holds_them() -> None:
     about("links_of(make_rows()): the ends of all contacts() at the start", read=LINKS)
     about.cause = (
-        "At the start only the cables from row to row report a contact, because they are 0.1 m "
-        "too long. The rods have exactly the right length, and the anchored cables are slack."
+        "At the start only the cables from row to row may report a contact, because they are 0.1 "
+        "m too long. The rods have exactly the right length, and the anchored cables are slack."
     )
     links = sorted((i, j) for i, j, *_ in bridge_links(START))
     expect_exactly(links, [(i, i + 2) for i in range(10)])
@@ -107,8 +107,8 @@ def test_nothing_else_holds_them() -> None:
         "links_of(make_rows()), then all planks are pushed together along X: the number of contacts"
     )
     about.cause = (
-        "Every cable is slack here, and a slack cable has no contact. The rods have no contact "
-        "either, because their length is right."
+        "No link is too long or too short here, so there must be no contacts. The cables are "
+        "slack, and the rods have exactly the right length."
     )
     count = len(bridge_links(places))
     mistakes = [
@@ -127,8 +127,9 @@ def test_nothing_else_holds_them() -> None:
         "their restitution"
     )
     about.cause = (
-        "Every link is too long here, so each one has a contact. There are 6 rods, 10 cables and "
-        "12 anchored cables, which makes 28, and the restitution of each is 0."
+        "Every link is too long here, so each link must have a contact with a restitution of 0. "
+        "There must be 28 contacts: 6 for the rods, 10 for the cables and 12 for the anchored "
+        "cables."
     )
     found = bridge_links(places)
     got = (len(found), *{c for _, _, _, c, _ in found})
@@ -220,8 +221,8 @@ def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
     for i, (x, y) in enumerate(points):
         about.call = nearest_of(points, x)
         about.cause = (
-            "The ball is directly above a row, so nearest() returns the number of this row and "
-            "its height."
+            "The ball is directly above a row, so nearest() must return the number of this row "
+            "and its height."
         )
         got = deck((x, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
         expect_close(got, (float(i), y), tolerance=1e-12)
@@ -342,11 +343,15 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
             )
         expect_exactly(ends, [(0, 3), (0, 4)], then=": ends")
         for _, _, normal, restitution, penetration in list(got):
-            about.cause = "The deck pushes the ball up, so the normal is +Y."
+            about.cause = (
+                "The normal of a contact is wrong. The deck pushes the ball up, so the normal must "
+                "be +Y."
+            )
             expect_close(normal, UP, then=": the normal", tolerance=1e-15)
             about.cause = (
-                "The penetration is how far the lowest point of the ball is below the deck. This "
-                "is height + radius - y, where height is the height of the deck."
+                "The restitution or the penetration is wrong. Pass self.restitution, and compute "
+                "how far the lowest point of the ball is below the deck. This is height + radius - "
+                "y, where height is the height of the deck."
             )
             mistakes = [
                 ((0.0, depth), "The restitution is 0, but it should be that of the deck. Pass "
@@ -364,8 +369,8 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
             )
     level = [((x, 4.0, -1.0), (x, 4.0, 1.0)) for x in (0.0, 2.0, 4.0)]
     for y, cause in (
-        (4.5, "The lowest point of the ball is exactly on the deck, so this is a contact of depth "
-              "0."),
+        (4.5, "The lowest point of the ball is exactly on the deck. This counts as a contact, so "
+              "return contacts with a penetration of 0."),
         (3.5, "The top of the ball is exactly at the deck, so the penetration is the diameter. "
               "The ball has fallen through only if the penetration is larger than that."),
     ):  # fmt: skip

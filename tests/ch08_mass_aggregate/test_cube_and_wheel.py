@@ -131,8 +131,8 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
         read=WHEEL,
     )
     about.cause = (
-        "The hub needs a rod to each rim particle. Each rim particle also needs a rod to the next "
-        "one, and the last one needs a rod to the first."
+        "Join the hub to each particle of the rim with a rod. Also join each particle of the rim "
+        "to the next particle, and the last particle to the first."
     )
     rods = sorted(wheel_rods(hub, rim))
     wanted = [(0, i + 1) for i in range(count)] + [(i, i + 1) for i in range(1, count)]
@@ -141,7 +141,10 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
     if missing := [pair for pair in wanted if pair not in got]:
         about.cause = f"The rod {missing[0]} is missing. {about.cause}"
     expect_exactly(got, wanted)
-    about.cause = "A rod is as long as the current distance between its two ends."
+    about.cause = (
+        "The length of this rod is wrong. It must be the current distance between the two ends of "
+        "the rod."
+    )
     places = [hub, *rim]
     for i, j, length in rods:
         about.call = f"rods_of(hub, rim): the length of the rod from {places[i]} to {places[j]}"
@@ -258,8 +261,9 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
     mistakes = [
         (1.2, "The masses are missing from both sums, so all particles count the same. Multiply "
          "each term by m."),
-        (1.5, "This is the mean of the particles' own rates. Heavier and more distant particles "
-         "count more, so divide the sum of m (x v_y - y v_x) by the sum of m (x^2 + y^2)."),
+        (1.5, "This is the mean of the rates of all particles. Heavier and more distant particles "
+              "must count more, so divide the sum of m (x v_y - y v_x) by the sum of m (x^2 + "
+              "y^2)."),
         (2.0, "The distance has not been squared. The moment of inertia is the sum of m (x^2 + "
          "y^2), which is 13."),
         (14.0, "This is the angular momentum. Divide it by the moment of inertia, the sum of m "
@@ -307,8 +311,8 @@ def test_the_deformation_is_that_of_the_worst_rod(rng: Random) -> None:
             f"deformation of rods of lengths {[length for length, _ in rods]}, which are {name}"
         )
         about.cause = (
-            "The deformation of a rod is abs(length / rod.length - 1). Return the largest one of "
-            "all rods."
+            "Return the largest deformation of all rods. The deformation of a rod is abs(length / "
+            "rod.length - 1)."
         )
         got = deformed(rods, way)
         shares = [now / length - 1.0 for length, now in rods]

@@ -169,15 +169,15 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     expect_exactly(len(done["made"]), count, then=": the number of steps in all calls together")
     about.call = f"a FixedStep of 0.1 s with max_steps={limit}; advance by {0.1 * (limit + late)!r}"
     about.cause = (
-        "Rounding affects the steps that are dropped, too. A step of which only a rounding error "
-        "is missing counts as a whole step, so drop it."
+        "All of the remaining steps must be dropped here. Rounding can make the last one slightly "
+        "too short, but it counts as a whole step if less than SHARE of it is missing."
     )
     row = advanced(0.1, [0.1 * (limit + late)], limit)["rows"][0]
     # Rounding of a few times 0.1 s, many times less than a step.
     expect_close(row[1:], (0.0, 0.1 * late), then=": left and dropped", tolerance=1e-9)
     about.cause = (
-        "Drop whole steps only, and keep the rest of the time in self.left. A step of which less "
-        "than SHARE is missing counts as a whole step."
+        "Drop only whole steps, and keep the rest of the time in self.left. If less than SHARE of "
+        "a step is missing, count it as a whole step."
     )
     for duration, lack in product((1e-6, STEP, 1000.0), (1e-7, 1e-10)):
         elapsed = duration * (5.0 - lack)

@@ -74,8 +74,8 @@ def test_rods_are_as_long_as_their_ends_are_apart(rng: Random) -> None:
         f"rods_of(six particles at PLACES, scaled by {size} and rotated by {turn} rad): the length"
     )
     about.cause = (
-        "A rod is as long as the current distance between its ends, which is (b.position - "
-        "a.position).magnitude()."
+        "The length of a rod must be the current distance between its ends, which is (b.position "
+        "- a.position).magnitude()."
     )
     rods = platform_rods(places)
     expect_exactly(len(rods) > 0, True, then=" of each rod; is there any rod")
@@ -95,9 +95,8 @@ def test_rods_are_as_long_as_their_ends_are_apart(rng: Random) -> None:
 def test_what_balances_a_platform(rng: Random) -> None:
     about("balancing_mass([1, 1, 1, 1], [-3, -3, 4, 4], -3)", read=BALANCE)
     about.cause = (
-        "In balance the sum of mass times position is 0, and this sum includes the new mass. The "
-        "four masses give 2 kg m, so the new mass must give -2 kg m at a position of -3 m. It is "
-        "2/3 kg."
+        "The platform balances when the sum of mass times position is 0. The four masses give 2 "
+        "kg m, so the new mass must give -2 kg m. Its position is -3 m, so it must be 2/3 kg."
     )
     got = balancing_mass([1.0] * 4, [-3.0, -3.0, 4.0, 4.0], -3.0)
     mistakes = [
@@ -139,8 +138,8 @@ def test_what_balances_a_platform(rng: Random) -> None:
     ):
         about.call = f"balancing_mass([1.0], [{place}], {x})"
         about.cause = (
-            "A mass at x can balance the platform, because x is on the other side of the pivot. "
-            "This holds however near to the pivot it is, so do not refuse it."
+            "A mass at x can balance the platform, because x is on the side that rises. This is "
+            "true even if x is very near to the pivot, so do not refuse it."
         )
         got = balancing_mass([1.0], [place], x)
         expect_close(got, wanted)
@@ -169,10 +168,10 @@ def test_what_cannot_be_balanced_is_refused() -> None:
          "platform here. If x is on the side that sinks, no mass can help, so raise ValueError."),
         ([1.0, 2.0], [1.0, -2.0], -3.0, ValueError, "The left side sinks here, and x = -3 is on "
          "the left, so no mass at x can help. Raise ValueError."),
-        ([1.0], [0.5], 0.25, ValueError, "x is on the side that sinks, so no mass at x can help. "
-         "This holds even this near to the pivot."),
-        ([1.0], [-0.5], -0.25, ValueError, "x is on the side that sinks, so no mass at x can "
-         "help. This holds even this near to the pivot."),
+        ([1.0], [0.5], 0.25, ValueError, "x is on the side that sinks, even if it is near to "
+         "the pivot. No mass at x can help, so raise ValueError."),
+        ([1.0], [-0.5], -0.25, ValueError, "x is on the side that sinks, even if it is near to "
+         "the pivot. No mass at x can help, so raise ValueError."),
         ([1.0, 2.0], [-1.0, 2.0], 0.0, ValueError, "A mass at the pivot has no torque, so it "
          "cannot balance anything. Raise ValueError."),
         ([1.0, -2.0], [5.0, 2.0], -3.0, ValueError, "One of the masses is negative. Check every "
@@ -309,15 +308,15 @@ def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
     about(f"platform.put_weight({mass}, {x}), then 30 steps of 1/60 s: the left end", read=WEIGHT)
     about.cause = (
         f"The left end must sink if the weight at {x} m is more than {limit:.3f} kg, and "
-        "stay up if it is less. There, mass times distance is the same on both sides of the pivot."
+        "stay up if it is less. At this limit the platform is exactly balanced."
     )
     places = tipped(mass, x, 30, 1.0 / 60.0)
     sinks = places[2][1] < places[4][1]
     expect_exactly(sinks, side == "heavy enough", then=": is it below the right end")
     length = math.dist(places[2], places[4])
     about.cause = (
-        "The platform has changed its length, so its rods do not hold. Add them to the contact "
-        "generators of the world."
+        "The platform has changed its length, so its rods have no effect. Add the rods to the "
+        "contact generators of the world."
     )
     expect_close(length, 7.0, then=": its distance from the right end, to 1 cm", tolerance=0.01)
 
@@ -361,7 +360,7 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
         if left:
             about.cause += f" They still allow this motion: {told(left[0], 'particle')}."
         expect_exactly(len(left), 0)
-    about.cause = "A rod is as long as the distance between its ends."
+    about.cause = "The length of this rod is wrong. It must be the distance between its ends."
     for i, j, length in done["rods"]:
         about.call = f"platform.free_pivot(): the length of the rod from {i} to {j}"
         wanted = math.dist(PLACES[i], PLACES[j])
@@ -372,8 +371,8 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
 def test_a_free_platform_slides_and_stays_rigid() -> None:
     about("platform.free_pivot(), then 45 steps of 1/60 s", read=FREE)
     about.cause = (
-        "The ground has no friction, so nothing pushes the platform along X or Z. Its center of "
-        "mass can only move down."
+        "The center of mass must not move along X or Z, because the ground has no friction. Check "
+        "that free_pivot only changes masses and adds a rod."
     )
     done = freed(45, 1.0 / 60.0)
     before, after = done["before"], done["after"]
@@ -383,8 +382,8 @@ def test_a_free_platform_slides_and_stays_rigid() -> None:
         # The impulses of rods are equal and opposite, to rounding, however many there are.
         expect_close(got, wanted, then=f": {name} of the center of mass", tolerance=1e-9)
     about.cause = (
-        "The platform has changed its shape. Its rods must hold it, so all distances between its "
-        "particles must stay the same."
+        "The platform has changed its shape. Its rods must keep all distances between its "
+        "particles the same."
     )
     off = max(
         abs(math.dist(after[i], after[j]) - math.dist(before[i], before[j]))
@@ -393,5 +392,8 @@ def test_a_free_platform_slides_and_stays_rigid() -> None:
     # A hundred iterations leave 0.4 mm with this time step.
     expect_between(off, 0.0, 0.01, then=": the largest change of a distance, in m")
     moved = after[0][0] - before[0][0]
-    about.cause = "The platform falls to the right, so its free pivot must slide to the left."
+    about.cause = (
+        "The platform falls to the right, so its pivot must slide to the left. Check that the "
+        "pivot can move."
+    )
     expect_between(moved, -math.inf, -0.01, then=": how far the pivot has moved, in m along X")

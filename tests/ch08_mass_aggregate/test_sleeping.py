@@ -120,8 +120,8 @@ def test_what_has_parted_is_no_group(rng: Random) -> None:
         )
     elif any(seen[: fast + 4]):
         about.cause = (
-            f"The particle itself was fast in step {fast}, so its slow steps must be counted from "
-            "there."
+            f"The particle falls asleep too early. It was fast itself in step {fast}, so count its "
+            "slow steps from the step after that."
         )
     expect_exactly(seen, wanted)
     about.call = (
@@ -158,8 +158,9 @@ def test_what_touches_the_restless_stays_awake() -> None:
         ("0 and 1", [0.0, 2.0, 0.0], [(0, 1)], (), [2], "Particle 1 is fast, and it touches "
          "particle 0, so both must stay awake."),
         ("0 and 1, 1 and 2, 2 and 3", [0.0, 0.0, 0.0, 2.0, 0.0], [(0, 1), (1, 2), (2, 3)], (), [4],
-         "Particle 3 is fast. It keeps 2 awake, which keeps 1 awake, which in turn keeps 0 awake. "
-         "Go through the pairs again and again until no more particles are added."),
+         "Particle 3 is fast, so it keeps particle 2 awake. Particle 2 keeps particle 1 awake, "
+         "and 1 keeps 0 awake. Go through the pairs repeatedly until you find no more particles "
+         "that must stay awake."),
         ("3 and 2, 2 and 1, 1 and 0", [2.0, 0.0, 0.0, 0.0], [(3, 2), (2, 1), (1, 0)], (), [],
          "Particle 0 is fast, and it keeps all others awake through the chain of contacts. The "
          "order of the contacts must not matter."),
@@ -169,8 +170,8 @@ def test_what_touches_the_restless_stays_awake() -> None:
         ("0 and 1", [0.0, 0.0], [(0, 1)], (), [0, 1], "Both particles are slow, so they do not "
          "keep each other awake. Both must fall asleep."),
         ("0 and 1, 1 and 2", [0.0, 0.0, 2.0], [(0, 1), (1, 2)], [1.0, math.inf, 1.0], [0],
-         "An immovable particle does not join the particles that touch it into a group. For "
-         "example, two bodies on the same floor can sleep separately."),
+         "An immovable particle must not join its neighbors into a group. For example, two bodies "
+         "that lie on the same floor can fall asleep separately."),
         ("0 and a wall (other is None)", [0.0], [(0, -1)], (), [0], "The contact is with a wall, "
          "so its other is None. A wall does not keep a particle awake."),
     ):  # fmt: skip

@@ -72,7 +72,10 @@ def test_a_beam_is_rigid(rng: Random) -> None:
     for i, j, length in rods:
         about.call = f"Trebuchet({named_design(design)}).beam(): the length of the rod from "
         about.call += f"{parts[i]} to {parts[j]}"
-        about.cause = "Each rod must be as long as the current distance between its ends."
+        about.cause = (
+            "The length of this rod is wrong. It must be the current distance between the two ends "
+            "of the rod."
+        )
         straight = (
             "This length is short_arm + long_arm, which is right for a straight beam. This beam "
             "is bent at the pivot, so use the current distance between the rod's own ends."
@@ -190,8 +193,9 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
     blame(distance, mistakes)
     expect_close(distance, wanted, then=": range", tolerance=1e-9)
     about.cause = (
-        "The share is the energy that the projectile has gained, m v^2 / 2 + m g times its rise, "
-        "divided by the energy that the counterweight has lost, M g times its fall."
+        "The share is a ratio of two energies. The projectile has gained m v^2 / 2 plus m g times "
+        "its rise. Divide this by the energy that the counterweight has lost, which is M g times "
+        "its fall."
     )
     gained = 0.5 * 5.0 * 1000.0 + 5.0 * G * (8.0 - start)
     lost = 4.0 * weight * G
@@ -262,8 +266,8 @@ def test_what_never_lets_go_is_no_throw() -> None:
     got = throw(design, "nothing")
     expect_close(got[:2], (0.0, 0.0), tolerance=0.0)
     about.cause = (
-        "The simulation must end after TIME_LIMIT, which is 4 s. At a STEP of 1/250 s this is "
-        "1000 steps."
+        "The number of steps is wrong. The simulation must end after TIME_LIMIT, which is 4 s. At "
+        "a STEP of 1/250 s this makes 1000 steps."
     )
     # One more or less if the time is added up with rounding.
     expect_close(got[2], 1000.0, then=": steps", tolerance=1.0)

@@ -75,7 +75,9 @@ def test_whatever_is_moved_a_little_wakes(how: str) -> None:
         new = how.replace("place", "position")
         about.call = f"three particles that sleep on the ground; the {new} of particles 1 and 2 "
         about.call += f"is changed by {by} along {axis}; a step of 1/60 s, wake_moved()"
-        about.cause = "All three particles are at rest, so they must fall asleep."
+        about.cause = (
+            "All three particles are at rest, so they must fall asleep. Check fall_asleep first."
+        )
         before, after = woken_by_little(how, axis, by)
         expect_exactly(before, [0, 1, 2], then=": who slept before")
         about.cause = f"Any change of the {new} must wake a particle, however small it is. "
@@ -151,7 +153,9 @@ def test_what_is_pushed_as_before_sleeps_on(rng: Random) -> None:
     about(
         f"a particle that sleeps, pushed by {push} N/kg against a wall", read=f"{WAKE}wake_pushed"
     )
-    compare = "Compare the acceleration with the one that is stored in its Sleep."
+    compare = (
+        "Compare the acceleration with the acceleration that is stored in the particle's Sleep."
+    )
     for new in (push, 1.009 * push, 0.991 * push):
         about.cause = (
             f"The force has changed by no more than SAME, so the particle must not wake. {compare}"
@@ -229,7 +233,7 @@ def test_what_wakes_still_stands_on_the_ground(rng: Random) -> None:
 def test_what_fell_asleep_as_one_wakes_as_one() -> None:
     about.read = f"{WAKE}wake, and fall_asleep"
     about.call = "ball 1 sleeps on ball 0, which is then moved away by hand; wake(), 6 steps"
-    about.cause = "Both balls are at rest, so they must fall asleep."
+    about.cause = "Both balls are at rest, so they must fall asleep. Check fall_asleep first."
     before, after, speed = support_gone(6)
     expect_exactly(before, [0, 1], then=": who slept before")
     about.cause = "Ball 0 wakes when it is moved, so ball 1 must wake with it and fall. In "
@@ -242,24 +246,28 @@ def test_what_fell_asleep_as_one_wakes_as_one() -> None:
             about.call = f"five particles with contacts of {pairs}, except in the step in which "
             about.call += f"they fall asleep; then particle {first} gets a velocity; wake()"
             was, now = group_woken(pairs, first)
-            about.cause = "All five particles are at rest, so they must fall asleep."
+            about.cause = "Not all particles have fallen asleep, although all five are at rest. "
+            about.cause += "Check fall_asleep before you work on wake."
             expect_exactly(was, [0, 1, 2, 3, 4], then=": who slept before")
-            about.cause = "The whole group must wake, and no other particle. The neighbors of "
-            about.cause += "neighbors belong to it, too. As neighbors, store all particles that "
-            about.cause += "touched in the last sleep_frames steps, and not only in the last one."
+            about.cause = "The wrong particles are awake. Wake the whole group, which includes the "
+            about.cause += "neighbors of neighbors, and no other particle. As neighbors, store all "
+            about.cause += "particles that touched in the last sleep_frames steps."
             expect_exactly(now, [4], then=": who sleeps afterward")
     about.call = (
         "three particles in a row sleep on two springs, and the last one gets 6 m/s; wake()"
     )
-    about.cause = "All three particles are at rest, so they must fall asleep."
+    about.cause = (
+        "All three particles are at rest, so they must fall asleep. Check fall_asleep first."
+    )
     seen, places = on_a_spring(20)
     expect_exactly(seen[0], [0, 1, 2], then=": who slept before")
-    about.cause = "Particles that are joined by a generator form a group, too, so all three must "
-    about.cause += "wake in the same step. Find these pairs with joined(self.registry)."
+    about.cause = "Some particles are still asleep. Particles that share a generator form a group, "
+    about.cause += "so all three must wake in the same step. Find such pairs with "
+    about.cause += "joined(self.registry)."
     expect_exactly(seen[1], [], then=": who sleeps after a step")
-    about.cause = "The center of mass of the three particles must move at 2 m/s, because the "
-    about.cause += "forces of a spring are equal and opposite. If it does not, some particle "
-    about.cause += "still slept while the others moved."
+    about.cause = "The center of mass has not moved at 2 m/s, although the forces of a spring "
+    about.cause += "are equal and opposite. Perhaps one particle was still asleep while the others "
+    about.cause += "moved. Wake all three in the same step."
     drift = 2.0 * sum(0.9 ** (i / 60.0) for i in range(1, 21)) / 60.0
     middle = math.fsum(place[0] for place in places) / 3.0 - 1.0
     expect_close(

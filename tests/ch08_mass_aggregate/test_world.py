@@ -100,7 +100,10 @@ def test_what_nothing_moves_has_no_energy(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-10)
     about.call = "mechanical_energy of no particles"
     expect_close(
-        energy_of([]), 0.0, cause="There are no particles, and an empty sum is 0.", tolerance=0.0
+        energy_of([]),
+        0.0,
+        cause="There are no particles, so there is no energy. Return 0.",
+        tolerance=0.0,
     )
 
 
@@ -279,7 +282,10 @@ def test_contacts_are_those_of_the_new_places(rng: Random) -> None:
     expect_close(place, (0.25, 0.0, 0.0), call=name, cause=seen, tolerance=1e-12)
     name = f"{about.call}; particle.velocity"
     expect_close(velocity, (2.0, 0.0, 0.0), call=name, tolerance=1e-12)
-    about.cause = "This particle has no contact, so it must keep its velocity."
+    about.cause = (
+        "The velocity of a particle that has no contact has changed. Resolve only the contacts, "
+        "and leave all other particles alone."
+    )
     name = f"{about.call}; another particle, far above: velocity"
     got = done["states"][1][1]
     expect_close(

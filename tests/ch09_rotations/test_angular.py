@@ -50,7 +50,11 @@ def test_a_point_of_what_turns() -> None:
     args = [Vector3(1, 0, 0), Vector3(), Vector3(), Vector3(0, 0, 2)]
     got = xyz(velocity_of_point(*args))
     slips = {
-        "the vector product with its factors swapped, (q - p) x w": (0.0, -2.0, 0.0),
+        "The factors of the vector product have been swapped, which gives (q - p) x w.": (
+            0.0,
+            -2.0,
+            0.0,
+        ),
         "the velocity without any rotation": (0.0, 0.0, 0.0),
         "the angular velocity itself": (0.0, 0.0, 2.0),
     }
@@ -73,10 +77,10 @@ def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
     )
     wanted = added(turning, v)
     slips = {
-        "only the part of the rotation, without the velocity p'": turning,
-        "the result for a rotation about the world's origin": added(about_world, v),
-        "the difference of w x (q - p) and p' instead of their sum": subtracted(turning, v),
-        "only the velocity p' of the object, without the rotation": v,
+        "The velocity p' of the object is missing from the result.": turning,
+        "This point rotates about the origin of the world instead of p.": added(about_world, v),
+        "The velocity p' has been subtracted instead of added.": subtracted(turning, v),
+        "Only the velocity p' of the object has been returned, and the rotation is missing.": v,
     }
     why = named(got, about.cause, slips)
     # Two products of up to 200 each.
@@ -191,7 +195,9 @@ def test_many_steps_about_one_axis(rng: Random) -> None:
     got = same_sign(got, wanted)
     expect_close(got, wanted, tolerance=1e-11)
     wanted = [p + h * count * r for p, r in zip(w, a, strict=True)]
-    about.cause = "Each step must add alpha h to the angular velocity."
+    about.cause = (
+        "The angular velocity after these steps is wrong. Each step must add alpha h to it."
+    )
     expect_close(after, wanted, call=f"{about.call[:-1]}w", tolerance=1e-11)
     expect_unchanged("alpha", alpha, a, cause=UNCHANGED)
 

@@ -110,8 +110,8 @@ def test_what_the_rates_make(rng: Random) -> None:
         wanted = map_of(x, y, z)
         about.call = f"rate_map({x}, {y}, {z})"
         about.cause = (
-            "Each column is the axis about which one of the angles rotates. For z this is Z "
-            "itself. For y it is Y, rotated by z. For x it is X, rotated by y and then by z."
+            "Each column of the map is the axis of one angle. The column of z is Z itself. The "
+            "column of y is Y, rotated by z. The column of x is X, rotated by y and then by z."
         )
         got = entries(rate_map(x, y, z))
         slips = {
@@ -150,7 +150,7 @@ def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
         there = map_of(*angles)
         slips = {
             "the angular velocity itself": w,
-            "the rate map times the angular velocity, which goes the other way": applied(there, w),
+            "The angular velocity has been multiplied by the rate map itself.": applied(there, w),
             "the transpose of the map times the angular velocity, which is right only for a "
             "rotation": applied(transposed(there), w),
         }

@@ -50,10 +50,11 @@ def test_a_matrix_times_a_vector(rng: Random) -> None:
     got = xyz(Matrix3(*m).transform(v))
     wanted = applied(m, a)
     slips = {
-        "each column times the vector, which is the product with the transpose": applied(
+        "Each column has been multiplied by the vector instead of each row.": applied(
             transposed(m), a
         ),
-        "the result of overwriting x before y and z are computed": in_place(m, a),
+        "The old x was overwritten before y and z were computed from it. Keep all three old "
+        "components until the result is complete.": in_place(m, a),
     }
     why = named(got, about.cause, slips)
     # Three products of numbers up to 90.
@@ -77,11 +78,11 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
     got = entries(first.product(second))
     slips = {
         "the product in the other order": times(n, m),
-        "the product of each number with the number in the same position": [
+        "Each number has been multiplied by the number in the same position.": [
             p * q for p, q in zip(m, n, strict=True)
         ],
-        "the product of rows with rows": times(m, transposed(n)),
-        "the product of columns with columns": times(transposed(m), n),
+        "Rows have been multiplied by rows.": times(m, transposed(n)),
+        "Columns have been multiplied by columns.": times(transposed(m), n),
         "the transpose of the product": transposed(times(m, n)),
     }
     why = named(got, about.cause, slips, times(m, n))
@@ -166,8 +167,8 @@ def determinant_slips(m: Nine) -> dict[str, float]:
     }
     return signs | {
         "the determinant with the wrong sign": -right,
-        "the product of the diagonal only": a * e * i,
-        "the sum of all six products, without the minus signs": a * e * i
+        "This is only the product of the three numbers on the diagonal.": a * e * i,
+        "All six products have been added, but three of them need a minus sign.": a * e * i
         + b * f * g
         + c * d * h
         + c * e * g
@@ -237,10 +238,10 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
         got = entries(matrix.inverse())
         product = times(n, got) if isinstance(got, tuple) and len(got) == 9 else got
         slips = {
-            "the result without dividing by the determinant": [
+            "The division by the determinant is missing.": [
                 determinant(n) * one for one in IDENTITY
             ],
-            "the result of dividing by the determinant twice": [
+            "The result has been divided by the determinant twice.": [
                 one / determinant(n) for one in IDENTITY
             ],
             "the result without the sign of the determinant": [-one for one in IDENTITY],
@@ -250,7 +251,7 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
         if product is not got and all(type(number) in (int, float) for number in got):
             back = times(n, transposed(got))
             if all(abs(b - one) < 1e-9 for b, one in zip(back, IDENTITY, strict=True)):
-                slips["the result with the rows and columns of the inverse swapped"] = product
+                slips["The rows and columns of the inverse have been swapped."] = product
         why = named(product, how, slips)
         expect_close(product, IDENTITY, cause=why, tolerance=TIGHT)
         expect_unchanged("m", entries(matrix), n, cause=UNCHANGED)

@@ -49,11 +49,12 @@ def test_a_point_is_transformed_and_moved(rng: Random) -> None:
     )
     got = xyz(Matrix4(*twelve).transform(v))
     slips = {
-        "the rotated point, without the translation": applied(m, a),
-        "the point translated first and then rotated": applied(m, added(a, p)),
+        "The translation is missing from this point.": applied(m, a),
+        "The point has been translated before it was rotated.": applied(m, added(a, p)),
         "the result with rows and columns swapped": moved(transposed(m), p, a),
-        "the point translated in the opposite direction": subtracted(applied(m, a), p),
-        "the result of taking the first nine entries as the matrix": applied(twelve[:9], a),
+        "The translation has been subtracted instead of added.": subtracted(applied(m, a), p),
+        "The first nine entries have been used as the rotation, but every fourth entry is a "
+        "translation.": applied(twelve[:9], a),
     }
     why = named(got, about.cause, slips)
     expect_close(got, moved(m, p, a), cause=why, tolerance=LOOSE)
@@ -71,25 +72,25 @@ def test_one_transformation_after_another(rng: Random) -> None:
     one, other = Matrix4(*first), Matrix4(*second)
     about.call = f"{written(first)}.product({written(second)})"
     about.cause = (
-        "The matrix m acts first, so its translation is a point like any other for self. "
-        "Transform it by self to get the last column."
+        "The matrix m acts first, and self then transforms every point. So transform the "
+        "translation of m by self to get the last column."
     )
     got = entries(one.product(other))
     wanted = joined(times(m, n), moved(m, p, q))
     slips = {
-        "the right product except for the last column, which adds the translations": joined(
+        "The last column is wrong, because the two translations have only been added.": joined(
             times(m, n), added(p, q)
         ),
-        "the right product except for the last column, which lacks the translation of self": joined(
+        "The last column is wrong, because the translation of self is missing from it.": joined(
             times(m, n), applied(m, q)
         ),
-        "the right product except for the last column, which is the translation of self": joined(
+        "The last column is wrong, because it is only the translation of self.": joined(
             times(m, n), p
         ),
-        "the right product except for the last column, which is the translation of m": joined(
+        "The last column is wrong, because it is only the translation of m.": joined(
             times(m, n), q
         ),
-        "the right product except the last column, which is translated before the rotation": joined(
+        "The last column is wrong, because both translations were rotated.": joined(
             times(m, n), applied(m, added(p, q))
         ),
         "the product in the other order": joined(times(n, m), moved(n, q, p)),
@@ -218,8 +219,9 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
                 "the result of the book's determinant, with a plus in place of a minus (E-28)": [
                     determinant(m) / printed_determinant(m) * component for component in a
                 ],
-                "the result of the book's listing, which reads entries that it has already "
-                "overwritten (E-30)": moved(*overwritten(m, p), there),
+                "This is the result of the book's listing. It reads entries that it has already "
+                "overwritten (E-30), so compute all entries "
+                "before you store them.": moved(*overwritten(m, p), there),
             }
             about.cause = named(got, about.cause, slips)
         expect_close(got, a, tolerance=LOOSE)

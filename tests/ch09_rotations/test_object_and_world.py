@@ -56,10 +56,10 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
     m = matrix_of(q)
     wanted = joined(m, p)
     slips = {
-        "the right matrix except for the last column, where the position is rotated": joined(
+        "The last column is wrong, because the position has been rotated.": joined(
             m, applied(m, p)
         ),
-        "the right matrix except for the last column, which is the negative position": joined(
+        "The last column is wrong, because the position has the wrong sign.": joined(
             m, subtracted((0.0, 0.0, 0.0), p)
         ),
         "The nine numbers are followed by the position. The entries go row by row, so each "
@@ -151,10 +151,11 @@ def world_slips(m: Nine, p: Components, a: Components) -> dict[str, Components]:
         "the vector rotated back first and then translated back": subtracted(applied(back, a), p),
         "the vector rotated back first and then translated forward": moved(back, p, a),
         "the vector translated forward and then rotated back": applied(back, added(a, p)),
-        "the result of an inverse, which is slower and undoes the scale of 1 + 4e-6 here": applied(
-            inverse, subtracted(a, p)
-        ),
-        "the vector rotated back by an inverse, which is slower and undoes the scale here": applied(
+        "This was computed with a general inverse, which is slower. It also undoes the scale of "
+        "this matrix, which is 1 + 4e-6. Subtract the translation and rotate back by the "
+        "transpose instead.": applied(inverse, subtracted(a, p)),
+        "This was computed with a general inverse, which is slower. It also undoes the scale of "
+        "this matrix, which is 1 + 4e-6. Rotate back by the transpose instead.": applied(
             inverse, a
         ),
     }
@@ -265,7 +266,7 @@ def test_a_motion_told_from_another_place(rng: Random) -> None:
     about.call = f"change_basis({written(first)}, {written(second)}) @ (basis @ Vector3{a})"
     about.cause = (
         "The result is the product basis * m * basis^-1. Both matrices have a translation here, "
-        "and the product must include it."
+        "so multiply complete Matrix4s and not only their rotations."
     )
     told = change_basis(Matrix4(*first), Matrix4(*second))
     got = entries(told)

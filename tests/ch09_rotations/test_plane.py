@@ -118,9 +118,9 @@ def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
     start, place, turn = complex(*point), complex(*origin), cmath.rect(1.0, angle)
     ends = {
         "a clockwise rotation": place + start / turn,
-        "the result of moving first and rotating afterward": (start + place) * turn,
-        "the rotated point, which has not been moved": start * turn,
-        "the moved point, which has not been rotated": place + start,
+        "The point has been moved before it was rotated.": (start + place) * turn,
+        "The point has been rotated but not moved.": start * turn,
+        "The point has been moved but not rotated.": place + start,
         "This is a rotation about origin. The point is given relative to the object, so rotate it "
         "about (0, 0) first and then add origin.": place + (start - place) * turn,
         "the result for an angle in degrees": place + start * cmath.rect(1.0, math.radians(angle)),
@@ -184,9 +184,9 @@ def test_the_center_of_two_masses_is_nearer_to_the_larger() -> None:
     )
     got = center_of_mass([6.0, 2.0], [(0.0, 0.0), (4.0, 8.0)])
     slips = {
-        "the sum of m x and m y, before the division": (8.0, 16.0),
-        "the sum divided by the number of masses": (4.0, 8.0),
-        "the mean of the positions, which ignores the masses": (2.0, 4.0),
+        "The sums of m x and m y have not been divided by the total mass.": (8.0, 16.0),
+        "The sums have been divided by the number of masses.": (4.0, 8.0),
+        "This is the mean of the positions, so the masses have been ignored.": (2.0, 4.0),
         "the result with the masses swapped": (3.0, 6.0),
     }
     expect_close(got, (1.0, 2.0), cause=named(got, about.cause, slips))
@@ -210,10 +210,10 @@ def test_the_center_of_many_masses(rng: Random) -> None:
         got = center_of_mass([*masses], [*positions])
         last = dict(pairs)
         slips = {
-            "the result of a dictionary with the masses as keys, which loses equal masses": [
-                math.floor(w) for w in wanted
-            ],
-            "the result of a dict by mass, which loses equal masses": [
+            "The result has been rounded down to a whole number, as // does. Divide with / "
+            "instead.": [math.floor(w) for w in wanted],
+            "Equal masses were lost, probably because the masses are the keys of a dictionary. "
+            "Use zip to go through both lists together.": [
                 math.fsum(m * p[axis] for m, p in last.items()) / math.fsum(last) for axis in (0, 1)
             ],
         }

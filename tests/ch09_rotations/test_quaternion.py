@@ -183,13 +183,21 @@ def test_the_conjugate_turns_back(rng: Random) -> None:
     q = draw_four(rng)
     quaternion = Quaternion(*q)
     about.call = f"q = Quaternion{q}; q.conjugate()"
-    about.cause = "Keep r, and change the signs of i, j and k. Return a new quaternion."
+    about.cause = (
+        "The conjugate has the same r, and the signs of i, j and k are reversed. Return it as a "
+        "new quaternion."
+    )
     got = rijk(quaternion.conjugate())
     r, i, j, k = q
     wanted = (r, -i, -j, -k)
     slips = {
-        "the result of changing all four signs, which is the same orientation": (-r, -i, -j, -k),
-        "the result of changing the sign of r instead of the other three": (-r, i, j, k),
+        "All four signs have been reversed, which gives the same orientation again.": (
+            -r,
+            -i,
+            -j,
+            -k,
+        ),
+        "The sign of r has been reversed instead of the other three signs.": (-r, i, j, k),
         "the original quaternion": q,
     }
     why = named(got, about.cause, slips)

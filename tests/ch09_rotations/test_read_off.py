@@ -137,8 +137,10 @@ def test_the_easy_inverse(rng: Random) -> None:
         f"{last} rotated forward instead of back": joined(
             t, subtracted((0.0, 0.0, 0.0), turned_on)
         ),
-        "the right position with a rotation that is not transposed": joined(m, (-x, -y, -z)),
-        "the original rotation with -p": joined(m, subtracted((0.0, 0.0, 0.0), p)),
+        "The position is right, but the rotation has not been transposed.": joined(m, (-x, -y, -z)),
+        "The rotation has not been transposed, and the position is only -p.": joined(
+            m, subtracted((0.0, 0.0, 0.0), p)
+        ),
     }
     why = named(got, about.cause, slips)
     # Rounding of numbers up to 17.
@@ -169,8 +171,8 @@ def test_the_easy_inverse_divides_by_nothing(rng: Random) -> None:
         twelve = joined(linear, p)
         about.call = f"easy_inverse({written(twelve)}), which is not a rotation"
         about.cause = (
-            "Use the transpose for every matrix, without a check and without a division. A "
-            "general inverse would divide by the determinant here."
+            "This matrix is not a rotation, but easy_inverse must not check that. Always use the "
+            "transpose. A general inverse would divide by the determinant and give another result."
         )
         got = entries(easy_inverse(Matrix4(*twelve)))
         x, y, z = applied(transposed(linear), p)

@@ -246,8 +246,10 @@ def expect_back(q: Quad) -> None:
     got = same_sign(rijk(Matrix3(*m).to_quaternion()), q)
     r, i, j, k = q
     slips = {
-        "the right quaternion except for the sign of r, or the signs of i, j and k": (-r, i, j, k),
-        "the right quaternion without its signs": [abs(component) for component in q],
+        "Either the sign of r is wrong, or the signs of i, j and k are.": (-r, i, j, k),
+        "All components are positive, so their signs have been lost.": [
+            abs(component) for component in q
+        ],
         "twice the quaternion": [2.0 * component for component in q],
         "half of the quaternion": [0.5 * component for component in q],
     }
@@ -304,7 +306,10 @@ def test_back_from_a_half_turn(rng: Random) -> None:
         expect_back(half_turn(axis))
         for short in (1e-3, 1e-9, -1e-9):
             expect_back(quad(axis, math.pi - short))
-    about.cause = "Several components have the largest size here. You can divide by any of them."
+    about.cause = (
+        "Two or three components are equally large here. You may divide by any of them, so check "
+        "that your comparison always chooses one of them."
+    )
     for axis in ((1.0, 1.0, 0.0), (1.0, 0.0, -1.0), (0.0, -1.0, 1.0), (1.0, 1.0, 1.0)):
         expect_back(half_turn(axis))
     about.cause = (

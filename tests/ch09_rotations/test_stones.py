@@ -112,12 +112,12 @@ def offset_slips(stones: Stones, angle: float) -> dict[str, float]:
     half = 0.5 * math.fsum(mass for _, mass in sides)
     offset = next(side for (side, _), mass in zip(sides, passed, strict=True) if mass >= half)
     return {
-        "the offset to the right instead of the left": -left_of(center, angle),
-        "the distance along the edge instead of the distance to the left of it": left_of(
+        "This offset is measured to the right instead of the left.": -left_of(center, angle),
+        "This distance is measured along the edge instead of to the left of it.": left_of(
             center, angle - 0.5 * math.pi
         ),
         "the result for an angle in degrees": left_of(center, math.radians(angle)),
-        "the offset with equal masses on both sides, where the box does not balance (E-32)": offset,
+        "Equal masses are on both sides of this edge, but the box does not balance (E-32).": offset,
     }
 
 
@@ -156,7 +156,10 @@ def test_it_balances_though_the_masses_differ() -> None:
     )
     got = masses_beside(stones, 0.0)
     slips = {
-        "half of the mass on each side, as in the book (E-32)": (2.0, 2.0),
+        "The mass has been divided equally between the two sides, as in the book (E-32).": (
+            2.0,
+            2.0,
+        ),
         "the result with left and right swapped": (3.0, 1.0),
         "the number of stones on each side instead of their mass": (1.0, 1.0),
         "the result for a line through the corner instead of the center of mass": (4.0, 0.0),
@@ -237,7 +240,10 @@ def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
     }[name]
     got, after = stones_after(name, stones)
     expect_unchanged("the list", after, stones)
-    about.cause = "The result is wrong for this list of stones."
+    about.cause = (
+        "The list is unchanged, but the result for these stones is wrong. Compare your formula "
+        "with the docstring."
+    )
     expect_close(got, wanted, tolerance=TIGHT)
 
 

@@ -44,15 +44,15 @@ def make_slips(axis: Components, angle: float) -> dict[str, Quad]:
     """Return the results of likely mistakes in from_axis_angle."""
     cosine, sine, length = math.cos(0.5 * angle), math.sin(0.5 * angle), math.hypot(*axis)
     return {
-        "the result for the whole angle instead of half of it": quad(axis, 2.0 * angle),
+        "The result uses the whole angle instead of half of it.": quad(axis, 2.0 * angle),
         "the result for the whole angle, with an axis that is not normalized": (
             math.cos(angle),
             *(component * math.sin(angle) for component in axis),
         ),
-        "the result without normalizing the axis": (cosine, *(c * sine for c in axis)),
+        "The axis has not been normalized.": (cosine, *(c * sine for c in axis)),
         "the result for an angle in degrees": quad(axis, math.radians(angle)),
         "the result with sine and cosine swapped": (sine, *(c / length * cosine for c in axis)),
-        "the result without multiplying the axis by the sine": (
+        "The axis has not been multiplied by the sine.": (
             cosine,
             *(c / length for c in axis),
         ),
@@ -185,16 +185,18 @@ def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
         got, turn = axis_angle_of((r, i, j, k))
         slips = {
             "half of the angle": 0.5 * angle,
-            "the angle of the longer way, which is above pi": math.tau - angle,
+            "This angle is greater than pi, so it is the longer way around.": math.tau - angle,
             "the angle in degrees": math.degrees(angle),
             "the angle with the wrong sign": -angle,
-            "half of the angle of the longer way": math.pi - 0.5 * angle,
+            "This is half of the angle of the longer way around.": math.pi - 0.5 * angle,
         }
         why = named(turn, about.cause, slips)
         expect_close(turn, angle, then="the angle", cause=why, tolerance=TIGHT)
         slips = {
-            "the axis of the longer way with the angle of the shorter one": [-c for c in wanted],
-            "(i, j, k) without normalizing": (i, j, k),
+            "The axis points in the opposite direction, so it does not fit the angle.": [
+                -c for c in wanted
+            ],
+            "This is (i, j, k), which has not been normalized.": (i, j, k),
         }
         why = named(got, about.cause, slips)
         expect_close(got, wanted, then="the axis", cause=why, tolerance=TIGHT)
@@ -324,7 +326,7 @@ def rotate_slips(q: Quad, v: Components) -> dict[str, Components]:
     back = (q[0], -q[1], -q[2], -q[3])
     once = hamilton(q, (0.0, *v))
     return {
-        "the result for a q whose r has lost its sign": turned((abs(q[0]), *q[1:]), v),
+        "The sign of r has been lost in the computation.": turned((abs(q[0]), *q[1:]), v),
         "q* (0, v) q, which rotates in the opposite direction": turned(back, v),
         "q (0, v), without q* on the right": once[1:],
         "(0, v) q*, without q on the left": hamilton((0.0, *v), back)[1:],

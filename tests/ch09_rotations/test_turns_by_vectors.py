@@ -41,7 +41,10 @@ def stepped(q: Quad, change: Quad, scale: float) -> Quad:
 def by_vector_slips(q: Quad, a: Components) -> dict[str, Quad]:
     """Return the results of likely mistakes in rotate_by."""
     left, right, size = hamilton((0.0, *a), q), hamilton(q, (0.0, *a)), math.hypot(*a)
-    product = "q times (0, vector), the book's listing, which is not a rotation (E-12)"
+    product = (
+        "This is q times (0, vector), as in the book's listing. The quaternion (0, vector) is not "
+        "a rotation (E-12), so make one from the vector with from_axis_angle."
+    )
     return {
         product: right,
         f"the normalized product {product}": unit(right),
@@ -143,23 +146,23 @@ def add_slips(q: Quad, a: Components, scale: float) -> dict[str, Quad]:
     for place in range(4):
         in_turn[place] += 0.5 * scale * hamilton((0.0, *a), in_turn)[place]
     return {
-        "the step without the 1/2 of Eq. 9.5": stepped(q, left, scale),
-        "the step without the scale": stepped(q, left, 0.5),
-        "the step with q times (0, vector), about the object's own axis": stepped(
-            q, right, 0.5 * scale
-        ),
-        "the normalized step, although add_scaled must not normalize (E-31)": unit(
-            stepped(q, left, 0.5 * scale)
-        ),
-        "the exact rotation of rotate_by instead of the first-order step": hamilton(
+        "The factor 1/2 of Eq. 9.5 is missing from this step.": stepped(q, left, scale),
+        "The scale is missing from this step.": stepped(q, left, 0.5),
+        "The factors are in the wrong order, so the step rotates about an axis of the object and "
+        "not of the world.": stepped(q, right, 0.5 * scale),
+        "The result has been normalized. The step of Eq. 9.5 changes the length a little (E-31), "
+        "but add_scaled must not correct this.": unit(stepped(q, left, 0.5 * scale)),
+        "This is the exact rotation that rotate_by makes. Here you must make the first-order step "
+        "of Eq. 9.5, which adds scale/2 times (0, vector) q to q.": hamilton(
             quad(a, scale * math.hypot(*a)), q
         ),
         "This was computed from components that had already been changed. Compute all four from "
         "the old q before you assign them.": in_turn,
-        "The quaternion has not changed. Assign the new values to the components of self, because "
-        "a new quaternion would be lost.": stepped((0.0, 0.0, 0.0, 0.0), left, 0.5 * scale),
-        "q + scale/2 (0, vector), without the product with q": stepped(q, (0.0, *a), 0.5 * scale),
-        "the original q; change it in place": q,
+        "The old q is missing from the result. Add the change to the components of q instead of "
+        "replacing them.": stepped((0.0, 0.0, 0.0, 0.0), left, 0.5 * scale),
+        "(0, vector) has not been multiplied by q.": stepped(q, (0.0, *a), 0.5 * scale),
+        "The quaternion has not changed. Change its components in place, because a new quaternion "
+        "would be lost.": q,
     }
 
 

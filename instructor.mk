@@ -82,7 +82,7 @@ else
 endif
 
 say-what-test-is:
-	@echo "This tests the companion itself, and takes $(if $(CH),half a minute,about 16 minutes)."
+	@echo "This tests the companion itself, and takes $(if $(CH),half a minute,about 13 minutes)."
 	@echo "To check what you wrote, run make check or make watch."
 
 .venv/extras: extras.lock $(READY)

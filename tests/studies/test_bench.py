@@ -163,7 +163,7 @@ def test_a_quotation_has_two_digits_of_the_one_line_that_it_begins() -> None:
         page = f"takes <!-- bench: {begins} -->99<!-- end --> times"
         assert with_quotations(page, ratios) == page.replace("99", shown)
     for begins, count in (("a clo", 2), ("a chain", 0)):
-        with pytest.raises(ValueError, match=f"{count} lines of make bench begin with '{begins}'"):
+        with pytest.raises(ValueError, match=f"must begin with '{begins}', got {count}"):
             with_quotations(f"<!-- bench: {begins} -->1<!-- end -->", ratios)
 
 

@@ -172,7 +172,9 @@ def test_two_pages_lose_no_mark_of_each_other(
     page.wait("status", "Saved: 0 of 1.")
     other.press("h")  # it goes nowhere: 1 is the most
     other.tab.check("#points input >> nth=1")
-    other.wait("trouble", "Another page has changed this mark. It gives 0 points.")
+    other.wait(
+        "trouble", "This mark has been changed on another page in the meantime. It gives 0 points."
+    )
     assert marks_in(folder)[0] == ("2.2b", "0", "")
     other.tab.click("text=Save mine")
     other.wait("status", "Saved: 0.5 of 1.")

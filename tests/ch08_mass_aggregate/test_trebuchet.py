@@ -25,15 +25,15 @@ NAMES = ("counterweight", "short_arm", "long_arm", "sling", "release_angle")
 def draw_design(rng: Random) -> tuple[float, ...]:
     """Draw counterweight, short arm, long arm, sling and release angle of a good trebuchet.
 
-    It is small, so it throws within 0.9 s, and steps of 1/60 s would get its range wrong.
+    It is small and lets go early, within 0.8 s, and steps of 1/60 s would get its range wrong.
     """
-    short = positive_number(rng, 0.48, 0.52)
+    short = positive_number(rng, 0.37, 0.4)
     return (
         positive_number(rng, 350.0, 400.0),
         short,
         2.0 * short,
         short,
-        positive_number(rng, 25.0, 35.0),
+        positive_number(rng, 42.0, 50.0),
     )
 
 

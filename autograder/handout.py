@@ -51,7 +51,7 @@ shows which functions belong to which section of the book. Write your answers to
 into `answers.md`. When you are done, hand in the folders under `chapters/` that you have edited.
 Only the files that the table of exercises names are graded, so put helper functions into them, too.
 """
-PAGE_LINK = re.compile(r"(?<!!)\[([^\[\]]*)\]\(([^)#:\s]+\.md)(?:#[^)]*)?\)")
+PAGE_LINK = re.compile(r"(?<!!)\[([^\[\]]*)\]\(([^)#:\s]+\.(?:md|py))(?:#[^)]*)?\)")
 CHARTS = "ch08_charts.py"  # scenes for charts of the reference, which hand-outs do not need
 KEPT_README = """\
 This folder has the original stubs, which `make reset` restores. Do not edit or hand in these files.
@@ -105,9 +105,7 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
         _copy([file], out / file.parent.relative_to(root))
     _copy_lab(root, out, [chapter.name for chapter in (*chapters, *given)])
     _copy([root / "chapters" / "README.md"], out / "chapters")
-    errata = (root / "errata.md").read_text(encoding="utf-8")
-    without_links = re.sub(r"\[(\w+)\]\(tests/[^)]*\)", r"\1", errata)  # hand-outs lack these tests
-    (out / "errata.md").write_text(without_links, encoding="utf-8", newline="\n")
+    _copy([root / "errata.md"], out)
     stubs = make_stubs(root)
     for chapter in [*chapters, *given]:
         source = root / "chapters" / chapter.name
@@ -139,7 +137,7 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
 
 
 def _remove_dead_links(out: Path) -> None:
-    """Turn links to pages that the hand-out lacks, such as later lessons, into plain text."""
+    """Turn links to files that the hand-out lacks, such as later lessons, into plain text."""
     for page in out.rglob("*.md"):
         text = page.read_text(encoding="utf-8")
         dead = [m for m in PAGE_LINK.finditer(text) if not (page.parent / m[2]).exists()]

@@ -25,6 +25,10 @@ ONLY_COMPUTES = (
     "An engine only computes. Remove code that writes files, reads files outside the engine, "
     "starts programs or threads, or uses the network. None of it works where your code is graded."
 )
+NO_KEYBOARD = (
+    "Your code waits for keyboard input, but nobody can type anything during a check. Remove the "
+    "call to input or breakpoint."
+)
 # Mistakes in Python whose error messages are hard to understand, recognized by a part of the
 # message. The cause that the check suggests is about physics, so the explanation replaces it.
 SLIPS = (
@@ -34,16 +38,8 @@ SLIPS = (
         "Your code stops the Python interpreter, so the check cannot continue. Remove the call to "
         "sys.exit, exit or quit.",
     ),
-    (
-        "EOF when reading",
-        "Your code waits for keyboard input, but nobody can type anything during a check. Remove "
-        "the call to input or breakpoint.",
-    ),
-    (
-        "BdbQuit",
-        "Your code waits for keyboard input, but nobody can type anything during a check. "
-        "Remove the call to input or breakpoint.",
-    ),
+    ("EOF when reading", NO_KEYBOARD),
+    ("BdbQuit", NO_KEYBOARD),
     (
         "circular import",
         "Two files import each other, so neither can be loaded first. Remove one of the imports, "

@@ -41,8 +41,8 @@ def release(
 
     If ``exercises`` is not empty, write only these exercises. If ``submissions`` and ``grades`` are
     given, also write a page for each student that compares the student's own solutions with the
-    reference. ``roster`` is the roster with which the class was graded, because the
-    results have its names.
+    reference. ``roster`` is the roster with which the class was graded, because the results have
+    its names.
 
     Raises:
         ValueError: The folder cannot be used, or an exercise, the reference or the class is

@@ -11,7 +11,7 @@ from autograder.reports.gradebook import FORMULA
 from autograder.submissions.csv_rows import Table, read_csv
 
 COLUMNS = ("id", "name", "email", "login")
-UNIQUE = ("id", "email", "login")  # columns by which a platform identifies a student
+UNIQUE = ("id", "email", "login")  # columns that identify a student on a platform
 
 
 @dataclass(frozen=True)

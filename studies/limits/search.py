@@ -205,7 +205,7 @@ def drag_limits() -> list[Bound]:
 
 
 def drag_factor(name: str, z: float) -> float:
-    """Return the factor by which a step multiplies a speed under drag alone.
+    """Return the factor that a step multiplies a speed by, if only drag acts.
 
     ``z`` is k1 h / m. Integrators use the force of chapter 5. The other methods use their damper
     without a spring.

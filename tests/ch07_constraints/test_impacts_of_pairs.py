@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from random import Random
-from typing import Any
 
 import pytest
 
@@ -19,22 +18,12 @@ from expect import (
     expect_close,
     expect_exactly,
     expect_unchanged,
-    scoped,
     xyz,
 )
+from impacts import expect_impact
 
 ZERO, UP = (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)
 PAIRS = "the docstring of ParticlePairs.next_impact"
-
-
-@scoped
-def expect_impact(impact: Any) -> Any:
-    """Expect an impact, as time and contact, and return it."""
-    why = "There is an impact here, so the result must be a tuple (time, contact)."
-    about.cause = f"{why} {about.cause}"
-    pair = isinstance(impact, (tuple, list)) and len(impact) == 2
-    expect_exactly(pair, True, then=" is (time, contact)")
-    return impact
 
 
 @pytest.mark.exercise("B7.11")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from random import Random
-from typing import Any
 
 import pytest
 
@@ -23,20 +22,11 @@ from expect import (
     scoped,
     xyz,
 )
+from impacts import expect_impact
 
 ZERO, UP = (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)
 GROUND = "the docstring of GroundPlane.next_impact"
 PAIRS = "the docstring of ParticlePairs.next_impact"
-
-
-@scoped
-def expect_impact(impact: Any) -> Any:
-    """Expect an impact, as time and contact, and return it."""
-    why = "There is an impact here, so the result must be a tuple (time, contact)."
-    about.cause = f"{why} {about.cause}"
-    pair = isinstance(impact, (tuple, list)) and len(impact) == 2
-    expect_exactly(pair, True, then=" is (time, contact)")
-    return impact
 
 
 @pytest.mark.exercise("B7.10")

@@ -71,15 +71,15 @@ def thrown(
     time, h = 0.0, STEP
     while time < TIME_LIMIT and PIVOT_HEIGHT + projectile(state)[1] > 0.0:
         after = stepped(state, h)
-        if flies(after) and h == STEP:
+        if not flies(after):
+            state, time = after, time + h
+        elif h == STEP:
             h = LAST_STEP  # make this step again, in shorter ones
-            continue
-        state, time = after, time + h
-        if flies(state):
-            x, rise, vx, vy = projectile(state)
+        else:
+            x, rise, vx, vy = projectile(after)
             start = long_arm * math.sin(START) - sling
             gained = PROJECTILE * (G * (rise - start) + 0.5 * (vx * vx + vy * vy))
-            sunk = short_arm * (math.sin(START - BEND) - math.sin(state[0] - BEND))
+            sunk = short_arm * (math.sin(START - BEND) - math.sin(after[0] - BEND))
             flight = (vy + math.sqrt(vy * vy + 2.0 * G * (PIVOT_HEIGHT + rise))) / G
             return x + vx * flight, gained / (counterweight * G * sunk)
     return 0.0, 0.0

@@ -74,11 +74,9 @@ class Chain:
 
     def by_its_angles(self) -> AngleChain:
         """Describe the chain by its angles. If all masses are equal, return an AngleRope."""
-        first = self.masses[0]
-        if all(mass == first for mass in self.masses):
-            return AngleRope(
-                self.length, first, [self.angle] * len(self.masses), None, self.gravity
-            )
+        _, masses, angles = self.angles()
+        if len(set(masses)) == 1:
+            return AngleRope(self.length, masses[0], angles, gravity=self.gravity)
         return AngleChain(*self.angles(), gravity=self.gravity)
 
     def truth(self) -> Callable[[float], Place]:

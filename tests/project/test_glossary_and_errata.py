@@ -119,14 +119,15 @@ def test_a_chapter_links_to_the_glossary_and_to_the_errata(chapter: Chapter) -> 
     assert {"../../glossary.md", "../../errata.md", "README.md"} <= {*reference}
 
 
-# number, section, evidence, printed text (or the text of our copy), correct text, difference, tests
+PRINTED_IN = r"(?:[Ss]ection [2-9](?:\.\d+){1,2}|Eq\. [2-9]\.\d+|Exercise [2-9]\.\d+)"
+# number, section, evidence, text of the book (or of our copy), correct text, example, tests
 ERRATUM = re.compile(
     r"### (E-\d+) \*\*.+?\.\*\* "
-    rf"Section: ({SECTION}(?:, {SECTION})*)\. "
-    r"Evidence: ((?:listing|text|number|formula|doubtful)(?:, \w+)*)\. "
-    r"- \*\*(Printed|In our copy):\*\* (\S.+?) "
-    r"- \*\*Right:\*\* (\S.+?) "
-    r"- \*\*Difference:\*\* (\S.+?)(?: - \*\*Test:\*\* (\S.+?))?(?: About .+)?"
+    rf"\*({PRINTED_IN}(?: and {PRINTED_IN})?)\. "
+    r"Evidence: ((?:listing|text|number|formula|doubtful)(?:, \w+)*)\.\* "
+    r"- \*\*(In the book|In our copy):\*\* (\S.+?) "
+    r"- \*\*Correct:\*\* (\S.+?) "
+    r"- \*\*Example:\*\* (\S.+?)(?: - \*\*Test:\*\* (\S.+?))?(?: About .+)?"
 )
 
 
@@ -164,14 +165,14 @@ def test_an_erratum_has_evidence_both_forms_what_tells_them_apart_and_its_tests(
 ) -> None:
     found = ERRATUM.fullmatch(entry)
     assert found, entry
-    number, _, evidence, printed, *_, difference, shown = found.groups()
+    number, _, evidence, label, *_, example, shown = found.groups()
     certain = part == "The entries"
-    assert printed == ("Printed" if certain else "In our copy")
+    assert label == ("In the book" if certain else "In our copy")
     kinds = evidence.split(", ")
     assert {*kinds} <= {"listing", "text", "number", "formula", "doubtful"}
     assert ("doubtful" in kinds) is not certain
     assert kinds != ["formula"], "small marks of a formula may be lost in a scan"
-    assert re.search(r"\d", difference) or number == "E-35", "a number shows the difference"
+    assert re.search(r"\d", example) or number == "E-35", "the example has a number"
     named = f"test_{number.lower().replace('-', '')}"
     linked = re.findall(r"\[(\w+)\]\(([^)]+)\)", shown or "")
     there = {

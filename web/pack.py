@@ -1,4 +1,4 @@
-"""Pack the files for Pyodide: course.zip and Python's library, compiled where that saves time.
+"""Pack the files for Pyodide: course.xz and Python's library, compiled where that saves time.
 
 The course is a hand-out of all chapters, together with those parts of pytest and of the tools that
 a check or a scene imports. Two builds from the same sources produce identical files.
@@ -22,7 +22,6 @@ from web.imports import imported_by
 from web.node import PACKAGES, WEB, run_node
 
 KEPT = ROOT / "build" / "python-library"
-CHECKED = ("chapters", "tests")  # these stay source code, because tracebacks show it
 OURS = ("autograder", "lab", "studies", "web")
 # Packages copied whole, because pytest finds their parts by name, and packages used only in part.
 WHOLE, IN_PART = ("_pytest", "pytest", "pluggy", "iniconfig"), ("packaging", "py", "pygments")
@@ -34,7 +33,7 @@ LEFT_OUT += " smtplib. ftplib. poplib."
 
 
 def pack(out: Path, *, with_solutions: bool = False) -> None:
-    """Write ``course.zip`` and ``pyodide/python_stdlib.zip`` into a folder.
+    """Write ``course.xz``, a zip in xz format, and ``pyodide/python_stdlib.zip`` into a folder.
 
     ``with_solutions`` adds the compiled modules of the reference, for students who skip a chapter.
     The compiled library is kept in build/ and reused, because compiling it takes most of the time.
@@ -67,8 +66,9 @@ def _stage_course(folder: Path, *, with_solutions: bool) -> None:
         _copy_tree(ROOT / "web" / "python", handout / "web" / "python", "*.py")
         text = '"""The course in a browser."""\n'
         (handout / "web" / "__init__.py").write_text(text, encoding="utf-8")
-        for part in CHECKED:
-            _copy_tree(handout / part, folder / part, "*")
+        # The pages' data has the stubs and the given modules of the chapters.
+        _copy_tree(handout / "chapters", folder / "chapters", "chapter.toml")
+        _copy_tree(handout / "tests", folder / "tests", "*")
         for name in ("stubs.lock", "LICENSE"):
             shutil.copyfile(handout / name, folder / name)
         # pytest reads its settings in every run, and a whole file takes a seventh of a short one.
@@ -79,10 +79,6 @@ def _stage_course(folder: Path, *, with_solutions: bool) -> None:
         roots += handout.glob("tests/**/*.py")
         for file in imported_by(roots, [handout], OURS):
             _copy(file, handout, folder)
-    for pattern in ("chapters/**/*.png", "chapters/**/*.gif", "chapters/**/*.md"):
-        for file in folder.glob(pattern):
-            if file.name != "answers.md":
-                file.unlink()
     if with_solutions:
         _copy_tree(ROOT / "solutions", folder / "solutions", "*.py")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import bisect
 import io
 from pathlib import Path
 
@@ -9,7 +10,8 @@ from PIL import Image, ImageChops, ImageStat
 
 from autograder.manifest import ROOT
 
-PALETTES = (64, 128)  # numbers of colors to try before the full picture is kept
+PALETTES = range(8, 200, 8)  # numbers of colors to try before the full picture is kept
+ROUNDS = 3  # of k-means, which fits the colors of a palette to the picture
 UNSEEN = 2.5  # root-mean-square difference, out of 255, that nobody sees
 
 
@@ -31,15 +33,21 @@ def copy_pictures(out: Path) -> dict[str, dict[str, object]]:
 
 
 def _packed(picture: Image.Image) -> bytes:
-    """Return a picture in WebP format. It has fewer colors if the difference is invisible."""
+    """Return a picture in WebP format, with as few colors as possible without a visible change."""
     full = picture.convert("RGB")
-    for colors in PALETTES:
-        less = full.quantize(
-            colors, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE
-        ).convert("RGB")
-        if max(ImageStat.Stat(ImageChops.difference(full, less)).rms) <= UNSEEN:
-            full = less
-            break
+    first = bisect.bisect_left(PALETTES, True, key=lambda colors: _looks_same(full, colors))
     packed = io.BytesIO()
-    full.save(packed, "WEBP", lossless=True, quality=60, method=4)
+    less = _with_colors(full, PALETTES[first]) if first < len(PALETTES) else full
+    less.save(packed, "WEBP", lossless=True, quality=100, method=4)
     return packed.getvalue()
+
+
+def _looks_same(full: Image.Image, colors: int) -> bool:
+    difference = ImageChops.difference(full, _with_colors(full, colors))
+    return max(ImageStat.Stat(difference).rms) <= UNSEEN
+
+
+def _with_colors(full: Image.Image, colors: int) -> Image.Image:
+    return full.quantize(
+        colors, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE, kmeans=ROUNDS
+    ).convert("RGB")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -12,7 +11,7 @@ import pytest
 import browser as browsers
 import course_site
 from copies import reference
-from course_site import BELOW, Served, built_with_solutions, served_site
+from course_site import BELOW, Served, built_with_solutions, pack_in, served_site
 from site_page import check, turn, visit, write
 
 browser = pytest.fixture(browsers.browser_alone, scope="module")
@@ -27,7 +26,7 @@ def generous(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
 
 
 def names_in(folder: Path) -> list[str]:
-    with zipfile.ZipFile(folder / BELOW / "course.zip") as archive:
+    with pack_in(folder / BELOW) as archive:
         return archive.namelist()
 
 

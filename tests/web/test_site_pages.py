@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import io
+import lzma
 import re
 import zipfile
 import zlib
@@ -15,7 +17,7 @@ import browser as browsers
 import course_site
 import site_page
 from autograder.manifest import ROOT, load_chapters
-from course_site import BELOW, Served
+from course_site import BELOW, Served, pack_in
 from site_page import accessible, turn, visit
 from web.stills import scenes_of_students
 
@@ -112,24 +114,26 @@ SOURCES = ("web/page/**/*.js", "lab/page/*.js")
 
 
 def test_the_site_is_small(site: Served) -> None:
-    """All of it takes at most 20 MB, and what is ours 1.5 MB as it is sent, pictures left out.
+    """All of it takes at most 20 MB, and what is ours 1.5 MB as it is sent.
 
     Not ours are Pyodide with Python's library, pytest, CodeMirror and the other libraries of the
-    scripts. The pictures of the lessons take at most 0.6 MB more.
+    scripts, and the licenses of all these.
     """
     folder = site.folder / BELOW
     files = {f.relative_to(folder).as_posix(): f for f in folder.rglob("*") if f.is_file()}
     assert sum(file.stat().st_size for file in files.values()) <= 20_000_000
-    others = re.compile(r"pyodide/|vendor/|assets/.*\.(js|txt)|course\.zip|figures/")
+    others = re.compile(r"pyodide/|vendor/|assets/.*\.(js|txt)|course\.xz")
     ours = [file for name, file in files.items() if not others.match(name)]
     ours += [file for pattern in SOURCES for file in ROOT.glob(pattern)]
     sent = sum(
         len(zlib.compress(f.read_bytes())) if f.suffix in TEXT else f.stat().st_size for f in ours
     )
-    with zipfile.ZipFile(folder / "course.zip") as archive:
-        sent += sum(e.compress_size for e in archive.infolist() if e.filename.startswith("course/"))
-    assert sent <= 1_500_000
-    assert sum(file.stat().st_size for file in folder.glob("figures/*")) <= 600_000
+    course = io.BytesIO()
+    with pack_in(folder) as pack, zipfile.ZipFile(course, "w") as archive:
+        for entry in pack.infolist():
+            if re.match(r"course/(?!licenses/)", entry.filename):
+                archive.writestr(entry, pack.read(entry))
+    assert sent + len(lzma.compress(course.getvalue())) <= 1_500_000
 
 
 def test_search_finds_a_term_and_an_exercise(visitor: Any, site: Served) -> None:

@@ -1,4 +1,4 @@
-"""Compile /in/library and the course, and write the zips to /out. Runs in Pyodide under Node.
+"""Compile /in/library and the course, and pack them into /out. Runs in Pyodide under Node.
 
 Importing a compiled module takes a fifth of the time. The student's modules, the checks and the
 scenes are not compiled. Tracebacks show their source code, and the list of scenes is read from it.
@@ -6,6 +6,8 @@ Compiling the checks would save a tenth of a second once per chapter, but would 
 """
 
 import importlib.util
+import io
+import lzma
 import marshal
 import sys
 import zipfile
@@ -18,37 +20,44 @@ SOURCE = ("chapters", "tests", "scenes")  # folders
 MAGIC = importlib.util.MAGIC_NUMBER + (1).to_bytes(4, "little")  # 1: the source is not checked
 
 
-def packed(folder: Path, place: str, prefix: str = "") -> dict[str, bytes]:
+def packed(folder: Path, place: str, prefix: str = "", optimize: int = 0) -> dict[str, bytes]:
     """Return the files of a folder with most of the modules compiled.
 
-    `place` is the folder in which they will be at run time.
+    `place` is the folder in which they will be at run time. `optimize` is Python's level of
+    optimization: at level 2, modules have no docstrings.
     """
     files = {}
     for path in folder.rglob("*"):
         if path.is_file():
             name, data = path.relative_to(folder).as_posix(), path.read_bytes()
             if name.endswith(".py") and not set(name.split("/")) & set(SOURCE):
-                data, name = compiled(data, f"{place}/{name}"), f"{name}c"
+                data, name = compiled(data, f"{place}/{name}", optimize), f"{name}c"
             files[prefix + name] = data
     return files
 
 
-def compiled(source: bytes, place: str) -> bytes:
+def compiled(source: bytes, place: str, optimize: int) -> bytes:
     """Return the contents of a .pyc file, for a module that will be at this path."""
-    code = compile(source, place, "exec", dont_inherit=True)
+    code = compile(source, place, "exec", dont_inherit=True, optimize=optimize)
     return MAGIC + importlib.util.source_hash(source) + marshal.dumps(code)
 
 
-def write_zip(name: str, files: dict[str, bytes]) -> None:
-    """Write a zip that is identical, byte for byte, in every build."""
-    with zipfile.ZipFile(f"/out/{name}", "w") as archive:
+def zipped(files: dict[str, bytes], method: int) -> bytes:
+    """Return a zip that is identical, byte for byte, in every build."""
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w") as archive:
         for path in sorted(files):
             info = zipfile.ZipInfo(path, (2020, 1, 1, 0, 0, 0))
             info.external_attr = 0o644 << 16
-            archive.writestr(info, files[path], zipfile.ZIP_DEFLATED, 9)
+            archive.writestr(info, files[path], method, 9)
+    return content.getvalue()
 
 
 if Path("/in/library").exists():  # otherwise an earlier build has kept it
-    write_zip("pyodide/python_stdlib.zip", packed(Path("/in/library"), LIBRARY))
+    library = zipped(packed(Path("/in/library"), LIBRARY), zipfile.ZIP_DEFLATED)
+    Path("/out/pyodide/python_stdlib.zip").write_bytes(library)
 packages = packed(Path("/in/packages"), SITE, "packages/")
-write_zip("course.zip", packages | packed(Path("/in/course"), COURSE, "course/"))
+course = packages | packed(Path("/in/course"), COURSE, "course/", optimize=2)
+# Files that are compressed together take a third less than in a zip that compresses each by itself.
+together = lzma.compress(zipped(course, zipfile.ZIP_STORED))
+Path("/out/course.xz").write_bytes(together)

@@ -1,19 +1,17 @@
 // The site's data about the course: an outline, and the files and exercises of each chapter.
 
 import {site} from "./dom.js";
+import {packedAt} from "./packed.js";
 
 const loading = new Map();
 
 // Fetch packed data, once.
 export function packed(name) {
-  if (!loading.has(name)) loading.set(name, fetched(name).catch((error) => (loading.delete(name), Promise.reject(error))));
+  if (!loading.has(name)) {
+    const data = packedAt(site(`data/${name}.data`));
+    loading.set(name, data.catch((error) => (loading.delete(name), Promise.reject(error))));
+  }
   return loading.get(name);
-}
-
-async function fetched(name) {
-  const answer = await fetch(site(`data/${name}.data`));
-  if (!answer.ok) throw new Error(`${name} could not be loaded (${answer.status}). Are you offline?`);
-  return new Response(answer.body.pipeThrough(new DecompressionStream("deflate"))).json();
 }
 
 export const outline = () => packed("course");

@@ -5,10 +5,13 @@ from __future__ import annotations
 import contextlib
 import fcntl
 import functools
+import io
 import json
+import lzma
 import os
 import shutil
 import threading
+import zipfile
 import zlib
 from collections.abc import Callable, Iterator
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
@@ -46,6 +49,11 @@ def built_with_solutions(factory: pytest.TempPathFactory) -> Path:
         data.write_bytes(zlib.compress(json.dumps({**course, "solutions": True}).encode()))
 
     return _made_once(factory, "site-with-solutions", make)
+
+
+def pack_in(site: Path) -> zipfile.ZipFile:
+    """Open the files that a site has packed for Python."""
+    return zipfile.ZipFile(io.BytesIO(lzma.decompress((site / "course.xz").read_bytes())))
 
 
 def _made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path], object]) -> Path:

@@ -1,16 +1,20 @@
 // Python in its own thread. It receives the messages of engines.js, and Python answers them.
 
+import {packedAt} from "../packed.js";
+
 const UNPACK = `
-import os, sys, zipfile
+import io, lzma, os, sys, zipfile
 places = {"packages": next(path for path in sys.path if path.endswith("site-packages")), "course": "/course"}
-with zipfile.ZipFile("/course.zip") as archive:
+with lzma.open("/course.xz") as packed:
+    content = io.BytesIO(packed.read())
+with zipfile.ZipFile(content) as archive:
     for name in archive.namelist():
         part, _, path = name.partition("/")
         file = f"{places[part]}/{path}"
         os.makedirs(os.path.dirname(file), exist_ok=True)
         with open(file, "wb") as target:
             target.write(archive.read(name))
-os.remove("/course.zip")
+os.remove("/course.xz")
 sys.path.insert(0, "/course")
 `;
 const POLLS = 16; // the number of times that Python asks before the clock is read again
@@ -42,9 +46,19 @@ const forPython = {
   },
 };
 
+// Return the path and the text of each stub and given module. The pack has no copy of them, because the
+// pages have them as well.
+async function chapterFiles(base) {
+  const data = (name) => packedAt(new URL(`data/${name}.data`, base));
+  const {chapters} = await data("course");
+  const each = await Promise.all(chapters.map(({name}) => data(name)));
+  return each.flatMap(({files, complete}) => Object.entries({...files, ...complete}));
+}
+
 async function start(base) {
   const folder = new URL("pyodide/", base).href;
-  const course = fetch(new URL("course.zip", base)).then((answer) => answer.arrayBuffer());
+  const course = fetch(new URL("course.xz", base)).then((answer) => answer.arrayBuffer());
+  const chapters = chapterFiles(base);
   const {loadPyodide} = await import(`${folder}pyodide.mjs`);
   const python = await loadPyodide({
     indexURL: folder.replace("file://", ""), // Node, in which tests run this, needs a path
@@ -52,8 +66,9 @@ async function start(base) {
     stdout: quiet,
     stderr: quiet,
   });
-  python.FS.writeFile("/course.zip", new Uint8Array(await course));
+  python.FS.writeFile("/course.xz", new Uint8Array(await course));
   python.runPython(UNPACK);
+  for (const [path, text] of await chapters) python.FS.writeFile(`/course/chapters/${path}`, text);
   python.registerJsModule("worker", forPython);
   python.setInterruptBuffer(clock);
   const main = python.pyimport("web.python.browser.main");

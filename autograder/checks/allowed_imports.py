@@ -1,8 +1,8 @@
-"""Let a student's code import only the Python standard library and the chapters.
+"""Let a student's code import only Python's standard library and the chapters.
 
-The grader has no installed packages. It has only the files that were handed in and the files that
-are given. An import that fails in the grader must therefore fail on the student's machine too, on
-the same line and with the same message from Python.
+In the grader no other packages are installed, and it has only the files that were handed in and the
+given ones. An import that will fail there should fail at home as well, so that the student finds
+out in time. It fails on the same line and with the same message from Python.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ CHAPTER = re.compile(r"ch\d\d_\w+")
 
 
 def limit_imports(code: StudentsCode) -> None:
-    """From now on, refuse every import by the student's code that would fail in the grader."""
+    """Make every import that would fail in the grader fail in the student's code from now on."""
     real_import, real_import_module = builtins.__import__, importlib.import_module
 
     def guarded_import(
@@ -48,10 +48,7 @@ def limit_imports(code: StudentsCode) -> None:
 
 
 def _refuse(code: StudentsCode, name: str, package: str | None, fromlist: Sequence[str]) -> None:
-    """Raise the error that the import of ``name`` would raise in the grader.
-
-    If the import would succeed, return without an error.
-    """
+    """Raise the error that importing ``name`` would cause in the grader, if it would cause one."""
     if name.startswith("."):
         try:
             name = importlib.util.resolve_name(name, package)

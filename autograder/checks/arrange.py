@@ -1,4 +1,7 @@
-"""Prepare the files and settings for a process that runs checks."""
+"""Put together the files and settings that a check process needs.
+
+A check process is the program that runs the checks of one chapter on one student's code.
+"""
 
 from __future__ import annotations
 
@@ -13,16 +16,16 @@ from autograder.message import Message
 
 @dataclass(frozen=True)
 class Behind:
-    """The settings for running untrusted code in worker processes inside a sandbox.
+    """How to run a student's code in worker processes that are locked into a sandbox.
 
-    ``level`` names the layers of the sandbox (a sandbox.Level as a dict). If ``fresh`` is set, each
-    check gets a new interpreter. ``missing`` maps each rejected module to the reason for its
-    rejection.
+    ``level`` says which layers of the sandbox this machine offers (it is a sandbox.Level, as a
+    dict). With ``fresh``, each check gets a new interpreter. ``missing`` explains for each module
+    of the submission that we rejected why we did so. ``compiled`` is a folder where the compiled
+    code of a submission is kept from one run to the next.
 
-    ``hidden`` is a folder of additional checks. Students see only the rationale of a hidden check.
-    If ``for_instructor`` is set, the result contains the full messages, so set it only if students
-    will not read the result. ``compiled`` is a folder in which the compiled code of a submission is
-    kept between runs.
+    ``hidden`` is a folder of additional checks, of which students see only the rationale. The full
+    messages are in the result only if ``for_instructor`` is set. Set it only for results that
+    students will not read.
     """
 
     level: dict[str, bool]
@@ -35,9 +38,9 @@ class Behind:
 
 @dataclass(frozen=True)
 class Workers:
-    """The settings with which a check process starts its worker processes.
+    """What a check process needs to know in order to start its workers.
 
-    ``probes`` is the folder of the probes. ``compiled`` is the folder for compiled code.
+    ``probes`` and ``compiled`` are the folders for the probes and for the compiled code.
     """
 
     level: dict[str, bool]
@@ -49,12 +52,14 @@ class Workers:
 
 @dataclass(frozen=True)
 class Arranged:
-    """The files and names that a check process works with. Paths are strings, as in JSON.
+    """The files and names that a check process works with.
 
-    ``known`` lists the exercises of the chapter. ``edits`` lists the functions that students write,
-    for each exercise. ``modules`` are imported before the checks. ``complete`` lists the files that
-    students call but do not write. ``graded`` maps each chapter's folder to its files that also
-    exist in the grader.
+    Paths are strings, since JSON has no paths.
+
+    ``known`` lists the exercises of the chapter, and ``edits`` the functions that students write
+    for each of them. ``modules`` must be imported before the checks. ``complete`` lists the files
+    that students call but did not write. For each chapter's folder, ``graded`` lists the files that
+    exist in the grader too.
     """
 
     root: str
@@ -71,11 +76,11 @@ class Arranged:
 
 @dataclass(frozen=True)
 class Config:
-    """The configuration of a check process: its files, its settings and the remaining checks.
+    """All that a check process has to know: its files, its settings and which checks to run.
 
     If ``apart`` is set, the checks of each exercise run in a forked copy of the process. ``broken``
-    maps each module that cannot be imported to the reason. ``done`` names the checks that already
-    have a verdict.
+    explains for each module that cannot be imported why that is so. ``done`` names the checks that
+    already have a verdict, and that need not run again.
     """
 
     arranged: Arranged
@@ -91,13 +96,13 @@ class Config:
 def arrange(
     folder: Path, chapter: Chapter, engine: list[Path], root: Path, behind: Behind | None
 ) -> Arranged:
-    """Prepare ``folder`` for a check process, and return the paths and names that it works with."""
+    """Put the files for a check process into ``folder``, and return their paths and names."""
     chapters = [*chapters_below(chapter, root), chapter]
     hidden = _put_hidden_checks(folder, chapter, root, behind)
     return Arranged(
         root=str(root_of_checks(folder, root, behind)),
         engine=[str(path) for path in engine],
-        # The paths are relative to root, because pytest rejects paths that contain brackets.
+        # These paths are relative to root, because pytest does not accept brackets in a path.
         tests=[f"tests/{chapter.name}", *hidden],
         known=[exercise.id for exercise in chapter.exercises],
         chapter=chapter.name,
@@ -112,22 +117,24 @@ def arrange(
 def root_of_checks(folder: Path, root: Path, behind: Behind | None) -> Path:
     """Return the folder that contains the checks.
 
-    If there are hidden checks, the result is a copy that contains the public and the hidden checks.
+    Without hidden checks this is the project itself. Otherwise it is a copy to which the hidden
+    checks have been added.
     """
     return folder / "root" if behind and behind.hidden else root
 
 
 def shared_by_checks(root: Path) -> list[Path]:
-    """Return the helper files that the checks of all chapters share."""
+    """Return the helper files in tests/ that the checks of all chapters share."""
     return [root / "tests/conftest.py", *sorted((root / "tests/shared").glob("*.py"))]
 
 
 def _put_hidden_checks(
     folder: Path, chapter: Chapter, root: Path, behind: Behind | None
 ) -> list[str]:
-    """Copy the public and the hidden checks of this chapter into the folder.
+    """Copy a chapter's public and hidden checks into the folder of the check process.
 
-    Return the path of the hidden checks relative to the root, or an empty list if there are none.
+    Return the path of the hidden checks relative to the root. If the chapter has none, the list is
+    empty.
     """
     if not behind or not behind.hidden:
         return []
@@ -152,7 +159,7 @@ def _put_hidden_checks(
 
 
 def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) -> Workers | None:
-    """Copy the probes into the folder, and return the settings for the workers."""
+    """Copy the probes into the check process's folder, and return the settings for its workers."""
     if behind is None:
         return None
     probes = folder / "probes" / chapter.name
@@ -170,10 +177,10 @@ def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) 
 def _modules(
     chapter: Chapter, chapters: list[Chapter], engine: list[Path], root: Path
 ) -> list[str]:
-    """Return the names of the modules to import before the checks.
+    """Return the names of the modules to import before the checks, so that we see which ones fail.
 
-    A module that cannot be imported does not affect the other modules. If an earlier chapter has no
-    manifest, as in some hand-outs, all of its files are included.
+    A module that cannot be imported does not stop us from importing the others. In some hand-outs
+    an earlier chapter has no manifest, and then we import all of its files.
     """
     files = {c.name: c.edited_files for c in chapters}
     listed = {c.name for c in load_chapters(root)}

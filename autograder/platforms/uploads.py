@@ -1,4 +1,4 @@
-"""Write the grades of a class in the formats that Canvas and Moodle import."""
+"""Write the grades of a class into files that Canvas and Moodle can import."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from autograder.reports.report import StudentReport
 from autograder.scores import possible, shown
 from autograder.submissions.class_list import ClassList
 
-CANVAS_ID = re.compile(r" \([0-9]+\)$")  # the id at the end of an assignment's title
+CANVAS_ID = re.compile(r" \([0-9]+\)$")  # in Canvas, the title of an assignment ends with its id
 
 
 @dataclass(frozen=True)
 class Column:
-    """The column with the grades on a platform.
+    """The column of the gradebook into which a platform puts the grades.
 
-    ``title`` may end with the id of an assignment, as in "Lab 1 (12345)". ``points`` is the maximum
-    score of the assignment on the platform. The grades are rescaled to this maximum.
+    ``title`` may end with the id of an assignment, as in "Lab 1 (12345)". ``points`` is how much
+    the assignment is worth on the platform, and we scale the grades accordingly.
     """
 
     title: str = ""

@@ -1,4 +1,4 @@
-"""Check the student's current exercise after every save, and carry out commands for keys."""
+"""Check the student's current exercise after every save, and react to the keys that are pressed."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from autograder.student.screen import print_chapter, print_report
 from autograder.student.session import TROUBLE, Session
 from autograder.wrapping import plain_console
 
-TICK = 100  # milliseconds between two looks for pressed keys
+TICK = 100  # milliseconds until we look again whether a key was pressed
 
 
 def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Chapter]) -> None:
-    """Show the state of the current exercise, and update it after every save until q is pressed.
+    """Show how the current exercise stands, and check it after every save until q is pressed.
 
-    The current exercise is the exercise that was edited last. At the start, it is the first open
-    exercise in ``chapters``.
+    The current exercise is the one that the student has edited last. At the start, it is the first
+    one that is still open.
 
     Raises:
         ValueError: The reference of a given chapter does not exist in this folder.
@@ -50,15 +50,15 @@ def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Ch
 
 
 class Keyboard:
-    """Carries out the command for each key that the student presses."""
+    """Does what each key stands for when the student presses it."""
 
     def __init__(self, session: Session) -> None:
         self.session = session
         self.hints: dict[str, int] = {}
-        self.asking = False  # whether to reset the current exercise
+        self.asking = False  # whether we have asked if the current exercise should be reset
 
     def press(self, key: str) -> None:
-        """Carry out the command for a key. A key without a command does nothing."""
+        """Do what a key stands for. Most keys do nothing."""
         try:
             if self.asking:
                 self.answer(key)
@@ -75,7 +75,7 @@ class Keyboard:
             self.note(str(error), "magenta")
 
     def note(self, words: str, style: str = "") -> None:
-        """Show a note on the page. It replaces the previous note."""
+        """Show a note on the page, in place of the previous one."""
         self.session.page.note = [(line, style) for line in words.splitlines()]
         self.session.draw()
 
@@ -84,7 +84,7 @@ class Keyboard:
         self.session.console.print(words, style=style, markup=False, soft_wrap=True)
 
     def hint(self) -> None:
-        """Show the next hint of the exercise. After the last hint, show that one again."""
+        """Show the next hint of the exercise. Once there are no more, repeat the last one."""
         if not self.session.current:
             return
         exercise = self.session.current[1]
@@ -93,14 +93,14 @@ class Keyboard:
         self.note(f"Hint {number} of {of}: {exercise.hints[number - 1]}")
 
     def ask(self) -> None:
-        """Ask whether to reset the current exercise to its stubs."""
+        """Ask the student whether to put back the stubs of the current exercise."""
         if not self.session.current:
             return
         self.note(f"{question(*self.session.current, self.session.engine[0])} (y or n)", "bold")
         self.asking = True
 
     def answer(self, key: str) -> None:
-        """Reset the current exercise if the student's answer is yes."""
+        """If the student has answered yes, put back the stubs of the current exercise."""
         self.asking = False
         if key != "y" or not self.session.current:
             self.note("Nothing was reset.")
@@ -116,14 +116,14 @@ class Keyboard:
         print_chapter(session.console, session.progress.report(chapter), session.engine)
 
     def check_all(self) -> None:
-        """Run all checks again, and print the same output as make check."""
+        """Run all checks again, and print the same as make check."""
         session, progress = self.session, self.session.progress
         progress.memory.known.clear()
         reports = [progress.report(chapter) for chapter in progress.chapters]
         print_report(session.console, reports, None, session.engine, progress.given)
 
     def plot(self) -> None:
-        """Draw a chapter's plots to files, in a separate process that opens no window."""
+        """Draw a chapter's plots into files, in a separate process that opens no window."""
         session = self.session
         chapter = session.current[0] if session.current else session.progress.chapters[-1]
         self.say(f"Drawing chapter {chapter.number} ...")

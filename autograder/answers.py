@@ -1,8 +1,8 @@
 """Read a student's written answers from answers.md, and our model answers from solutions/.
 
-In this file every question has a section, which consists of a heading, the quoted question and the
-answer. Our own copies in solutions/ hold the model answer instead. Below it, under a line that says
-"Rubric", they also list what an answer must contain to earn its points.
+Every question has a section in answers.md, with a heading, the quoted question and the answer. Our
+own copies in solutions/ hold the model answer instead, followed by a rubric, which lists what an
+answer must contain to earn its points.
 """
 
 from __future__ import annotations
@@ -57,9 +57,10 @@ class Section:
 
 @dataclass(frozen=True)
 class Question:
-    """A written exercise, with the section in which the student answers it.
+    """A written exercise, together with what the student has answered to it.
 
-    ``problems`` describes what is wrong with this section, such as a heading that appears twice.
+    ``section`` is the student's section in answers.md. ``problems`` describes what is wrong with
+    this section, such as a heading that appears twice.
     """
 
     exercise: Exercise
@@ -185,7 +186,8 @@ def _problems(
     """Describe what the student must correct in answers.md before this answer can count.
 
     Each problem is a sentence that we can show to the student. ``own`` holds the sections for this
-    exercise, and ``strangers`` the sections that belong to no exercise.
+    exercise, of which there should be exactly one. ``strangers`` holds sections that belong to no
+    exercise, which may be ones whose heading the student has changed.
     """
     heading = f"## {exercise.id}"
     if not file.is_file():

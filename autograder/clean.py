@@ -23,12 +23,12 @@ def clean(text: str) -> str:
 
 
 def clean_line(text: str) -> str:
-    """Clean a text like ``clean``, and put all of it on a single line."""
+    """Clean a text like ``clean`` does, and put all of it on a single line."""
     return clean(text).replace("\n", " ").replace("\t", " ")
 
 
 def visible(character: str) -> str:
-    """Return the character itself if it is printable, and otherwise its escape sequence."""
+    """Return a printable character as it is, and any other as an escape sequence."""
     return character if character.isprintable() else character.encode("unicode_escape").decode()
 
 

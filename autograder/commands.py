@@ -14,7 +14,8 @@ from autograder.clean import clean
 from autograder.make_venv import shown_python
 from autograder.manifest import ROOT
 
-# The option for each variable of make. Scenes, and the exercise of hint and reset, are positional.
+# Each variable of make has such an option. Scenes, and the exercise of hint and reset, have none,
+# because they are positional arguments.
 OPTIONS = {
     "CH": "--chapter",
     "EX": "--exercise",
@@ -34,8 +35,9 @@ MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of
 def prepare() -> bool:
     """Set up the output streams, and return whether the required packages are installed.
 
-    If a package is missing, the user reads how to install it. If Python would not encode file names
-    in UTF-8, as under LC_ALL=C with PYTHONUTF8=0, the program starts itself again in UTF-8 mode.
+    If a package is missing, we tell the user how to install it. We also make sure that Python
+    encodes file names in UTF-8. If it does not, as under LC_ALL=C with PYTHONUTF8=0, the program
+    starts itself again in UTF-8 mode.
     """
     if sys.getfilesystemencoding() != "utf-8" and os.environ.get("PYTHONUTF8") != "1":
         os.environ["PYTHONUTF8"] = "1"  # also affects the processes that are started later
@@ -63,7 +65,7 @@ def advice(error: BaseException) -> str:
 
 
 def sentence(error: Exception) -> str:
-    """Return an error's text for the user, followed by advice if we have any."""
+    """Return the text of an error for the user and, if we know what to do about it, our advice."""
     what, words = clean(str(error)), advice(error)
     return f"{what}. {words}" if words else what
 
@@ -86,8 +88,8 @@ def find_engine(folder: str) -> list[Path]:
 def command(name: str, **variables: str) -> str:
     """Return what a user should type to run the command ``name``, such as "make check EX=2.5".
 
-    If this machine has no make, the line calls Python directly. In the browser a student cannot
-    type commands at all, but the buttons on the page have the same names as the commands of make.
+    On a machine without make, this is a line that calls Python directly. In the browser a student
+    cannot type commands at all, but the buttons on the page are called like the commands of make.
     """
     if sys.platform == "emscripten" or shutil.which("make"):
         return " ".join(["make", name, *(f"{key}={value}" for key, value in variables.items())])
@@ -101,9 +103,9 @@ def command(name: str, **variables: str) -> str:
 
 
 def engine_variables(engine: list[Path]) -> dict[str, str]:
-    """Return the variables that make needs to select ``engine``.
+    """Return the make variables that select an engine, such as {"ENGINE": "solutions"}.
 
-    A student's own engine needs none.
+    The student's own engine in chapters/ is the default, so it needs no variables.
     """
     if engine[0] == ROOT / "chapters":
         return {}

@@ -60,7 +60,7 @@ def _bound(scope: ast.AST) -> Iterator[str]:
 
 
 def own_name(edited: str) -> str:
-    """Return only the last part of a manifest entry: vector.Vector3.dot becomes dot."""
+    """Return the bare name of a function, such as dot for vector.Vector3.dot in the manifest."""
     return edited.split(".", 2)[-1]
 
 

@@ -36,7 +36,7 @@ def is_full(folder: Path) -> bool:
 
 
 def temporary_of(path: Path) -> Path:
-    """Return where ``replace_bytes`` keeps the new content before it moves it to ``path``."""
+    """Return the path at which ``replace_bytes`` first writes the new content of a file."""
     return path.with_name(path.name + ".tmp")
 
 

@@ -59,7 +59,7 @@ This folder has the original stubs, which `make reset` restores. Do not edit or 
 
 
 def student_tools(root: Path = ROOT) -> Iterator[Path]:
-    """Yield every file of our tools that students receive with their hand-out."""
+    """Yield the files of our own programs that students receive with their hand-out."""
     for folder, names in STUDENT_TOOLS.items():
         for name in names.split():
             yield from sorted((root / folder).glob(name))
@@ -116,7 +116,7 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
         folder = f"chapters/{chapter.name}"
         _write_manifest(chapter, root / folder, out / folder)
         for path, text in stubs.items():
-            if path.startswith(folder + "/"):  # generated, since the files here may be edited
+            if path.startswith(folder + "/"):  # made anew, since the files here may be edited
                 (out / path).write_text(text, encoding="utf-8", newline="\n")
                 if path.endswith(".py"):
                     kept = out / KEPT / chapter.name / Path(path).name
@@ -164,7 +164,7 @@ def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:
 
 
 def _copy_lab(root: Path, out: Path, chapters: Collection[str]) -> None:
-    """Copy the lab, but only with those of its scenes that belong to the given chapter names."""
+    """Copy the lab, but leave out the scenes of chapters that students do not receive."""
     for file in (root / "lab").rglob("*"):
         numbered = re.match(r"ch\d\d_", file.name)
         wanted = not numbered or any(name.startswith(numbered[0]) for name in chapters)

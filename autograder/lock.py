@@ -20,7 +20,7 @@ def stub_hash(text: str) -> str:
 
 
 def read_lock(root: Path = ROOT) -> dict[str, str]:
-    """Read stubs.lock, and return each file's hash by its path. If there is no lock, return {}."""
+    """Read stubs.lock, and return the hash of each file. Without a lock, return an empty dict."""
     path = root / LOCK_NAME
     if not path.exists():
         return {}

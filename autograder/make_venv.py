@@ -59,7 +59,7 @@ def check_python() -> None:
 
 
 def install(python: str) -> str:
-    """Install the locked packages with pip, and show how far it has come.
+    """Install the locked packages with pip, and show its progress.
 
     If pip fails, return its output. If it succeeds, return an empty string.
     """

@@ -18,9 +18,9 @@ FOLDER_NAME = re.compile(r"ch(\d\d)_[a-z0-9_]+")
 class Exercise:
     """An exercise of a chapter, as its manifest describes it.
 
-    In an assignment an exercise can be ``extra`` credit, so that its points come on top of the
-    total. An exercise that is not part of the assignment is ``optional``: students may do it
-    without a grade.
+    In an assignment an exercise can be ``extra`` credit, which means that its points come on top of
+    the total. An exercise that is not part of the assignment is ``optional``. Students may still do
+    it, but it does not count.
     """
 
     id: str
@@ -42,13 +42,16 @@ class Exercise:
 
 @dataclass(frozen=True)
 class Chapter:
-    """A chapter, as its manifest describes it. ``name`` is its folder and the name of its package.
+    """A chapter, as its manifest describes it.
 
-    ``complete`` lists the modules that students use without changing them, such as cloth.py.
-    ``builds_on`` holds the numbers of the earlier chapters that the modules import, and None stands
-    for all of them. ``summary`` describes the chapter in one sentence, ``you_can`` lists the skills
-    that a student has afterwards, and ``picture`` names the plot that shows best what the chapter
-    is about.
+    Attributes:
+        name: The name of the chapter's folder, which is also its package.
+        complete: The modules that students use without changing them, such as cloth.py.
+        builds_on: The numbers of the earlier chapters whose code this one imports. None stands for
+            all earlier chapters.
+        summary: What the chapter is about, in one sentence.
+        you_can: What students are able to do after the chapter.
+        picture: The plot that shows best what the chapter is about.
     """
 
     name: str
@@ -133,9 +136,10 @@ def load_chapters(root: Path = ROOT) -> list[Chapter]:
 
 
 def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], list[Chapter]]:
-    """Split a list of chapters into those that are given and those that the student writes.
+    """Split some chapters into the given ones and those that the student writes.
 
-    ``numbers`` says which ones are given, as in "2,4-6". If it is empty, no chapter is given.
+    The code of a given chapter comes from the reference. ``numbers`` says which chapters are given,
+    as in "2,4-6", and if it is empty, none is.
 
     Raises:
         ValueError: No chapter is left for the student, or ``numbers`` is malformed.
@@ -150,6 +154,7 @@ def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], l
 def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
     """Raise ValueError if a student asks about an exercise of a given chapter.
 
+    Such a chapter comes from the reference, so there is nothing for the student to write.
     ``numbers`` says which chapters are given, as in "2-5".
     """
     if numbers and chapter in select_chapters(numbers):
@@ -160,7 +165,7 @@ def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
 
 
 def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
-    """Return the earlier chapters whose code this chapter uses."""
+    """Return the earlier chapters whose code a chapter uses."""
     below = [other for other in load_chapters(root) if other.number < chapter.number]
     if chapter.builds_on is None:
         return below
@@ -193,7 +198,7 @@ def select_chapters(numbers: str) -> list[Chapter]:
 
 
 def numbers_of(chapters: list[Chapter]) -> str:
-    """Write some consecutive chapter numbers the way our commands accept them, such as "2-5"."""
+    """Format consecutive chapter numbers the way our commands accept them, such as "2-5"."""
     first, last = chapters[0].number, chapters[-1].number
     return str(first) if first == last else f"{first}-{last}"
 

@@ -46,14 +46,20 @@ class Place:
 
 @dataclass(frozen=True)
 class Message:
-    """A message that explains to a student how a check went. Parts that are empty are not shown.
+    """What a check has to say to a student. Parts that are empty are not shown.
 
-    The most important parts are ``got``, which is what the student's code returned, and ``wanted``,
-    which it had to match to within ``tolerance`` (or exactly, if the tolerance is 0). ``where`` is
-    a line of the student's code. ``likely`` names the most likely mistake, and ``other`` a second
-    one. ``title`` is a sentence that is shown without a label. If the function has not been written
-    yet, ``exercise`` is the exercise in which to write it. If other exercises have to pass first,
-    ``blocked_by`` lists them.
+    Attributes:
+        title: A sentence that is shown without a label.
+        called: The call that the check has made.
+        got: What the student's code returned, or the exception that it raised.
+        wanted: The value that ``got`` must match, to within ``tolerance``. A tolerance of 0 means
+            that the two must be equal.
+        where: A line of the student's code.
+        likely: The most likely mistake, while ``other`` names a second possibility.
+        read: The section of the book or lesson that helps.
+        printed: What the student's code has printed.
+        exercise: If the function is not written yet, the exercise in which to write it.
+        blocked_by: The exercises that must pass first.
     """
 
     title: str = ""
@@ -75,7 +81,7 @@ class Message:
         return self != NOTHING
 
     def changed(self, change: Callable[[str], str]) -> Message:
-        """Return a copy of the message in which ``change`` has been applied to every text."""
+        """Return a copy of the message, in which every text has been passed through ``change``."""
         values: dict[str, Any] = {
             field.name: change(value)
             for field in fields(self)
@@ -89,7 +95,7 @@ class Message:
         return replace(self, **values)
 
     def rows(self, *, printed: bool = True) -> list[Row]:
-        """Return each text of the message with its label, in the order in which they are shown."""
+        """Return the texts of the message, each with its label, in the order to show them."""
         rows = [("", self.blocked), ("", self.title)]
         rows += [("called", one_per_line(self.called)), ("got", self.got)]
         rows += [("wanted", self.wanted + self._how_close), ("where", str(self.where or ""))]

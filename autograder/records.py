@@ -25,7 +25,7 @@ class RecordError(ValueError):
 def to_json(value: Any) -> Any:
     """Convert a dataclass to plain lists and dictionaries, which json.dumps accepts.
 
-    To keep the data short, fields that still have their default value are left out.
+    Fields that still have their default value are left out, which keeps the data short.
     """
     if is_dataclass(value) and not isinstance(value, type):
         data = {}
@@ -45,7 +45,7 @@ def to_json(value: Any) -> Any:
 def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
     """Create a dataclass of the type ``kind`` from JSON data.
 
-    ``what`` names the data in error messages, as in "the report".
+    ``what`` is a name for the data, such as "the report", with which error messages begin.
 
     Raises:
         RecordError: A value is missing, unknown or of the wrong type.
@@ -68,7 +68,7 @@ def _fields(kind: type) -> list[tuple[str, Any]]:
 def _reader(kind: Any) -> Callable[[Any, str], Any]:
     """Return a function that reads a value of type ``kind`` from JSON data.
 
-    It takes the data and a name for them, which is used in error messages.
+    It takes the data and a name for them, so that an error message can say which value is wrong.
     """
     origin, arguments = typing.get_origin(kind), typing.get_args(kind)
     if is_dataclass(kind):

@@ -28,10 +28,7 @@ class Result:
 
     @property
     def physics(self) -> list[Verdict]:
-        """The verdicts on the physics checks.
-
-        If one of these fails, it can block later exercises.
-        """
+        """The verdicts on the physics checks, which alone decide whether the exercise works."""
         return [check for check in self.checks if not check.robust]
 
     @property
@@ -41,12 +38,12 @@ class Result:
 
     @property
     def works(self) -> bool:
-        """Whether all physics checks pass. The robust checks do not matter here."""
+        """Whether the exercise works, which means that all of its physics checks pass."""
         return bool(self.checks) and all(check.status == "passed" for check in self.physics)
 
     @property
     def on_chart(self) -> Point | None:
-        """This student's point on the chart of cost and error, if a check has measured it."""
+        """The cost and error of this student's solution, if a check has measured them."""
         return next((check.on_chart for check in self.checks if check.on_chart), None)
 
 
@@ -116,8 +113,8 @@ def shown(score: float | None) -> str:
 
 
 def place_on_chart(axes: Sequence[str], point: Sequence[float]) -> str:
-    """Describe a point on the chart in words.
+    """Describe the cost and the error of a solution in words.
 
-    ``axes`` names what the cost and the error measure.
+    ``axes`` names the two quantities, such as the number of force evaluations.
     """
     return f"{point[0]:g} {axes[0]}, {axes[1]}: {point[1]:.2g}"

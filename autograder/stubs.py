@@ -57,7 +57,10 @@ def stub_of(chapter: Chapter, file: str, root: Path = ROOT) -> str:
 
 @cache
 def _stub_of_text(source: str, messages: tuple[tuple[str, str], ...]) -> str:
-    """Generate the stub for the text of a solution. We cache the result, because libcst is slow."""
+    """Generate the stub for the text of a solution.
+
+    The result is cached, because libcst is slow.
+    """
     return stub_module(source, dict(messages))
 
 
@@ -65,7 +68,8 @@ def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
     """Return the stub of a module as it was before the student edited it.
 
     Where the reference is available, we generate the stub from it. A hand-out has no reference, so
-    it keeps a copy of each original stub in a separate folder. If that is missing too, return None.
+    it keeps a copy of each original stub in a separate folder. If there is no such copy either, the
+    result is None.
     """
     if (root / "solutions" / chapter.name / file).is_file():
         return stub_of(chapter, file, root)
@@ -178,10 +182,11 @@ def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
 def _helpers_of(
     defined: dict[str, ast.FunctionDef], messages: dict[str, str], gone: set[str]
 ) -> dict[str, str]:
-    """Find the helpers that only removed bodies used, and give each one its user's message.
+    """Find the helper functions that nothing uses any more, now that some bodies are gone.
 
-    Sometimes several functions share a short name, such as the methods of a Protocol. Then we
-    cannot tell which of them a body uses, so we leave all of them alone.
+    Each helper comes with the message of a function that used it. Sometimes several functions share
+    a short name, such as the methods of a Protocol. Then we cannot tell which of them a body has
+    used, so we leave all of them alone.
     """
     short_names = [_short(name) for name in defined]
     return {

@@ -53,7 +53,7 @@ def wrapped_rows(rows: list[Row], width: int) -> list[str]:
 
 
 def print_wrapped(console: Console, words: str, style: str = "", hanging: int = 0) -> None:
-    """Print a text. If it goes to a terminal, wrap it to the width of the window.
+    """Print a text, and wrap it to the width of the window if it goes to a terminal.
 
     All lines but the first are indented by ``hanging`` columns.
     """
@@ -62,10 +62,7 @@ def print_wrapped(console: Console, words: str, style: str = "", hanging: int = 
 
 
 def print_rows(console: Console, rows: list[Row]) -> None:
-    """Print the rows of a message.
-
-    If they go to a terminal, wrap them to the width of the window.
-    """
+    """Print the rows of a message, and wrap them if they go to a terminal."""
     lines = wrapped_rows(rows, console.width) if console.is_terminal else [laid_out(rows)]
     console.print("\n".join(lines), markup=False, soft_wrap=True)
 

@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 FEWEST = 20  # students; even in so large a class, a true 0.5 comes out below LOW in 8 % of cases
-FEWEST_APART = 3  # at least so many students must have another score than most
+FEWEST_APART = 3  # at least this many students must have another score than most
 LOW = (
     0.2  # a usual limit in item analysis (Ebel and Frisbie, Essentials of Educational Measurement)
 )

@@ -23,7 +23,7 @@ HIDDEN = "a hidden check"
 
 @dataclass(frozen=True)
 class CheckItem:
-    """The statistics of one check: how many students passed it, how many failed it, and so on."""
+    """How a class did in one check: how many students passed it, how many failed it, and so on."""
 
     name: str
     robust: bool
@@ -33,7 +33,7 @@ class CheckItem:
 
 @dataclass(frozen=True)
 class ExerciseItem:
-    """The statistics of one exercise: how many students earned all, some or none of its points.
+    """How a class did in one exercise: how many students earned all, some or none of its points.
 
     ``mean`` is the mean score as a fraction of the points, or None if nobody has a score.
     """

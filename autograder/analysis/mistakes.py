@@ -19,10 +19,14 @@ NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 class Mistake:
     """A mistake that students have made, as the messages of their failed checks describe it.
 
-    ``students`` and ``exercises`` say who made it and where. ``read`` lists the sections of the
-    book and the lessons that explain the topic. ``robust`` is true if only robust checks found the
-    mistake. ``in_values`` is true if the code runs but computes a wrong value, and false if the
-    code is incomplete or raises an error.
+    Attributes:
+        words: The message about the mistake.
+        students: Who has made it.
+        exercises: In which exercises it was made.
+        read: The sections of the book and the lessons that explain the topic.
+        robust: Whether only robust checks have found it.
+        in_values: Whether the code runs but computes a wrong value. If this is false, the code is
+            incomplete or raises an error.
     """
 
     words: str

@@ -23,9 +23,9 @@ FEWEST = 2  # assignments
 
 @dataclass(frozen=True)
 class Run:
-    """A graded assignment, with what each student earned as a percentage of the points for checks.
+    """A graded assignment, with what each student earned in percent of the points for checks.
 
-    The percentage is None if the grader failed on a student's submission.
+    If the grader failed on a student's submission, the percentage is None.
     """
 
     name: str
@@ -34,12 +34,12 @@ class Run:
 
     @property
     def known(self) -> list[float]:
-        """The percentages of all students for whom we have one."""
+        """The percentages of all students whose submissions could be graded."""
         return [value for value in self.percent.values() if value is not None]
 
     @property
     def five(self) -> list[float]:
-        """The minimum, the three quartiles and the maximum of the percentages.
+        """The minimum, the three quartiles and the maximum, from which the page draws a box plot.
 
         The list is empty if we do not know any percentage.
         """

@@ -1,8 +1,8 @@
 """Let a student's code import only Python's standard library and the chapters.
 
-In the grader no other packages are installed, and it has only the files that were handed in and the
-given ones. An import that will fail there should fail at home as well, so that the student finds
-out in time. It fails on the same line and with the same message from Python.
+The grader has no other packages, and of the chapters it has only the files that students hand in or
+that we give them. An import that will fail there should fail at home as well, so that the student
+finds out in time. It fails on the same line and with the same message from Python.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ def limit_imports(code: StudentsCode) -> None:
 
 
 def _refuse(code: StudentsCode, name: str, package: str | None, fromlist: Sequence[str]) -> None:
-    """Raise the error that importing ``name`` would cause in the grader, if it would cause one."""
+    """If importing ``name`` would fail in the grader, raise the same error here."""
     if name.startswith("."):
         try:
             name = importlib.util.resolve_name(name, package)

@@ -16,16 +16,16 @@ from autograder.message import Message
 
 @dataclass(frozen=True)
 class Behind:
-    """How to run a student's code in worker processes that are locked into a sandbox.
+    """How to run a student's code in worker processes inside a sandbox.
 
-    ``level`` says which layers of the sandbox this machine offers (it is a sandbox.Level, as a
-    dict). With ``fresh``, each check gets a new interpreter. ``missing`` explains for each module
-    of the submission that we rejected why we did so. ``compiled`` is a folder where the compiled
-    code of a submission is kept from one run to the next.
-
-    ``hidden`` is a folder of additional checks, of which students see only the rationale. The full
-    messages are in the result only if ``for_instructor`` is set. Set it only for results that
-    students will not read.
+    Attributes:
+        level: The layers of the sandbox, which is a sandbox.Level turned into a dict.
+        fresh: Whether every check gets a new interpreter.
+        missing: The modules of the submission that we have rejected, each with the reason.
+        hidden: A folder of additional checks, of which students see only a short rationale.
+        for_instructor: Whether the result contains the full messages of hidden checks. Set this
+            only if students will not read the result.
+        compiled: A folder that keeps the compiled code of a submission from one run to the next.
     """
 
     level: dict[str, bool]
@@ -40,7 +40,8 @@ class Behind:
 class Workers:
     """What a check process needs to know in order to start its workers.
 
-    ``probes`` and ``compiled`` are the folders for the probes and for the compiled code.
+    A worker is the process in the sandbox that runs the student's code. ``probes`` and ``compiled``
+    are the folders for the probes and for the compiled code.
     """
 
     level: dict[str, bool]
@@ -52,14 +53,14 @@ class Workers:
 
 @dataclass(frozen=True)
 class Arranged:
-    """The files and names that a check process works with.
+    """The files and names that a check process works with, in a form that fits into JSON.
 
-    Paths are strings, since JSON has no paths.
-
-    ``known`` lists the exercises of the chapter, and ``edits`` the functions that students write
-    for each of them. ``modules`` must be imported before the checks. ``complete`` lists the files
-    that students call but did not write. For each chapter's folder, ``graded`` lists the files that
-    exist in the grader too.
+    Attributes:
+        known: The exercises of the chapter.
+        edits: For each exercise, the functions that students write.
+        modules: The modules to import before the checks.
+        complete: The files that students call but did not write.
+        graded: For each chapter's folder, the files that the grader has too.
     """
 
     root: str
@@ -76,11 +77,12 @@ class Arranged:
 
 @dataclass(frozen=True)
 class Config:
-    """All that a check process has to know: its files, its settings and which checks to run.
+    """Everything a check process has to know: its files, its settings and which checks to run.
 
-    If ``apart`` is set, the checks of each exercise run in a forked copy of the process. ``broken``
-    explains for each module that cannot be imported why that is so. ``done`` names the checks that
-    already have a verdict, and that need not run again.
+    Attributes:
+        apart: Whether the checks of each exercise run in a forked copy of the process.
+        broken: The modules that cannot be imported, each with the reason.
+        done: The checks that already have a verdict, and therefore need not run again.
     """
 
     arranged: Arranged
@@ -133,8 +135,8 @@ def _put_hidden_checks(
 ) -> list[str]:
     """Copy a chapter's public and hidden checks into the folder of the check process.
 
-    Return the path of the hidden checks relative to the root. If the chapter has none, the list is
-    empty.
+    Return the path of the hidden checks relative to the root. The list is empty if the chapter has
+    no hidden checks.
     """
     if not behind or not behind.hidden:
         return []

@@ -16,7 +16,7 @@ Returned = TypeVar("Returned")
 
 
 class Words(TypedDict, total=False):
-    """What a single expectation says instead of the words that its check has stored.
+    """Words for a single expectation, which replace those that its check has stored in ``about``.
 
     ``then`` is appended to the call instead of replacing it.
     """
@@ -28,10 +28,10 @@ class Words(TypedDict, total=False):
 
 
 class About:
-    """The call that the running check tests, the likely mistake, and the section to read.
+    """What a message about a failure will show: the call, the likely mistake, and what to read.
 
-    To change some of them and keep the rest, call the object with the new ones. You can also assign
-    to one of them, as in ``about.call += "; v.x"``.
+    To change some of these and keep the rest, call the object with the new ones. You can also
+    assign to one of them, as in ``about.call += "; v.x"``.
     """
 
     def __init__(self) -> None:
@@ -45,7 +45,7 @@ class About:
         self.read = self.read if read is None else read
 
     def but(self, words: Words) -> tuple[str, str, str]:
-        """Return the call, the likely mistake and the section, with those in ``words`` replaced."""
+        """Return the call, the mistake and what to read, with those in ``words`` replaced."""
         call = words.get("call", self.call) + words.get("then", "")
         return call, words.get("cause", self.cause), words.get("read", self.read)
 

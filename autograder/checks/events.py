@@ -80,12 +80,12 @@ KINDS: dict[str, type[Event]] = {
 
 
 def write_event(event: Event) -> str:
-    """Write an event as a line of JSON."""
+    """Turn an event into a line of JSON."""
     return json.dumps({type(event).__name__: to_json(event)}) + "\n"
 
 
 def read_event(line: str) -> Event:
-    """Read an event from a line of JSON.
+    """Turn a line of JSON back into an event.
 
     Raises:
         ValueError: The line does not contain an event.

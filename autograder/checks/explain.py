@@ -153,12 +153,12 @@ STACK_LINE = re.compile(r'File "([^"\n]{1,500})", line (\d{1,6}) in (\S{1,100})'
 def explain_exception(
     error: BaseException, engine_folders: list[Path], complete: Sequence[str] = ()
 ) -> Message:
-    """Write the message for a check that ended with an exception.
+    """Build the message for a check that ended with an exception.
 
-    If an expectation was not met, the exception already carries a message. For any other exception,
-    the message shows the call that the check made, the exception, the student's line, and a likely
-    mistake. If we recognize Python's error, we know the mistake. Otherwise we show the one that the
-    check suggests.
+    If an expectation was not met, the exception already carries its message. For any other
+    exception, the message shows the call that the check made, the exception, the student's line,
+    and a likely mistake. If we recognize Python's error, we know which mistake this is. Otherwise
+    we show the one that the check suggests.
 
     ``complete`` lists modules that the student calls but did not write, such as
     ch02_vectors/arguments.py. An exception that was raised in a worker process has the attribute
@@ -195,10 +195,10 @@ def explain_exception(
 def explain_import(
     fault: Fault, module: str, engine_folders: list[Path], complete: Sequence[str] = ()
 ) -> Message:
-    """Write the message that tells a student why a module cannot be imported.
+    """Build the message that tells a student why a module cannot be imported.
 
-    ``complete`` lists the modules that the student did not write. The error cannot be in one of
-    these.
+    ``complete`` lists the modules that the student did not write. The message never points to a
+    line in one of these.
     """
     file = file_of(module)
     if fault.missing_module == module:
@@ -220,10 +220,10 @@ def explain_import(
 
 
 def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> Message:
-    """Write the message for a check that ran out of time.
+    """Build the message for a check that ran out of time.
 
     ``stack`` is the stack trace that the process wrote to a file. The student's code can write to
-    this file too, so we must be prepared to find anything in it.
+    the same file, so we must be prepared to find anything in it.
     """
     hung = Message(
         f"{Kind.HUNG.value} within {time_limit:g} seconds. Is there an endless loop?",

@@ -38,7 +38,7 @@ class GraderFault(BaseException):
 
 
 class StudentLeft(BaseException):
-    """Raised when a student's code tries to end the program, for example with SystemExit."""
+    """Raised when a student's code raises something other than an Exception, such as SystemExit."""
 
     fault: Fault
 
@@ -69,7 +69,7 @@ class Fault:
 
 
 def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
-    """Describe an exception as plain data.
+    """Describe an exception as plain data, which can be sent to another process.
 
     Of its stack we keep only the lines in files of ``folders``, with the innermost one last.
     """

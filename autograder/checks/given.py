@@ -27,7 +27,7 @@ Run = Callable[[Chapter, list[Path]], list[Verdict]]  # runs a chapter's checks 
 def with_given(
     given: Sequence[Chapter], engine: list[Path], root: Path = ROOT
 ) -> Iterator[list[Path]]:
-    """Create an engine in which the reference replaces the chapters of ``given``.
+    """Create an engine in which the given chapters come from the reference.
 
     Raises:
         ValueError: ``root`` does not contain the reference of a chapter. A hand-out never does.
@@ -141,7 +141,7 @@ def _is_unwritten(verdict: Verdict) -> bool:
 
 
 def _number(exercise: str) -> str:
-    """Return the number of the chapter in an exercise's id, which is 4 in B4.2."""
+    """Return the chapter number in the id of an exercise, such as 4 for B4.2."""
     return re.sub(r"^[A-Z]|\..*", "", exercise)
 
 

@@ -82,7 +82,7 @@ class InProcess:
         limit_acts(code)
 
     def after_collection(self) -> None:
-        """Keep garbage collection away from all objects so far, so that forks share more memory."""
+        """Hide all objects so far from the garbage collector, so that forks share more memory."""
         gc.freeze()
 
     def _import(self, module: str) -> None:

@@ -38,9 +38,9 @@ _stopping = threading.Event()
 
 @contextlib.contextmanager
 def stopping() -> Iterator[None]:
-    """End the runs in all threads, and let no run begin until the context ends.
+    """Stop the checks that are running in all threads, and start none until the context ends.
 
-    Each run that we end raises GraderError.
+    Each run that is stopped like this raises GraderError.
     """
     _stopping.set()
     for process in list(_processes):
@@ -61,7 +61,7 @@ class SilentError(Exception):
 
 
 class Judge:
-    """A process that runs the checks of one configuration file.
+    """A process that runs checks, as a configuration file tells it to.
 
     Once it has ended, ``code`` is its exit code and ``stderr`` the end of its standard error.
     """
@@ -132,7 +132,7 @@ class Ending:
     stderr: str = ""
 
     def explain(self, time_limit: float, engine: list[Path]) -> Message:
-        """Write the message for the check that was running when the process ended."""
+        """Build the message for the check that was running when the process ended."""
         if self.stack or self.silent:
             return explain_hang(self.stack, time_limit, engine)
         return Message(how_it_ended(self.code), kind=Kind.LEFT)

@@ -29,7 +29,7 @@ class MissingName:
     is_empty: bool = False  # whether the module defines nothing at all
 
     def explain(self) -> Message:
-        """Write the message for a check that uses the missing name."""
+        """Build the message for a check that uses the missing name."""
         says = does_not_define(self.module, self.name, is_empty=self.is_empty)
         likely = f"Did you mean {self.nearest}?" if self.nearest else ""
         return Message(says, likely=likely)
@@ -76,7 +76,7 @@ def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
 
 
 def while_imported(module: str, message: Message) -> Message:
-    """Write the message for a module whose import got stuck or ended the process."""
+    """Build the message for a module whose import got stuck or ended the process."""
     return Message(
         f"{file_of(module)} cannot be imported: {message.title}",
         where=message.where,

@@ -30,10 +30,11 @@ IMPORTED = re.compile(r"cannot import name '(\w+)'")
 class Unknown:
     """A name that the student's code uses although it does not exist.
 
-    ``of`` is the type or the file that lacks the name, and it is empty for a plain variable.
-    ``nearest`` is the most similar name that exists. If the code assigned to an attribute that the
-    object cannot have, ``slots`` lists the ones it can have. ``module`` is true if the name is a
-    module of Python's library that the student forgot to import.
+    Attributes:
+        of: The type or the file that lacks the name. It is empty for a plain variable.
+        nearest: The most similar name that does exist.
+        slots: If the code assigns to an attribute that the object cannot have, those it can have.
+        module: Whether the name is a module of Python's library that was not imported.
     """
 
     name: str
@@ -60,7 +61,7 @@ def unknown_of(error: BaseException) -> Unknown | None:
 
 
 def nearest(name: str, there: Iterable[str], cutoff: float = 0.6) -> str:
-    """Return the name in ``there`` that is most similar to ``name``.
+    """Return the name in ``there`` that is most similar to ``name``, to suggest it to the student.
 
     If none of them is similar enough, return an empty string. Names such as __init__ are never
     suggested.
@@ -156,7 +157,7 @@ def _attributes(value: Any) -> set[str]:
 
 
 def _slots(kind: type) -> list[str]:
-    """Return the attributes that a student may assign to an object of a class with __slots__.
+    """Return the attributes that a student may assign to, if a class limits them with __slots__.
 
     If the class accepts any attribute, the list is empty. A private slot such as _damping is in the
     list only if there is a property named damping, because other private slots are internal to the

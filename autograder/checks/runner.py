@@ -130,7 +130,7 @@ class Run:
         self.stderr = ""
 
     def reason(self) -> str:
-        """Explain why the process has ended without any verdict."""
+        """Explain why the process has ended without giving any verdict."""
         if missing := re.search(r"No module named '(ch\d\d_\w+)'", self.stderr):
             own = self.order.chapter.name
             return f"{missing[1]} is missing: put your own folder of that name beside {own}"
@@ -149,7 +149,7 @@ class Run:
     def progress(self) -> tuple[int, int]:
         """How many verdicts there are, and how many modules are known to be broken.
 
-        As long as the run makes progress, at least one of these numbers grows.
+        If neither number grows while a process runs, it would be useless to start another one.
         """
         return len(self.verdicts), len(self.broken)
 
@@ -168,7 +168,7 @@ class Run:
         self._break_off(self.current, ending.explain(self.limit, self.order.engine))
 
     def config(self, folder: Path) -> Config:
-        """Return the configuration for the next check process."""
+        """Return the configuration for the next process, which says what is left to check."""
         order = self.order
         return Config(
             arranged=arrange(folder, order.chapter, order.engine, order.root, order.behind),
@@ -190,7 +190,7 @@ class Run:
         self.take(event)
 
     def take(self, event: Event) -> None:
-        """Handle one event that the process has sent.
+        """Handle an event that the process has sent, such as a verdict.
 
         Raises:
             GraderError: The event is about a check that does not belong to this run.
@@ -210,10 +210,7 @@ class Run:
                 self.finished, self.current = doing is None, doing
 
     def _break_off(self, doing: events.Importing | events.Started, why: Message) -> None:
-        """Record that the running check or import did not finish.
-
-        ``why`` is the message about it.
-        """
+        """Record that the running check or import did not finish, and the message about it."""
         if isinstance(doing, events.Importing):
             self.broken[doing.module] = while_imported(doing.module, why)
             return

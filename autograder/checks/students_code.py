@@ -17,19 +17,19 @@ PACKAGES = ("site-packages", "dist-packages")  # these may be inside the library
 
 
 def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
-    """Return the names of the files that the grader will have, by the chapter's folder.
+    """For each chapter's folder, list the files that the grader will have.
 
-    The grader has what students hand in and the files that we give them, but nothing else.
+    These are the files that students hand in and the ones that we give them.
     """
     return {chapter.name: [*chapter.handed_in, *chapter.complete] for chapter in chapters}
 
 
 class StudentsCode:
-    """Recognizes the student's code by the folder it is in.
+    """Recognizes whether a file is the student's, by the folder it is in.
 
     ``graded`` lists for each chapter's folder the files that the grader has too. If a folder is not
-    in ``graded``, all of its files count. ``ours`` lists files that the student did not write, such
-    as ch06_springs/cloth.py.
+    in ``graded``, all of its files count. ``ours`` lists files in these folders that the student
+    did not write, such as ch06_springs/cloth.py.
     """
 
     def __init__(
@@ -55,9 +55,9 @@ class StudentsCode:
     def is_calling(self) -> bool:
         """Return whether it was the student's code that made the current call.
 
-        We go up the stack until we find a function outside Python's library. Who wrote this
-        function decides. The steps that Python itself takes during an import do not count as the
-        student's.
+        We go up the stack until we find a function that is not part of Python's library, and the
+        answer depends on who wrote this function. The steps that Python itself takes during an
+        import do not count as the student's.
         """
         frame = sys._getframe(2)
         while frame is not None:
@@ -79,9 +79,9 @@ class StudentsCode:
         return None if library else False
 
     def is_graded(self, package: str, file: str) -> bool:
-        """Return whether the grader has the file ``file`` of the chapter ``package``.
+        """Return whether the grader has a certain file of the chapter ``package``.
 
-        It always has the probes.
+        Probes are always there.
         """
         return (
             package not in self.graded or file in self.graded[package] or file.endswith("probes.py")

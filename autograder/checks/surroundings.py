@@ -13,8 +13,9 @@ from pathlib import Path
 
 VARIABLES = {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
 NEEDED = ("SYSTEMROOT",)  # variables that Python itself needs on Windows
-# So many bytes may be used on top of what the process uses already. The grader allows 512 MB in
-# all, of which Python needs about 30 MB. We add 8 MB for the stack of the time limit's thread.
+# The student's code may use this many bytes on top of what the process uses already. The grader
+# allows 512 MB in all, of which Python needs about 30 MB. Here the thread for the time limit needs
+# another 8 MB for its stack.
 MEMORY = 490 << 20
 _ARENA_MAX = -8  # M_ARENA_MAX in malloc.h
 DEPTH = 1000  # recursion limit of a process in the grader

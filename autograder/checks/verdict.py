@@ -16,8 +16,7 @@ Point = tuple[float, float]  # the cost (counted work) and the error, on an open
 class Verdict:
     """The verdict on one check.
 
-    If ``robust`` is set, the check does not test the physics. It tries bad arguments, overflow or
-    NaN.
+    A ``robust`` check tries bad arguments, overflow or NaN instead of testing the physics.
     """
 
     name: str

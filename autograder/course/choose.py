@@ -15,7 +15,7 @@ NOT_WITH_ASSIGNMENT = ("chapters", "given", "checks")  # these come from the cou
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
-    """Add the two options by which an instructor selects an assignment."""
+    """Add the options --assignment and --course to a command."""
     command.add_argument("--assignment", help="an assignment of the course file, such as lab1")
     command.add_argument(
         "--course", type=Path, default=DEFAULT, help="the course file (default: course.toml)"
@@ -25,8 +25,8 @@ def add_options(command: argparse.ArgumentParser) -> None:
 def work_of(arguments: argparse.Namespace, *, handed_out: bool = False) -> Work:
     """Return the assignment or the chapters that the options on the command line select.
 
-    If ``handed_out`` is set, the chapters do not include the given ones, because a hand-out adds
-    those separately.
+    If ``handed_out`` is set, the result is for a hand-out. It then does not include the given
+    chapters, because a hand-out adds those separately.
 
     Raises:
         ValueError: The course file contains mistakes, or the options contradict each other.

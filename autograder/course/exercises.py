@@ -18,7 +18,7 @@ from autograder.scores import possible, shown
 class Chosen:
     """The exercises of an assignment, by chapter, together with the chapters that are given.
 
-    ``earlier`` lists exercises of earlier assignments on which these ones build.
+    ``earlier`` lists exercises of earlier assignments that these exercises build on.
     """
 
     chapters: list[Chapter]
@@ -48,10 +48,7 @@ class Chooser:
         self.home = {e.id: chapter for chapter in chapters for e in chapter.exercises}
 
     def choose(self) -> Chosen:
-        """Return the exercises of the assignment.
-
-        The result is only valid if there were no mistakes.
-        """
+        """Return the exercises of the assignment. Use the result only if there were no mistakes."""
         given = self._chapters("given")
         listed = self._ids("exercises")
         extra = self._ids("extra_credit")
@@ -83,7 +80,7 @@ class Chooser:
         self.mistakes.add((*self.path, key), words, word)
 
     def _ids(self, key: str) -> list[str]:
-        """Return the exercises that a key of the assignment lists, as far as they exist."""
+        """Return the exercises that a key of the assignment lists, as long as they exist."""
         found: list[str] = []
         for name in self.mistakes.items(self.table, self.path, key, str):
             if name not in self.home:
@@ -96,7 +93,7 @@ class Chooser:
         return found
 
     def _chapters(self, key: str) -> list[Chapter]:
-        """Return the chapters that a key of the assignment lists, as far as they exist."""
+        """Return the chapters that a key of the assignment lists, as long as they exist."""
         known = {chapter.number: chapter for chapter in self.chapters}
         numbers = self.mistakes.items(self.table, self.path, key, int)
         for number in numbers:
@@ -136,7 +133,7 @@ class Chooser:
         return [other for other in earlier if numbers is None or other.number in numbers]
 
     def _where(self, name: str) -> tuple[str]:
-        """Return the key by which the course file adds an exercise to the assignment."""
+        """Return which key of the assignment, such as extra_credit, has added this exercise."""
         lists = {key: self.table.get(key) for key in ("exercises", "extra_credit")}
         return (
             next((k for k, v in lists.items() if isinstance(v, list) and name in v), "chapters"),

@@ -18,9 +18,9 @@ POINTS = re.compile(r"(?m)^points = .*$")
 
 
 def for_students(whole: Chapter, assigned: Chapter) -> Chapter:
-    """Return a whole chapter in which the assigned exercises have the points of the assignment.
+    """Return a chapter for the students of an assignment, with all of its exercises.
 
-    ``assigned`` is the part of the chapter that was assigned. The other exercises become optional.
+    The exercises in ``assigned`` have the points of the assignment, and the others become optional.
     """
     own = {exercise.id: exercise for exercise in assigned.exercises}
     exercises = [own.get(e.id) or replace(e, optional=True) for e in whole.exercises]

@@ -13,9 +13,9 @@ from autograder.scores import shown
 
 @dataclass(frozen=True)
 class HandedIn:
-    """What a platform such as Gradescope says about the time of a submission.
+    """What a platform such as Gradescope says about when a submission was handed in.
 
-    Canvas does not say when a submission came in. It says only whether it was ``late``.
+    Canvas is an exception, because it says only whether the submission was ``late``.
     """
 
     source: str
@@ -24,7 +24,7 @@ class HandedIn:
 
 
 def days_late(due: datetime, submitted: datetime) -> int:
-    """Return how many days late a submission is, where a day that has begun counts as a whole one.
+    """Return how many days late a submission is. A day counts in full as soon as it has begun.
 
     If the work was due at 18:00, each of these days ends at 18:00 in the time zone of ``due``. When
     the clocks change in between, one of the days therefore has 23 or 25 hours.
@@ -41,13 +41,14 @@ def days_late(due: datetime, submitted: datetime) -> int:
 def _end(time: datetime) -> datetime:
     """Return the last moment at which a clock shows this local time.
 
-    In spring the clocks skip some times. For such a time, return when they would have shown it.
+    In autumn a clock shows some times twice. In spring it skips some, and for such a time we return
+    the moment at which it would have shown it.
     """
     return max(time.replace(fold=fold).astimezone(UTC) for fold in (0, 1))
 
 
 def deduction(policy: LatePolicy, days: int, possible: float) -> float:
-    """Return how many points a submission loses if it is so many days late.
+    """Return how many points a submission loses if it is ``days`` days late.
 
     ``possible`` is the number of points that the assignment is worth.
     """
@@ -88,5 +89,5 @@ def late_of(
 
 
 def clock(time: datetime) -> str:
-    """Write a time for people to read, such as 2026-10-23 23:59 CEST."""
+    """Format a time for people to read, such as 2026-10-23 23:59 CEST."""
     return f"{time:%Y-%m-%d %H:%M} {time.tzname()}"

@@ -12,7 +12,7 @@ Path = tuple[str | int, ...]  # the keys on the way to a value, such as ("assign
 
 
 class Lines:
-    """Knows in which line of a TOML file each key and each table is. The first line is 1."""
+    """The line number of each key and each table in a TOML file, counted from 1."""
 
     def __init__(self, text: str) -> None:
         self._text = text.splitlines()
@@ -39,9 +39,8 @@ class Lines:
     def of(self, path: Path, word: str = "") -> int:
         """Return the line of the value at ``path``, so that a message can point to it.
 
-        If there is no such value, return the line of the table it belongs to, and if that is
-        missing too, return 1. For a value that spans several lines, return the first line that
-        contains ``word`` in quotes.
+        If there is no such value, return the line of its table, or 1 if that is missing as well. If
+        the value spans several lines, return the first one that contains ``word`` in quotes.
         """
         while path and path not in self._first:
             path = path[:-1]

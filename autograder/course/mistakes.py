@@ -1,4 +1,7 @@
-"""Collect all mistakes in a course file, so that the instructor sees them at once, with lines."""
+"""Collect all mistakes in a course file, so that the instructor sees them at once.
+
+Each mistake comes with the number of its line.
+"""
 
 from __future__ import annotations
 
@@ -80,7 +83,7 @@ class Mistakes:
 
 
 def shown(value: Any) -> str:
-    """Write a value as it would appear in TOML. If it is long, show only the beginning."""
+    """Format a value as it would appear in TOML. If it is long, show only the beginning."""
     text = {True: "true", False: "false"}.get(value) if type(value) is bool else None
     text = text or (f'"{value}"' if isinstance(value, str) else str(value))
     text = clean_line(text)

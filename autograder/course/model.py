@@ -33,10 +33,10 @@ class LatePolicy:
 
 @dataclass(frozen=True)
 class Deadline:
-    """When an assignment is due, and the later dates of those students who have an extension.
+    """When an assignment is due, and the later due dates of students who have an extension.
 
-    Every time has a time zone. If there is no policy, the reports say how late a submission is, but
-    it loses no points.
+    Every time has a time zone. Without a policy, the reports still say how late a submission is,
+    but it loses no points.
     """
 
     due: datetime

@@ -25,8 +25,8 @@ def lateness(
 ) -> tuple[dict[str, Late], list[str]]:
     """Compute how late each submission of a class is.
 
-    Return the result for each student, and some notes for the instructor. A note says, for example,
-    that the time of some submissions is unknown.
+    Return the result for each student, and notes that the instructor should read. One of them lists
+    the students for whom the time is unknown, for example.
 
     Raises:
         ValueError: A file with the times of the submissions is not valid.

@@ -135,7 +135,7 @@ class Reader:
         return Deadline(due, policy, times)
 
     def _policy(self, table: Mapping[str, Any], path: tuple[str | int, ...]) -> LatePolicy | None:
-        """Read the policy for late work in a table. If late days cost nothing, return None."""
+        """Read the policy for late work, or return None if late days cost nothing."""
         mistakes, at = self.mistakes, (*path, "late")
         late = mistakes.value(table, path, "late", dict)
         if late is None:
@@ -162,7 +162,7 @@ class Reader:
         return LatePolicy(per_day, "percent" if unit == "percent" else "points", cap)
 
     def _path(self, table: Mapping[str, Any], path: tuple[str | int, ...], key: str) -> Path | None:
-        """Return the path that a key contains. If nothing is there, note this as a mistake."""
+        """Return the path that a key contains. If it does not exist, note this as a mistake."""
         name = self.mistakes.value(table, path, key, str)
         if name is None:
             return None

@@ -29,8 +29,8 @@ REPOSITORY, SUBMITTED = "student_repository_name", "submission_timestamp"
 def times_of(folder: Path, submissions: list[Submission], zone: tzinfo) -> dict[str, HandedIn]:
     """Return when each student has handed in the work, as far as we know.
 
-    If several files contain a time for the same student, times.csv wins. A time that does not name
-    its time zone is meant in ``zone``.
+    If several files contain a time for the same student, times.csv wins. If a time does not name
+    its time zone, we assume that it is in ``zone``.
 
     Raises:
         ValueError: A file is not valid. The message says which lines are wrong.
@@ -126,7 +126,7 @@ def _of_canvas(submissions: list[Submission]) -> Iterator[tuple[str, HandedIn]]:
 def _time(value: Any) -> datetime | None:
     """Read a time as a platform writes it, or return None if the value is not a time.
 
-    Platforms use UTC, so that is what we assume if the text does not name a time zone.
+    If the text does not name a time zone, we assume UTC, which is what platforms use.
     """
     try:
         return parse_time(value.isoformat() if isinstance(value, datetime) else str(value), UTC)
@@ -145,5 +145,5 @@ def _readable(path: Path) -> Iterator[None]:
 
 
 def _key(name: str) -> str:
-    """Write accented letters in one encoding only, so that equal names compare equal."""
+    """Normalize accented letters, so that two encodings of the same name compare equal."""
     return unicodedata.normalize("NFC", name.strip())

@@ -49,8 +49,8 @@ class Assignment:
     ) -> list[Verdict]:
         """Run the checks of a chapter's graded exercises, and of the exercises they build on.
 
-        ``missing`` explains for each module that we rejected why we did so. ``compiled`` is a
-        folder where the compiled code of a submission is kept from one run to the next.
+        ``missing`` lists the modules that we have rejected, each with the reason. ``compiled`` is a
+        folder that keeps the compiled code of a submission from one run to the next.
 
         Raises:
             GraderError: The checks could not be run.
@@ -78,10 +78,10 @@ class Assignment:
 
 
 class OnceForAll:
-    """Verdicts that are the same for every submission, so that we need to find them only once.
+    """Verdicts that are the same for every submission, so that we have to find them only once.
 
     All threads that grade the class share this object. The first thread that needs a verdict runs
-    the checks for it, and the others wait for the result.
+    the checks for it, while the others wait for the result.
     """
 
     def __init__(self) -> None:
@@ -103,9 +103,10 @@ class OnceForAll:
             return self._of_nothing[chapter.name]
 
     def of_reference(self, assignment: Assignment, chapter: Chapter) -> list[Result]:
-        """Return the results of our own solution, which charts show beside the student's.
+        """Return the results of our own solution, whose cost and error the charts show.
 
-        For that purpose we only run the checks of open exercises. The others have no verdicts.
+        For that purpose we have to run only the checks of open exercises. The others have no
+        verdicts.
         """
         root = assignment.root
         with self._lock:

@@ -1,6 +1,7 @@
 """Look after the folder that holds the reports on a class.
 
-Only one run at a time may write to it. It also remembers whether the last run has finished.
+Only one run at a time may write to this folder. It also contains a file that says whether the last
+run has finished, so that an interrupted run can be resumed.
 """
 
 from __future__ import annotations
@@ -31,9 +32,10 @@ def seed_of(state: Path, seed: str | None) -> str:
 
 
 def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
-    """Raise ValueError if one student is graded with a roster but the class was not, or vice versa.
+    """Raise ValueError if this run has a roster and the earlier run had none, or vice versa.
 
-    Without the roster a student has another name, and would therefore be listed twice.
+    Without the roster a student has another name. If we graded somebody again like that, the same
+    student would be listed twice.
     """
     try:
         before = json.loads(state.read_text(encoding="utf-8"))["roster"]
@@ -50,7 +52,9 @@ def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
 
 @contextmanager
 def only_run(out: Path) -> Iterator[Path]:
-    """Create the folder ``out`` and lock it, and yield the file that stores the state of the run.
+    """Lock the folder ``out``, so that no other run can use it, and yield the run's state file.
+
+    If the folder does not exist yet, it is created.
 
     Raises:
         ValueError: The path is not a folder, or another run is using it.

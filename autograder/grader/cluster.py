@@ -138,7 +138,7 @@ def grade_over(
 
 
 def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentReport:
-    """Grade a student's submission on a worker of the cluster.
+    """Grade a student's submission. Dask calls this function on a worker of the cluster.
 
     Raises:
         ValueError: The worker would not grade exactly as the sending machine does.
@@ -161,7 +161,10 @@ def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentR
 
 
 def check_worker(work: Work) -> None:
-    """Raise ValueError if this worker would not grade exactly as the sending machine does."""
+    """Raise ValueError if this worker would not grade exactly as the sending machine does.
+
+    Otherwise a student's grade could depend on which machine happened to grade it.
+    """
     wanted = work.assignment.level
     level = _level(unsafe=not wanted.is_sandbox)
     own = run_key(replace(_at_home(work), level=level))
@@ -206,7 +209,7 @@ def _refusal(worker: str, error: Exception) -> str:
 
 
 class _Call:
-    """A function call that takes place when its pickle is loaded."""
+    """A function call that takes place when its pickle is loaded, which happens on the worker."""
 
     def __init__(self, *parts: Any) -> None:
         self.parts = parts
@@ -226,9 +229,9 @@ def _call(*parts: Any) -> tuple[Callable[[bytes], Any], bytes]:
 
 
 def _tree(folder: Path | None) -> Tree:
-    """Read all files in a folder into a dict, so that they can be sent.
+    """Read all files in a folder into a dict, so that they can be sent over the network.
 
-    Without a folder it is empty.
+    If ``folder`` is None, the dict is empty.
     """
     paths = sorted(folder.rglob("*")) if folder else []
     return {

@@ -22,7 +22,7 @@ from autograder.submissions.stage import Staged, stage
 
 SUBMISSION_LIMIT = 300.0  # seconds for all chapters of a submission, which usually needs about 2 s
 
-LEAST_TIME = 10.0  # seconds; each chapter gets at least so many, or its checks could not begin
+LEAST_TIME = 10.0  # seconds; a chapter gets at least this many, or its checks could not begin
 
 
 def grade_submission(
@@ -57,7 +57,7 @@ def grade_submission(
 
 
 def report_of_failure(assignment: Assignment, student: str, reason: str) -> StudentReport:
-    """Write the report on a submission that the grader was unable to grade."""
+    """Build the report on a submission that the grader was unable to grade."""
     pairs = [(_errors(chapter, reason),) * 2 for chapter in assignment.chapters]
     return replace(_report(assignment, OnceForAll(), student, pairs, []), seconds=0.0)
 
@@ -135,9 +135,9 @@ def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
 def _chart(
     assignment: Assignment, once: OnceForAll, chapter: Chapter, result: Result
 ) -> Chart | None:
-    """Return where the submission and the reference are on the chart of an exercise.
+    """Return the cost and error of a submission, and those of the reference, for the chart.
 
-    Some exercises have no chart, and then the result is None. A submission that fails because of an
+    Most exercises have no chart, and then the result is None. A submission that fails because of an
     earlier chapter is not on the chart either, because we only learn from the second run which of
     its checks pass.
     """
@@ -151,7 +151,7 @@ def _chart(
 
 
 def _errors(chapter: Chapter, reason: str) -> list[Result]:
-    """Write the results of a chapter whose checks could not be run.
+    """Build the results of a chapter whose checks could not be run.
 
     They count as errors of the grader, so that the student does not get a zero for them.
     """

@@ -1,4 +1,4 @@
-"""Find out who belongs to a class, using the roster, the anonymous codes and the marks."""
+"""Put together what we know about the people in a class: the roster, the codes and the marks."""
 
 from __future__ import annotations
 

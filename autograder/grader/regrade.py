@@ -33,6 +33,8 @@ MAY_DIFFER = {
 class Regrade:
     """Grades one student again, after an earlier run has graded the class.
 
+    Everything else must be as it was for the class, so that the grades can be compared.
+
     Raises:
         ValueError: The folder contains no earlier run, or the student did not hand anything in.
     """
@@ -77,7 +79,7 @@ class Regrade:
         return seeds[0]
 
     def prepare(self, run: ClassRun) -> list[Submission]:
-        """Get a run ready to grade the student again, and return the student's submission.
+        """Set up a run that grades the student again, and return the student's submission.
 
         Raises:
             ValueError: The exercises or the checks differ from those of the class.
@@ -141,7 +143,7 @@ class Regrade:
 
 
 def earlier_choice(out: Path) -> tuple[str, str]:
-    """Return the chapters and the given chapters of an earlier run, as one would type them.
+    """Return the chapters and the given chapters of an earlier run, as options to type.
 
     Raises:
         ValueError: There is no earlier run.

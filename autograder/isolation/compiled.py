@@ -21,7 +21,7 @@ class CompiledLoader(SourceFileLoader):
 
 
 class CompiledFinder:
-    """Finds those modules of the engine and of the probes that we have compiled.
+    """Finds modules of the engine and the probes whose code we have already compiled.
 
     ``compiled`` holds the marshaled code of each module. We can unmarshal it safely, because
     nothing in it runs until a worker imports the module.

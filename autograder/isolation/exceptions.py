@@ -20,12 +20,15 @@ FILE = re.compile(r"ch\d\d_\w+/\w+\.py")
 
 
 def known_name(error: Exception) -> str:
-    """Return the name of the nearest base class that both processes know."""
+    """Return the name of an error's nearest base class that we can send to a worker."""
     return next(base.__name__ for base in type(error).__mro__ if base.__name__ in KNOWN_ERRORS)
 
 
 def exception_of(data: Any) -> BaseException:
-    """Recreate the student's exception from the worker's data, with the fault as an attribute."""
+    """Recreate the student's exception from the data that a worker has sent.
+
+    Its attribute ``fault`` describes the exception as it was in the worker.
+    """
     try:
         frames = [
             Place(file, line, text_of_worker(function, 100))

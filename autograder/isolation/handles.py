@@ -1,9 +1,9 @@
 """Handles, through which the checks use a student's objects that live in a worker process.
 
-Whatever a check does with a handle becomes a request to the worker. There is one exception: a
-handle cannot be compared, converted or used as a truth value, because the student's code would
-decide the result. A check has to read plain numbers and compare them itself. That way an object
-whose ``__eq__`` always returns True gains nothing.
+Whatever a check does with a handle becomes a request to the worker. A check cannot compare a
+handle, convert it or use it as a truth value, because the student's code would then decide the
+result. It has to read plain numbers and compare them itself. That way an object whose ``__eq__``
+always returns True gains nothing.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ class WorkerFailure(CheckEnded):
 
 
 class Session:
-    """The conversation with one worker, from its start to its end.
+    """The conversation with one worker process, from its start to its end.
 
-    ``broken`` explains for each module that cannot be imported why that is so.
+    ``broken`` lists the modules that cannot be imported, each with the reason.
     """
 
     def __init__(
@@ -54,9 +54,10 @@ class Session:
         self._callbacks: list[Callable[..., Any]] = []
 
     def ask(self, what: str, *operands: Any) -> Any:
-        """Send a request to the worker, and return its answer.
+        """Send a request to the worker process, and return its answer.
 
-        If the student's code raises an Exception, this method raises the nearest built-in one.
+        If the student's code raises an Exception, this method raises the nearest built-in one, so
+        that the check sees the same error.
 
         Raises:
             StudentLeft: The student's code raised something that is not an Exception.
@@ -88,7 +89,10 @@ class Session:
         return reply
 
     def _receive(self) -> dict[str, Any]:
-        """Return the worker's next message. If the machine was busy, wait longer than usual.
+        """Return the next message from the worker process.
+
+        If the worker did not get enough processor time because the machine was busy, wait once
+        more.
 
         Raises:
             TimeoutError: There is no message in time.
@@ -113,7 +117,7 @@ class Session:
         raise exception_of(reply.get("raised"))
 
     def _explain_missing(self, data: Any) -> Message:
-        """Write the message for a check that uses a name which does not exist."""
+        """Build the message for a check that uses a name which does not exist."""
         if type(data) is not list or len(data) != 4:
             raise BrokenProtocolError("a missing name in an unknown form")
         module, name, near = (text_of_worker(part, 100) for part in data[:3])

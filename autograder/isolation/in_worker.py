@@ -1,9 +1,8 @@
-"""Run the checks in this process, and the student's code in a new worker for each check.
+"""Run the checks in this process, and the student's code in a new worker process for each check.
 
 When a check file imports a chapter, it gets placeholders instead of the student's functions and
-classes. As soon as a check uses one of them, the placeholder sends a request to the worker of the
-moment. That is why we have to import the check files only once, although every check has a worker
-of its own.
+classes. As soon as a check uses one of them, the placeholder sends a request to the current worker.
+That is why we have to import the check files only once, although every check has its own worker.
 """
 
 from __future__ import annotations
@@ -105,7 +104,7 @@ class InWorker:
         return found
 
     def _code_of(self, module: str, file: Path) -> bytes | None:
-        """Return the compiled code of a file, which an earlier run may have saved."""
+        """Return the compiled code of a file, and compile the file only if no earlier run did."""
         text = f"{file}\n".encode() + file.read_bytes()
         kept = self.compiled / hashlib.sha256(text).hexdigest()
         if kept.exists():
@@ -146,7 +145,7 @@ class InWorker:
         self.stop()  # the next worker starts with this module marked as broken
 
     def definitions(self, file: Path) -> set[str] | None:
-        """Return the names that a file defines, or None if the worker cannot find out."""
+        """Return the names that a file defines, or None if the worker cannot tell us."""
         if self.session is None or self.session.dead:
             return None
         try:
@@ -168,7 +167,7 @@ class InWorker:
         return self.session
 
     def start(self) -> None:
-        """Start the worker for a check.
+        """Start a worker process for a check.
 
         Raises:
             TemplateError: The worker did not start.

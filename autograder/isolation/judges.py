@@ -42,10 +42,10 @@ class Judges:
             )
 
     def ask(self, order: Order, descriptors: list[int]) -> int:
-        """Send an order together with some open files, and return the number in the answer.
+        """Send an order to the waiting process, together with some open files.
 
-        This number is the process number of the new judge. If the order was to wait for a judge, it
-        is the judge's exit code instead.
+        The answer is a number, which is normally the process number of the new judge. If the order
+        was to wait for a judge, it is the judge's exit code.
         """
         data = json.dumps(order).encode() + b"\n"
         sent = socket.send_fds(self._control, [data], descriptors)

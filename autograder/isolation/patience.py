@@ -16,9 +16,9 @@ ENOUGH = 0.5  # a worker that had this part of the time limit on a processor get
 class Patience:
     """The extra time that a worker may get, but only once.
 
-    ``process`` is the number of the worker's process, and ``seconds`` is the time limit. If we
-    cannot find out how much processor time the worker has used, ``process`` is 0. This is so in a
-    bubblewrap sandbox, where processes have other numbers than outside.
+    ``process`` is the number of the worker's process, and ``seconds`` is the time limit. In a
+    bubblewrap sandbox, processes have other numbers than outside, so we cannot find out how much
+    processor time the worker has used. ``process`` is then 0.
     """
 
     def __init__(self, process: int, seconds: float) -> None:

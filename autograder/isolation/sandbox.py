@@ -33,7 +33,7 @@ class SandboxError(Exception):
 
 @dataclass(frozen=True)
 class Level:
-    """Which layers the sandbox around a worker has."""
+    """The layers of the sandbox in which a student's code runs."""
 
     landlock: bool = False
     seccomp: bool = False
@@ -75,9 +75,9 @@ def landlock_version() -> int:
 
 
 def landlock_rules(readable: Sequence[str]) -> int:
-    """Create Landlock rules that allow a worker to read only these files and folders.
+    """Create rules for Landlock that let a worker read these files and folders, and nothing else.
 
-    Return the file descriptor of the rules.
+    The result is the file descriptor of the rules.
 
     Raises:
         SandboxError: The kernel does not accept the rules.
@@ -143,7 +143,7 @@ def seccomp_filter() -> bytes:
 
 
 class Filter:
-    """The filter in the form that the kernel expects. All workers share one such object."""
+    """The seccomp filter in the form that the kernel expects. All workers share one object."""
 
     def __init__(self) -> None:
         code = seccomp_filter()
@@ -172,7 +172,7 @@ _LIMITS = {
 
 
 def confine(level: Level, rules: int | None) -> None:
-    """Restrict a template for good. Its workers inherit all of these restrictions.
+    """Restrict a template process for good. All of its workers inherit the restrictions.
 
     ``rules`` is the descriptor from ``landlock_rules``.
 
@@ -194,7 +194,7 @@ def confine(level: Level, rules: int | None) -> None:
 
 
 def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
-    """Take away from a worker, for good, the right to fork and to send signals.
+    """Take away a worker's right to fork and to send signals, and never give it back.
 
     Only the template needs these rights. ``seconds`` is how much processor time the worker may use
     from now on.

@@ -34,7 +34,7 @@ _KNOWN = {getattr(builtins, name): name for name in KNOWN_ERRORS}
 
 
 class Server:
-    """Answers requests about the student's objects, each of which has a number."""
+    """Answers the checks' requests about the student's objects, each of which has a number."""
 
     def __init__(self, wire: Wire, engine: list[Path]) -> None:
         self.wire = wire
@@ -90,7 +90,7 @@ class Server:
         return {"object": number, "type": type(value).__name__[:100]}
 
     def find(self, data: dict[str, Any]) -> Any:
-        """Return the object that a reference means. It holds a number, a name or a callback."""
+        """Return the object that a reference stands for, or the function if it is a callback."""
         if "object" in data:
             return self.objects[data["object"]]
         if "callback" in data:

@@ -85,9 +85,9 @@ class Template:
     def start_worker(
         self, on_hang: Callable[[], NoReturn], broken: Mapping[str, Message] | None = None
     ) -> Session:
-        """Return a session with an unused worker, and order the next one in advance.
+        """Return a session with a worker that has not run anything, and order the next one.
 
-        ``broken`` explains for each module that cannot be imported why that is so.
+        ``broken`` lists the modules that cannot be imported, each with the reason.
 
         Raises:
             TemplateError: The worker did not start.
@@ -115,7 +115,7 @@ class Template:
             self._next = self._order()
 
     def _order(self) -> _Worker:
-        """Order a worker. The template will answer with the worker's process number."""
+        """Ask the template for a worker. It will answer with the worker's process number."""
         assert self._control is not None
         own, theirs = socket.socketpair()
         worker = _Worker(own, self._new_file(), self._new_file())
@@ -125,7 +125,7 @@ class Template:
         return worker
 
     def _new_file(self) -> int:
-        """Return the descriptor of a new file without a name, if possible in memory."""
+        """Create a file without a name, in memory if possible, and return its descriptor."""
         if hasattr(os, "memfd_create"):  # saves a tenth of the cost of a worker
             return os.memfd_create("output")
         descriptor, path = tempfile.mkstemp(dir=self._own)
@@ -290,7 +290,7 @@ def _python_folders() -> list[str]:
 
 
 def _bubblewrap(visible: Sequence[str]) -> list[str]:
-    """Return how to start a program so that it sees only these paths and cannot change them."""
+    """Return the bubblewrap command for a program that may read these paths and nothing else."""
     program = shutil.which("bwrap") or "bwrap"
     command = [program, "--unshare-all", "--uid", "65534", "--gid", "65534", "--die-with-parent"]
     command += ["--cap-drop", "ALL", "--dev", "/dev", "--chdir", "/"]

@@ -16,7 +16,7 @@ from typing import Any
 
 LONGEST_LINE = 1_000_000  # bytes
 LONGEST_INT = 4096  # bits
-MOST_ITEMS = 20_000  # in one message
+MOST_ITEMS = 20_000  # a message may contain at most this many items
 DEEPEST = 20
 LARGEST_DICT = 1_000  # entries; keys that were chosen to collide could make a larger dict slow
 
@@ -49,10 +49,10 @@ _DECODER = json.JSONDecoder()
 
 
 class Wire:
-    """One end of a pair of sockets.
+    """One end of the connection between the checks and a worker, which is a socket.
 
-    If ``patient`` is set, this end waits for the other one as long as it takes. If not, it obeys
-    deadlines.
+    A worker's end is ``patient``, so it waits for the next request as long as it takes. The end of
+    the checks obeys deadlines, because the student's code may never answer.
     """
 
     def __init__(self, descriptor: int, *, patient: bool = False) -> None:
@@ -113,7 +113,7 @@ class Wire:
 
 
 def _message(line: bytes) -> dict[str, Any]:
-    """Return the message in one line of JSON."""
+    """Decode the message in a line that the other end has sent."""
     try:
         text = line.decode()
         message, end = _DECODER.raw_decode(text)
@@ -127,7 +127,7 @@ def _message(line: bytes) -> dict[str, Any]:
 
 
 def pack(value: Any, refer: Refer) -> Any:
-    """Put a value into the form that it has in a message.
+    """Convert a value to the form in which it can be sent.
 
     For every object that is not plain data, ``refer`` is called to get a reference to it.
 
@@ -162,7 +162,7 @@ def _pack(value: Any, refer: Refer, left: list[int], depth: int) -> Any:
 
 
 def unpack(data: Any, find: Find) -> Any:
-    """Turn the data in a message back into a value.
+    """Convert the data in a message back to the value that was sent.
 
     For every reference in the data, ``find`` is called to get the object.
 

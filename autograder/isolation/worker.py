@@ -63,7 +63,7 @@ def main(text: str) -> None:
     for name in PRELOADED.split() if config["preload"] else ():
         importlib.import_module(name)
     for folder in sorted({path.name for f in config["folders"] for path in Path(f).glob("ch??_*")}):
-        importlib.import_module(folder)  # has no code; Python then knows its place
+        importlib.import_module(folder)  # it has no code, but Python then remembers where it is
         importlib.util.find_spec(f"{folder}.nothing")
     if level.landlock:
         os.dup2(sandbox.landlock_rules(config["readable"]), RULES)
@@ -86,7 +86,7 @@ def main(text: str) -> None:
 def _obey(
     control: socket.socket, work: Callable[..., None], seconds: float, workers: set[int]
 ) -> None:
-    """Carry out the orders that arrive, until the control socket is closed.
+    """Carry out the orders that arrive, such as "start", until the control socket is closed.
 
     ``workers`` always contains the process numbers of the workers that are running.
     """
@@ -131,7 +131,7 @@ def _kill(worker: int) -> None:
 
 
 def _exit_code(worker: int, seconds: float) -> int | None:
-    """Return the exit code of a worker that has closed its wire. For a signal it is negative.
+    """Return the exit code of a worker that has closed its wire, or minus the signal that ended it.
 
     If the worker does not end within a second, kill it and return None.
     """

@@ -18,12 +18,12 @@ from autograder.student.written import flowing
 from autograder.submissions.find import Submission
 from autograder.submissions.stage import stage
 
-LONGEST = 20_000  # characters; the page shows no more of an answer
+LONGEST = 20_000  # the page shows at most this many characters of an answer
 
 
 @dataclass(frozen=True)
 class Answer:
-    """What one student has answered to a question.
+    """One student's answer to a question.
 
     The page shows ``code`` instead of the student's name. If something is wrong with the student's
     file, ``note`` says what, and ``text`` then contains the whole file.
@@ -37,7 +37,7 @@ class Answer:
 
 @dataclass(frozen=True)
 class Task:
-    """A written exercise: its question, model answer and rubric, and what the students answered."""
+    """A written exercise to mark, with its model answer and rubric and the students' answers."""
 
     exercise: Exercise
     question: str
@@ -89,7 +89,8 @@ def _answers_of(
 def _text_of(question: Question, file: Path) -> tuple[str, str]:
     """Return the text of an answer, and a note if something is wrong with the student's file.
 
-    If we do not find the answer in its section, the text is the whole file.
+    If we do not find the answer in its section, we return the whole file, since the answer may be
+    somewhere else in it.
     """
     if not file.exists():
         return "", ""

@@ -52,11 +52,11 @@ def check_title(title: str) -> str:
 
 
 def _canvas_id(member: Member) -> str:
-    """Return the number that Canvas has given to a student, or "" if we do not know it.
+    """Return the number by which Canvas knows a student, or "" if we do not know it.
 
-    If there is a submission, its name contains the number. Otherwise we try the student's id in the
-    roster, but only if it is a number, because Canvas takes any number at the beginning of this
-    cell for its own.
+    If the student has handed in through Canvas, the name of the submission contains this number.
+    Otherwise we try the student's id in the roster, but only if it is a number. Anything else must
+    not be in this cell, because Canvas reads a number at its beginning as one of its own ids.
     """
     export = member.submission.export if member.submission else None
     if export and export.platform == "canvas" and export.number.isdecimal():

@@ -85,7 +85,7 @@ def workflow(chapters: list[Chapter]) -> dict[str, Any]:
 
 
 def in_whole_points(chapters: list[Chapter]) -> list[Chapter]:
-    """Return the chapters with whole points, where every exercise has at least one."""
+    """Round the points of all exercises to whole numbers, with at least one point for each."""
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     counted = {e.id: e.points for e in exercises if not e.extra}
     whole = rescaled(counted, round(possible(exercises)), unit="1")

@@ -17,7 +17,7 @@ from autograder.scores import possible, shown
 
 HIDDEN = "hidden"  # the folder of the hidden checks in the zip
 SCRIPTS = ("setup.sh", "run_autograder")
-FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # all files get this date, so that equal contents compare equal
+FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # with the same date, equal files give equal bytes in the zip
 
 
 def make_gradescope(
@@ -72,7 +72,7 @@ def make_gradescope(
 def _files(
     root: Path, chapters: list[Chapter], reference: list[Chapter], there: list[Chapter]
 ) -> Iterator[Path]:
-    """Yield those files of this repository that belong into the zip."""
+    """Yield the files of this repository that belong in the zip."""
     yield root / "pyproject.toml"
     yield root / "requirements.lock"
     yield root / "LICENSE"

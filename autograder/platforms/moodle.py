@@ -22,9 +22,9 @@ WORKSHEET = [
 def write_moodle(path: Path, people: ClassList, grades: Mapping[str, float], title: str) -> None:
     """Write moodle.csv, with a row for each student of the roster.
 
-    Moodle is easily confused. It stops the import at a student whom it does not know, and if the
-    cell that should identify a student is empty, the grade goes to the student in the row above. So
-    we write the columns for logins and e-mail addresses only if every student has one.
+    Moodle stops the import at a student whom it does not know. If the cell that should identify a
+    student is empty, it even gives the grade to the student in the row above. That is why we write
+    the columns for logins and e-mail addresses only if every student has one.
     """
     students = [(member, member.student) for member in people.members if member.student]
     columns = {"ID number": [who.id for _, who in students]}

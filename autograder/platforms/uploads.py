@@ -19,7 +19,7 @@ CANVAS_ID = re.compile(r" \([0-9]+\)$")  # in Canvas, the title of an assignment
 
 @dataclass(frozen=True)
 class Column:
-    """The column of the gradebook into which a platform puts the grades.
+    """The column in a platform's gradebook that will contain the grades.
 
     ``title`` may end with the id of an assignment, as in "Lab 1 (12345)". ``points`` is how much
     the assignment is worth on the platform, and we scale the grades accordingly.
@@ -42,7 +42,10 @@ def write_uploads(
     reports: Sequence[StudentReport],
     column: Column,
 ) -> tuple[list[Path], list[str]]:
-    """Write canvas.csv and moodle.csv for a class with a roster, and Moodle's worksheet.
+    """Write the files that an instructor can upload to Canvas or Moodle.
+
+    These are canvas.csv and moodle.csv for a class with a roster, and Moodle's worksheet if
+    submissions come from there.
 
     Returns:
         The paths of the files, and sentences for the instructor.

@@ -49,7 +49,10 @@ def run_release(arguments: argparse.Namespace) -> int:
 
 
 def refuse_early(work: Work, now: datetime) -> None:
-    """Raise ValueError if some student may still hand in work for this assignment."""
+    """Raise ValueError if some student may still hand in work for this assignment.
+
+    Nobody should be able to copy from the reference before the deadline.
+    """
     if work.deadline is None:
         return
     dues = [work.deadline.due, *work.deadline.extensions.values()]

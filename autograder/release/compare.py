@@ -81,7 +81,7 @@ def compare_others(
 
 
 def _codes(file: str, texts: Texts) -> dict[str, Code]:
-    """Return the functions of a module, as far as they can be read."""
+    """Return the functions of a module, without those that cannot be read."""
     text = texts.get(file, "")
     return {one.name: _code(file, text, one) for one in read_functions(text)[0]}
 

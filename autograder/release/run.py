@@ -37,7 +37,7 @@ def release(
     *,
     roster: Path | None = None,
 ) -> int:
-    """Write the reference of some chapters into the folder ``out``, and return 0.
+    """Write the reference of some chapters into a folder, and return the exit code 0.
 
     If ``exercises`` is not empty, only these exercises are written. If ``submissions`` and
     ``grades`` are given, each student also gets a page that compares the student's own code with

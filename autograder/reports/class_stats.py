@@ -1,4 +1,4 @@
-"""Statistics of a graded class: how many students pass each exercise, and how scores spread."""
+"""Statistics of a graded class: how many students pass each exercise, and how scores are spread."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ BINS = 10
 class ExerciseRate:
     """How many students of a class pass an exercise, and what they earn on average.
 
-    ``counted`` is the number of students who have a score. A student has none as long as nobody has
+    ``counted`` is the number of students who have a score. A student has no score yet if nobody has
     marked the answer, or if the grader failed on the submission.
     """
 

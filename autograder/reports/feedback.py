@@ -48,7 +48,7 @@ TO_FIX = ("failed", "inherited", "blocked")  # students should fix these first t
 
 @dataclass
 class LostChecks:
-    """Failed checks that have the same message, which the page shows only once.
+    """Failed checks with the same message, so that the page has to show this message only once.
 
     The titles of hidden checks are left out.
     """

@@ -32,8 +32,8 @@ def write_gradebook(
 ) -> Path:
     """Write gradebook.csv and return its path. The second row says how many points are possible.
 
-    A cell is empty if there is no grade yet. That is so if nobody has marked the answer, if the
-    grader failed, or if the student has not handed in anything. ``missing`` lists such students,
+    A cell is empty if there is no grade yet. This happens if nobody has marked the answer, if the
+    grader failed, or if the student has not handed anything in. ``missing`` lists such students,
     and ``unmatched`` lists those who are not in the roster. If there is a due date, the gradebook
     has three more columns, for the points, the late days and the penalty. The total is then the
     points minus the penalty.

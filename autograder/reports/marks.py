@@ -44,10 +44,11 @@ class Row:
 
 
 def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> Marks:
-    """Read marks.csv, which has the columns student, exercise, points and comment.
+    """Read marks.csv, in which an instructor has entered points and comments for written answers.
 
-    If there is no such file, there are no marks. A European spreadsheet may separate the columns by
-    semicolons, and then numbers may have a decimal comma.
+    Its columns are student, exercise, points and comment. If there is no such file, there are no
+    marks. A European spreadsheet may separate the columns by semicolons, and then numbers may have
+    a decimal comma.
 
     Raises:
         ValueError: A line is not valid. The message names the line and the expected form.
@@ -177,5 +178,5 @@ def _names(students: Iterable[str]) -> dict[str, str]:
 
 
 def _key(name: str) -> str:
-    """Write accented letters in one encoding only, so that equal names compare equal."""
+    """Normalize accented letters, so that two encodings of the same name compare equal."""
     return unicodedata.normalize("NFC", name.strip())

@@ -15,7 +15,7 @@ ReportStatus = Literal["graded", "error, retry"]
 
 @dataclass(frozen=True)
 class CheckReport:
-    """How one check of a student's submission has gone."""
+    """How one check went for one student."""
 
     name: str
     status: Status
@@ -27,9 +27,10 @@ class CheckReport:
 
 @dataclass(frozen=True)
 class Chart:
-    """Where a submission and the reference are on the chart of an open exercise.
+    """Where a student's solution and ours are on the chart of an open exercise.
 
-    ``axes`` names what the chart compares, which is a cost and an error.
+    Such a chart compares what a solution costs with how large its error is. ``axes`` names these
+    two quantities.
     """
 
     axes: list[str]
@@ -95,11 +96,16 @@ class RunKey:
 class StudentReport:
     """All results of one student.
 
-    ``points`` is how many points the checks can give. ``by_hand`` is how many points people have
-    given for written answers, and ``waiting`` is how many they can still give. ``earlier`` lists
-    the earlier chapters of the student's own that the graded ones use. ``submission`` is a digest
-    of the graded files, and ``seconds`` is how long grading took. If the work has no due date,
-    ``late`` is None.
+    Attributes:
+        score: The points from checks. It is None if the grader failed.
+        score_on_given: The points from checks if the earlier chapters come from the reference.
+        points: How many points the checks can give.
+        by_hand: The points that people have given for written answers.
+        waiting: How many points people can still give.
+        earlier: The numbers of the student's own earlier chapters that the graded ones use.
+        submission: A digest of the graded files.
+        seconds: How long grading took.
+        late: How late the submission is. It is None if the work has no due date.
     """
 
     student: str
@@ -138,8 +144,8 @@ class StudentReport:
 def tiers(checks: Sequence[CheckReport]) -> list[tuple[str, int, int]]:
     """Count the passed checks among the physics checks, and among the robust ones.
 
-    For each of the two kinds that has checks, return its name, the number of passed checks, and the
-    number of all its checks.
+    For each of the two kinds that has checks, return its name, how many of its checks pass, and how
+    many checks it has.
     """
     found = []
     for name, robust in (("physics", False), ("robust", True)):

@@ -1,6 +1,7 @@
 """Lay out the chart of an open exercise, which shows the cost and the error of each submission.
 
-Both axes are logarithmic. Once we know where everything goes, the template scatter.svg draws it.
+Both axes are logarithmic. This module only computes where everything goes, and the template
+scatter.svg then draws it.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ class Dot:
 class Scatter:
     """The layout of a chart: two axes, a dot for each student and our own, and the front.
 
-    The front connects the best solutions. Each tick on an axis has a position and a label.
+    The front is the line through the best solutions. A tick on an axis has a position and a label.
     """
 
     exercise: ExerciseReport

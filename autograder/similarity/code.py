@@ -20,7 +20,10 @@ _Line = list[tokenize.TokenInfo]
 
 @dataclass(frozen=True)
 class Token:
-    """A token as we compare it, with its (line, column) in the student's file."""
+    """A token in the form in which we compare it.
+
+    ``start`` and ``end`` are its (line, column) in the student's file.
+    """
 
     word: str
     start: tuple[int, int]
@@ -45,8 +48,8 @@ class Function:
 def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list[Function], int]:
     """Return the functions in a student's file, and the line at which we had to stop reading.
 
-    If the whole file is readable, this line is 0. A method has a name such as Particle.mass, and a
-    setter one such as Particle.mass.setter. We leave out signatures, comments and docstrings,
+    If the whole file is readable, this line is 0. A method has a name such as Particle.mass, and
+    its setter is called Particle.mass.setter. We leave out signatures, comments and docstrings,
     because they are given or do not change what the code does. For the same reason all strings
     count as equal, and so do 2 and 2.0. ``known`` contains the names in the engine, which all
     students use.
@@ -81,7 +84,7 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
 
 
 def names_in(text: str) -> Iterator[str]:
-    """Yield Python's own names and all public names in a text of ours."""
+    """Yield Python's own names and the public names in a file that is not a student's."""
     yield from (*dir(builtins), *dir(math))
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
         if token.type == tokenize.NAME and not (

@@ -24,10 +24,12 @@ SMALLEST = 30  # tokens; if our solution is shorter, all students' solutions mus
 class Ground:
     """What we have to know about the chapters before we can compare any code.
 
-    ``parts`` maps each function that students edit, such as ch02_vectors/vector.py Vector3.dot, to
-    its exercise. ``known`` contains the names in the engine. ``given`` contains the hashes of code
-    that is ours, in stubs, given modules and the reference. ``small`` lists the exercises that are
-    too short to compare.
+    Attributes:
+        parts: The exercise of each function that students edit, such as the function Vector3.dot in
+            ch02_vectors/vector.py.
+        known: The names in the engine, which all students use.
+        given: The hashes of code that is ours, in stubs, given modules and the reference.
+        small: The exercises that are too short to compare.
     """
 
     chapters: list[Chapter]

@@ -53,7 +53,10 @@ class Work:
 
 @dataclass(frozen=True)
 class Pair:
-    """Two students, with the similarity of their code from 0 to 1 and their surprise."""
+    """Two students and how similar their code is, from 0 to 1.
+
+    ``surprise`` says how unusual this similarity is in their class.
+    """
 
     one: Work
     other: Work
@@ -65,7 +68,7 @@ class Pair:
 class Shared:
     """The code of one part that two students share.
 
-    ``rarest`` is the number of students in whose code the rarest piece of it appears.
+    ``rarest`` says how many students in the class have its rarest piece.
     """
 
     name: str
@@ -175,7 +178,7 @@ class Measure:
 
 
 def _excesses(pairs: list[Pair]) -> Iterator[float]:
-    """For each pair, yield how much more alike the two are than each usually is to others."""
+    """Yield by how much the similarity of each pair exceeds what is usual for its two students."""
     of: dict[str, list[float]] = {}
     for pair in pairs:
         for work in (pair.one, pair.other):

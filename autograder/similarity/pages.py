@@ -21,9 +21,9 @@ from autograder.similarity.compare import FEWEST, Comparison, Pair, Passage, Sha
 from autograder.similarity.winnow import covered
 
 TEMPLATES = Path(__file__).parent / "templates"
-FEWEST_ROWS = 30  # the index lists so many pairs, or more if more of them stand out
-MOST_LINES = 200  # a page shows no more lines of one function
-WIDEST = 500  # a page shows no more characters of one line
+FEWEST_ROWS = 30  # the index lists this many pairs, or more if more of them stand out
+MOST_LINES = 200  # a page shows at most this many lines of one function
+WIDEST = 500  # a page shows at most this many characters of one line
 RARE = 0.1  # code is rare if at most this fraction of the class has it
 
 
@@ -153,6 +153,6 @@ def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
 
 
 def _histogram(pairs: Sequence[Pair]) -> list[tuple[int, int]]:
-    """Count how many pairs have a surprise between two neighboring whole numbers."""
+    """Count the pairs by their surprise, in bins that are 1 wide."""
     counts = Counter(math.floor(p.surprise) for p in pairs if p.surprise is not None)
     return [(n, counts[n]) for n in range(min(counts), max(counts) + 1)] if counts else []

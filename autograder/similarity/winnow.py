@@ -35,7 +35,7 @@ def fingerprints(words: tuple[str, ...]) -> set[int]:
 
 
 def covered(tokens: list[Token], shared: Collection[int]) -> set[int]:
-    """Return the numbers of all tokens that belong to a sequence with a shared hash."""
+    """Return the numbers of the tokens that are part of a sequence whose hash is shared."""
     found = hashes(tuple(token.word for token in tokens))
     starts: Iterable[int] = (i for i, value in enumerate(found) if value in shared)
     return {i for start in starts for i in range(start, start + GRAM)}

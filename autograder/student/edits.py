@@ -55,9 +55,10 @@ class Edits:
 
 
 def _bodies(module: str, text: bytes) -> dict[str, str] | None:
-    """Return the code of each function in a module, or None if we find no function in it.
+    """Return the code of each function in a module, or None if there is none to compare.
 
-    The module may be empty for a moment, because some editors empty a file before they write to it.
+    Then the module cannot be read, or it is empty. Some editors empty a file for a moment before
+    they write to it.
     """
     try:
         found = functions(ast.parse(text))

@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 class Failure:
     """A failed check, with everything that helps the student to fix it.
 
-    ``place`` is where an editor should open, and ``hints`` is the exercise whose hints may help. If
-    an earlier chapter has to be fixed first, both are empty.
+    ``place`` is the line that an editor should open, and ``hints`` is the exercise whose hints may
+    help. If an earlier chapter has to be fixed first, both are empty.
     """
 
     heading: str

@@ -1,4 +1,4 @@
-"""Find out whether a student has edited a file that we give out complete.
+"""Find out whether a student has edited a file that should stay as it is, such as cloth.py.
 
 The grader uses our own copy of this file, so the student's changes would be lost.
 """

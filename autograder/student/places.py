@@ -15,7 +15,7 @@ FOLDER = re.compile(r"ch\d\d_\w+")  # a chapter's folder has such a name
 
 
 def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
-    """Return where the student should look: the line in the message, or the function it is about.
+    """Return where to look: the line in the message or, failing that, the function that was called.
 
     Two kinds of lines do not help. A line inside a function of another exercise may be correct, and
     a line in a complete file is not the student's to edit. If the check is about data that the
@@ -40,7 +40,7 @@ def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed:
 
 
 def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
-    """Return where a function is defined that students edit, as path:line.
+    """Return where one of the functions that students edit is defined, as path:line.
 
     ``name`` is the function's name in the manifest. If its file is missing or cannot be read,
     return only the path. The path is relative to the working folder if the file is somewhere inside

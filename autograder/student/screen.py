@@ -43,8 +43,8 @@ BAR = 40
 class Report:
     """The results of a chapter with the student's own earlier chapters, and those with ours.
 
-    ``on_reference`` is empty if we did not need a second run, or could not do one. ``suspects`` are
-    earlier chapters that may be the cause of failures.
+    ``on_reference`` holds the latter. It is empty if a second run was not needed or not possible.
+    ``suspects`` are earlier chapters that may be the cause of failures.
     """
 
     chapter: Chapter
@@ -133,9 +133,9 @@ def passed_words(
     *,
     changed: bool,
 ) -> str:
-    """Return the sentence that says that all checks pass.
+    """Return the sentence with which we tell the student that all checks pass.
 
-    ``changed`` is true if the student has edited a file that is given complete.
+    ``changed`` is true if the student has edited a file that should stay as it is.
     """
     if changed:
         return "All checks pass here, but grading uses the original files."
@@ -146,7 +146,7 @@ def passed_words(
 
 
 def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
-    """Return a note on each complete file of a chapter that the student has edited."""
+    """Return a note on each file that the student has edited although it should stay as it is."""
     return [
         f"{file} has been edited. It is not handed in, and grading uses the original, so code "
         "that needs your change fails there. Keep your own code in the files that the "

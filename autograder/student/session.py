@@ -75,10 +75,7 @@ class Session:
             self.show()
 
     def show(self) -> None:
-        """Check the current exercise and show how it stands.
-
-        If there is none, find the next one.
-        """
+        """Check the current exercise and show its state. If there is none, find the next one."""
         self.next = None
         self.page = Page()
         try:
@@ -93,11 +90,11 @@ class Session:
         self.page.draw(self.console, with_keys=self.has_keys)
 
     def is_done(self, chapter: Chapter, exercise: Exercise) -> bool:
-        """Check an exercise, show how it stands, and return whether it is done.
+        """Check an exercise, show its state, and return whether it is done.
 
         An exercise is done as soon as its physics passes. Its robust checks have to wait until the
-        physics of the whole chapter passes. The exercises it builds on are checked as well, and if
-        the physics of one of them no longer passes, that one becomes the current exercise.
+        physics of the whole chapter passes. The exercises it builds on are checked as well. If the
+        physics of one of these no longer passes, it becomes the current exercise.
         """
         worked = self.progress.works(chapter, exercise)
         report = self.progress.report(chapter, exercise)

@@ -24,7 +24,7 @@ TICK = 100  # milliseconds until we look again whether a key was pressed
 
 
 def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Chapter]) -> None:
-    """Show how the current exercise stands, and check it after every save until q is pressed.
+    """Show the state of the current exercise, and check it after every save until q is pressed.
 
     The current exercise is the one that the student has edited last. At the start, it is the first
     one that is still open.
@@ -50,7 +50,7 @@ def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Ch
 
 
 class Keyboard:
-    """Does what each key stands for when the student presses it."""
+    """Runs the command that belongs to a key when the student presses it."""
 
     def __init__(self, session: Session) -> None:
         self.session = session
@@ -58,7 +58,7 @@ class Keyboard:
         self.asking = False  # whether we have asked if the current exercise should be reset
 
     def press(self, key: str) -> None:
-        """Do what a key stands for. Most keys do nothing."""
+        """Run the command for a key, such as h for a hint. Other keys do nothing."""
         try:
             if self.asking:
                 self.answer(key)

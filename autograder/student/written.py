@@ -17,9 +17,7 @@ if TYPE_CHECKING:
 def print_written(
     console: Console, chapter: Chapter, exercise: Exercise, engine: list[Path], root: Path = ROOT
 ) -> None:
-    """Print the question of a written exercise.
-
-    Once it is answered, print the model answer as well.
+    """Print the question of a written exercise and, once it is answered, the model answer.
 
     The rubric follows, so that students can judge their own answer. A hand-out contains neither the
     model answer nor the rubric, since both are meant for the instructor only.

@@ -15,7 +15,7 @@ _Index = defaultdict[str, list[Student]]
 
 @dataclass(frozen=True)
 class Member:
-    """A member of the class, who is in the roster, has handed in something, or both.
+    """Somebody in the class: a student in the roster, the author of a submission, or both.
 
     ``shown`` is the name that all reports show. ``folder`` is the name on the submission itself.
     """
@@ -38,7 +38,7 @@ class Member:
 
 @dataclass(frozen=True)
 class ClassList:
-    """The members of a class. Without a roster, we only know those who have handed in something."""
+    """The members of a class. Without a roster, we know only those who have handed something in."""
 
     members: list[Member]
     has_roster: bool = False
@@ -55,7 +55,7 @@ class ClassList:
 
     @property
     def missing(self) -> list[str]:
-        """The students of the roster who have not handed in anything."""
+        """The students of the roster who have not handed anything in."""
         return [member.shown for member in self.members if not member.submission]
 
     @property
@@ -67,7 +67,7 @@ class ClassList:
     def names(self) -> dict[str, str]:
         """For each name that only one student has, the name that the reports show.
 
-        Students who have not handed in anything are left out.
+        Students who have not handed anything in are left out.
         """
         claims = defaultdict(set)
         for member in self.members:
@@ -81,7 +81,7 @@ class ClassList:
         }
 
     def renamed(self, name: Callable[[Member], str]) -> ClassList:
-        """Return the class with other names to show, which ``name`` returns for each member."""
+        """Return the class with ``name(member)`` as the name to show for each member."""
         members = [replace(member, shown=name(member)) for member in self.members]
         return replace(self, members=sorted(members, key=lambda member: member.shown))
 

@@ -24,8 +24,8 @@ class Table:
 
         Blank rows are skipped, and missing cells at the end of a row are empty. If a row has too
         many cells, somebody has probably forgotten to quote a cell that contains a separator.
-        ``longest`` says which cell this is most likely to be, so that the error message can mention
-        it.
+        ``longest`` names the kind of cell in which this is most likely, so that the error message
+        can mention it.
 
         Raises:
             ValueError: A row is too long, or a quote is never closed. The message names the line.

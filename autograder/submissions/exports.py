@@ -1,4 +1,4 @@
-"""Understand the names that Canvas and Moodle give to the submissions that one downloads."""
+"""Understand the names that Canvas and Moodle give to the submissions we download from them."""
 
 from __future__ import annotations
 
@@ -61,6 +61,6 @@ def read_export(name: str) -> Exported | None:
 
 
 def _resubmission(file: str) -> int:
-    """Return 2 for the second upload after the first, as in work-2.zip, and 0 for the first."""
+    """Return the number that a platform adds to a later upload, as in work-2.zip, or else 0."""
     found = RESUBMITTED.search(file)
     return int(found[1]) if found else 0

@@ -25,8 +25,8 @@ HASHED = re.compile(r".*-[0-9a-f]{8}")
 class Submission:
     """What a student has handed in, which is a folder or a zip file.
 
-    If a platform has chosen its name, ``export`` holds what this name says. ``aliases`` are other
-    names of the student, from the folder or file and from the roster.
+    If a platform has chosen the name of this file, ``export`` holds what the name says. ``aliases``
+    are other names of the student, from the folder or file and from the roster.
     """
 
     student: str

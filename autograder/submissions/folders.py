@@ -13,8 +13,8 @@ from pathlib import Path
 
 # If one of these errors occurs, the machine is to blame and not the submission.
 OURS = (errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.EIO, errno.ESTALE)
-DEEPEST = 3  # we look for a chapter's folder this many levels below the submission
-MOST_ENTRIES = 5_000  # we look at no more files and folders of one submission
+DEEPEST = 3  # a chapter's folder may be at most this many levels below the submission
+MOST_ENTRIES = 5_000  # we look at no more than this many files and folders of one submission
 
 
 class NotTakenError(Exception):
@@ -39,7 +39,7 @@ class Found:
 def search_folder(
     submission: Path, wanted: Mapping[str, Sequence[str]]
 ) -> tuple[list[Found], list[str]]:
-    """Find the files of each chapter that we want to grade, and write notes for the instructor.
+    """Find the files in a student's folder that we want to grade, and write notes on problems.
 
     Raises:
         NotTakenError: The submission's folder cannot be read at all.

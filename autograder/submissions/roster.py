@@ -87,21 +87,21 @@ def read_roster(path: Path) -> list[Student]:
 
 
 def key(text: str) -> str:
-    """Write an id, e-mail address or login in a form in which two of them can be compared."""
+    """Normalize an id, e-mail address or login, so that two of them can be compared."""
     return unicodedata.normalize("NFC", text.strip()).casefold()
 
 
 def letters(name: str) -> str:
     """Return only the letters and digits of a name, in lower case.
 
-    Platforms drop all other characters, so we can compare names only like this.
+    Platforms drop all other characters, so this is the only form in which we can compare names.
     """
     text = unicodedata.normalize("NFKC", name).casefold()
     return "".join(character for character in text if character.isalnum())
 
 
 def _places(table: Table) -> dict[str, int]:
-    """Return in which column the roster has each of the values we need."""
+    """Return the index of each column that the roster must have."""
     for name in COLUMNS:
         if (count := table.header.count(name)) != 1:
             problem = f"there are {count} columns {name!r}" if count else f"no column {name!r}"

@@ -24,10 +24,10 @@ LARGEST_FILE = 1_000_000  # bytes; the longest module of a chapter has about ten
 class Staged:
     """What we have copied from a submission, and what we have rejected.
 
-    ``missing`` explains for each module that was rejected, such as ch02_vectors.vector, why we did
-    so. ``notes`` are for the instructor, and quote nothing from the student but names. ``digest``
-    depends on everything that we accepted or rejected, so submissions with the same digest get the
-    same grade.
+    ``missing`` lists the modules that we have rejected, such as ch02_vectors.vector, each with the
+    reason. ``notes`` are for the instructor, and quote nothing from the student but names.
+    ``digest`` depends on everything that we have accepted or rejected, so submissions with the same
+    digest get the same grade.
     """
 
     missing: dict[str, str]

@@ -56,11 +56,10 @@ class _File:
 
 
 def class_folder(path: Path) -> Path:
-    """Return the folder of a class.
+    """Return the folder of a class, and first unpack it if it is a zip.
 
-    If it is a zip, unpack it first, into a folder of the same name.
-
-    If the zip has changed since the last time, unpack it again, but keep marks.csv in the folder.
+    The new folder has the same name as the zip. If the zip has changed since the last time, we
+    unpack it again, but keep marks.csv in the folder.
 
     Raises:
         ValueError: The zip cannot be unpacked, or the folder was not created by this function.
@@ -82,7 +81,7 @@ def class_folder(path: Path) -> Path:
 
 
 def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Console) -> Unpacked:
-    """Put the files of this zip in place of those from its earlier version."""
+    """Replace the files of an earlier version of this zip by those of the new one."""
     try:
         file = zipfile.ZipFile(path)
     except UNREADABLE as error:

@@ -29,7 +29,7 @@ from autograder.submissions.folders import (
 # This limit is in bytes. A normal submission is well below 100,000. If somebody builds a zip of
 # 5 MB to keep zipfile busy, it takes about 2 s, and a larger one would take proportionally longer.
 LARGEST_ZIP = 5_000_000
-MOST_ZIPS = 5  # we open no more zips in one folder
+MOST_ZIPS = 5  # we open no more than this many zips in one folder
 ENCRYPTED = 1 << 0  # the flag of an encrypted entry
 DAMAGED = "the zip is damaged, or not an ordinary zip: zip the folder again"
 # If a zip is damaged or has an unknown format, zipfile raises one of these exceptions.
@@ -45,7 +45,7 @@ UNREADABLE = (
 
 
 def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Found], list[str]]:
-    """Find the files in a zip that we want to grade, and write notes for the instructor.
+    """Find the files in a student's zip that we want to grade, and write notes on problems.
 
     Raises:
         NotTakenError: The zip as a whole is rejected.
@@ -116,7 +116,10 @@ def path_in_zip(entry: zipfile.ZipInfo) -> str:
 
 
 def is_unsafe(name: str) -> bool:
-    """Return whether a path is absolute, or has a part that is empty or consists of dots."""
+    """Return whether a path in a zip could lead outside of it, or is otherwise not a plain path.
+
+    Such a path is absolute, or has a part that is empty or consists of dots.
+    """
     return name[1:2] == ":" or any(part in f"/{name}" for part in ("//", "/./", "/../"))
 
 

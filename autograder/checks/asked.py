@@ -50,7 +50,7 @@ class About:
         return call, words.get("cause", self.cause), words.get("read", self.read)
 
     def forget(self) -> None:
-        """Clear everything before a new check begins."""
+        """Clear everything, so that a check does not inherit the words of the check before it."""
         self("", cause="", read="")
 
 

@@ -141,7 +141,11 @@ class Run:
 
     @property
     def limit(self) -> float:
-        """How many seconds the next check may take."""
+        """How many seconds the next check may take.
+
+        If one function has already hung twice, this is less than usual. The student then does not
+        have to wait so long for the same endless loop.
+        """
         hurried = len(set(self.loops)) < len(self.loops)
         return self.order.limits.check * (HURRIED if hurried else 1.0)
 
@@ -154,7 +158,7 @@ class Run:
         return len(self.verdicts), len(self.broken)
 
     def outcome(self) -> list[Verdict]:
-        """Return the verdicts in the order of the checks."""
+        """Return the verdicts in the order of the checks, with blocked ones marked as such."""
         verdicts = [self.verdicts[name] for name in self.checks]
         return mark_blocked(self.order.chapter, verdicts)
 

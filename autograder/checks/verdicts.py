@@ -188,7 +188,7 @@ class Recorder:
 
 
 def run_all(checks: list[pytest.Item]) -> None:
-    """Run some checks that pytest has already collected."""
+    """Run some checks that pytest has already collected, one after the other."""
     for check in checks:
         runtestprotocol(check, log=False)
 
@@ -246,7 +246,7 @@ def main() -> int:
 
 
 def pytest_arguments(config: Config) -> list[str]:
-    """Return the command-line arguments for pytest."""
+    """Return the command-line arguments with which we start pytest."""
     arranged = config.arranged
     arguments = [*arranged.tests, "--capture=no", f"--rootdir={arranged.root}"]
     arguments += [f"--seed={config.seed}", *(f"--engine={path}" for path in arranged.engine)]

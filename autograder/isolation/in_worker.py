@@ -177,7 +177,7 @@ class InWorker:
             self.session.ask("begin", list(self.broken))
 
     def stop(self) -> str:
-        """End the worker, and return what it has printed."""
+        """End the worker process, and return what the student's code has printed in it."""
         printed = self.template.printed() if self.session else ""
         self.session = None
         self.template.stop_worker()

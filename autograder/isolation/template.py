@@ -215,7 +215,7 @@ class Template:
         return how_it_ended(code)
 
     def stop_worker(self) -> None:
-        """End the worker, if there is one."""
+        """End the current worker process, if there is one."""
         if self._worker is None:
             return
         worker, self._worker = self._worker, None
@@ -224,7 +224,7 @@ class Template:
             self._end()
 
     def close(self) -> None:
-        """End the worker and the template."""
+        """End the template process and its worker."""
         self.stop_worker()
         self._end()
         os.close(self._log)

@@ -53,7 +53,7 @@ def write_gradescope(out: Path, report: StudentReport) -> Path:
 
 
 def as_text(results: GradescopeResults) -> str:
-    """Return the results as the text of a results.json."""
+    """Return the results as JSON, in the form in which Gradescope reads them."""
     return json.dumps(to_json(results), indent=1, allow_nan=False) + "\n"
 
 

@@ -32,9 +32,9 @@ class Token:
 
 @dataclass(frozen=True)
 class Function:
-    """A function or method, with the tokens of its body.
+    """A function or method in a student's file, with the tokens of its body.
 
-    For code outside functions, the name is "".
+    Code outside of functions is stored like a function with the name "".
     """
 
     name: str

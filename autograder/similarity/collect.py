@@ -110,7 +110,10 @@ def _our_files(root: Path, chapters: list[str]) -> Iterator[str]:
 def _reference_sizes(
     chapter: Chapter, known: frozenset[str], root: Path
 ) -> dict[tuple[str, str], int]:
-    """Return how many tokens each function of the reference has."""
+    """Return how many tokens each function of the reference has.
+
+    From that we see which exercises are too short to compare.
+    """
     sizes = {}
     for name in chapter.edited_files:
         text = (root / "solutions" / chapter.name / name).read_text(encoding="utf-8")

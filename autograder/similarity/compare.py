@@ -45,7 +45,7 @@ class Part:
 
 @dataclass(frozen=True)
 class Work:
-    """All that one student has written, divided into parts."""
+    """All code that one student has handed in, divided into parts such as exercises."""
 
     student: str
     parts: Mapping[str, Part]
@@ -112,7 +112,7 @@ class Comparison:
 
 
 def compare(works: list[Work]) -> Comparison:
-    """Compare every pair of students in a class."""
+    """Compare every pair of students in a class, and rate how unusual their similarity is."""
     measure = Measure(works)
     pairs = [Pair(a, b, measure.similarity(a, b)) for a, b in combinations(works, 2)]
     if len(works) < FEWEST or (spread := _spread(_excesses(pairs))) is None:

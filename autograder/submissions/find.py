@@ -36,7 +36,7 @@ class Submission:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """All names of the student."""
+        """All names under which we know the student."""
         return (self.student, *self.aliases)
 
     @property

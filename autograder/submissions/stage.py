@@ -113,7 +113,7 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
 
 
 def _text(content: bytes) -> bytes:
-    """Return the content of a file as it is, if it is text.
+    """Return the content of a file unchanged, or reject the file if it is not text.
 
     Raises:
         NotTakenError: The content is not text.

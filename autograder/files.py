@@ -1,4 +1,4 @@
-"""Write files in one go, so that another program never reads a file that is only half written."""
+"""Write files atomically, so that another program never reads a half-written file."""
 
 from __future__ import annotations
 

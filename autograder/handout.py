@@ -139,7 +139,7 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
 def _remove_dead_links(out: Path) -> None:
     """Turn a link into plain text if it leads to a file that students did not receive.
 
-    Most of these links point to lessons of later chapters.
+    An example is a link to the lesson of a later chapter.
     """
     for page in out.rglob("*.md"):
         text = page.read_text(encoding="utf-8")

@@ -48,8 +48,8 @@ class Site:
     def check_host(self, request: HTTPServerRequest) -> None:
         """Refuse a request whose host name is not that of this machine.
 
-        A malicious site can make its own name point to this server, and would then look like our
-        page.
+        A malicious site can make its own host name point to this server. Without this check, it
+        could then act as if it were our page.
         """
         if request.host not in (f"127.0.0.1:{self.port}", f"localhost:{self.port}"):
             raise HTTPError(403)

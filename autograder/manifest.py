@@ -139,7 +139,7 @@ def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], l
     """Split some chapters into the given ones and those that the student writes.
 
     The code of a given chapter comes from the reference. ``numbers`` says which chapters are given,
-    as in "2,4-6", and if it is empty, none is.
+    as in "2,4-6". If it is empty, the student writes all of them.
 
     Raises:
         ValueError: No chapter is left for the student, or ``numbers`` is malformed.

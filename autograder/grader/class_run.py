@@ -120,7 +120,7 @@ class ClassRun:
         return self.save(report)
 
     def save(self, report: StudentReport) -> StudentReport:
-        """Add the marks and the lateness to a report, write it to disk, and return it."""
+        """Add the marks and the lateness to a report, write it and its pages, and return it."""
         report = replace(apply_marks(report, self.marks), late=self.late.get(report.student))
         if self.anonymous:
             report = replace(report, notes=[without_names(note) for note in report.notes])

@@ -63,10 +63,7 @@ def report_of_failure(assignment: Assignment, student: str, reason: str) -> Stud
 
 
 def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: Path) -> list[str]:
-    """Return the notes on a submission.
-
-    If it has no file that we could grade, one of them says so.
-    """
+    """Return the notes on a submission, and add one if it has no file that we could grade."""
     files = [box / chapter.name / name for chapter in chapters for name in chapter.edited_files]
     if staged.missing or any(file.exists() for file in files):
         return staged.notes

@@ -59,8 +59,8 @@ def compare_others(
 ) -> list[Compared]:
     """Compare the functions that do not belong to any exercise, such as helpers.
 
-    A function that is the same on both sides is left out, because it was probably given. So is any
-    code outside of functions.
+    If a function is the same on both sides, for example because it was given, we leave it out. We
+    also leave out any code outside of functions.
     """
     edited = {name for exercise in chapter.exercises for name in exercise.edit}
     found = []

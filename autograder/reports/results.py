@@ -17,14 +17,14 @@ from autograder.submissions.find import file_name
 
 
 def write_result(out: Path, report: StudentReport) -> Path:
-    """Write results/<student>.json in one go, and return its path."""
+    """Write results/<student>.json atomically, and return its path."""
     path = out / "results" / f"{file_name(report.student)}.json"
     keep_report(path, report)
     return path
 
 
 def keep_report(path: Path, report: StudentReport) -> None:
-    """Write a report to a file in one go, so that the file is never half written."""
+    """Write a report to a file atomically, so that the file is never half written."""
     text = json.dumps(to_json(report), indent=1, ensure_ascii=False, allow_nan=False)
     replace_file(path, text + "\n")
 

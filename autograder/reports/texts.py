@@ -49,6 +49,6 @@ def check_title(name: str) -> str:
 
 
 def replace_file(path: Path, text: str) -> None:
-    """Write a text to a file in one go, so that the file is never half written."""
+    """Write a text to a file atomically, so that the file is never half written."""
     # Characters in a student's message or name that cannot be encoded are escaped.
     replace_bytes(path, text.encode("utf-8", errors="backslashreplace"))

@@ -81,5 +81,5 @@ def lacks_physics(result: Result) -> bool:
 
 
 def lacks_anything(result: Result) -> bool:
-    """Return whether some check of an exercise does not pass yet, be it physics or robust."""
+    """Return whether some check of an exercise does not pass yet, whether physics or robust."""
     return result.status not in ("passed", "waiting")

@@ -41,10 +41,11 @@ BAR = 40
 
 @dataclass(frozen=True)
 class Report:
-    """The results of a chapter with the student's own earlier chapters, and those with ours.
+    """The results of a chapter, as the checks have found them in one or two runs.
 
-    ``on_reference`` holds the latter. It is empty if a second run was not needed or not possible.
-    ``suspects`` are earlier chapters that may be the cause of failures.
+    ``results`` come from a run with the student's own earlier chapters. ``on_reference`` come from
+    a second run with ours, and are empty if this run was not needed or not possible. ``suspects``
+    are earlier chapters that may be the cause of failures.
     """
 
     chapter: Chapter

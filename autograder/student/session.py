@@ -149,8 +149,8 @@ class Session:
     def find_next(self) -> None:
         """Find the next open exercise, and show the student how to go on to it.
 
-        At the start there is nothing to leave behind, so we go on at once. We also do that if we
-        cannot read keys, because then the student cannot press Enter.
+        At the start we go on to it at once, because there is no other exercise to finish first. We
+        do the same if we cannot read keys, because then the student cannot press Enter.
         """
         self.next = self.progress.next_open()
         if self.current or self.next is None:

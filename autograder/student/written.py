@@ -49,7 +49,7 @@ def print_written(
 
 
 def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
-    """Say which questions are still open and where to answer them, or return "" if none is."""
+    """Say which questions are open and where to answer them. Without any, return ""."""
     groups = [
         open_ones
         for chapter in chapters

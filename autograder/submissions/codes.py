@@ -87,7 +87,7 @@ def _secret_in(path: Path) -> str:
 
 
 def _write_private(path: Path, text: str) -> None:
-    """Write a file in one go, and let only its owner read it."""
+    """Write a file atomically, and let only its owner read it."""
     temporary = path.with_name(path.name + ".tmp")
     temporary.unlink(missing_ok=True)
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL

@@ -1,9 +1,9 @@
-"""Generate the stubs in chapters/, from which students start, out of our solutions.
+"""Turn our solutions into the stubs in chapters/, from which students start.
 
 The manifest lists the functions that students write. In a stub each of these functions keeps its
 signature and docstring, but its body becomes ``raise NotImplementedError``. stubs.lock stores a
-hash of every stub. It shows us whether somebody has edited a stub since, and we never overwrite one
-that has been edited.
+hash of every stub. From this hash we see whether somebody has edited the stub since, and we never
+overwrite one that has been edited.
 """
 
 from __future__ import annotations

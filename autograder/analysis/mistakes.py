@@ -60,8 +60,7 @@ def mistakes_of(reports: Sequence[StudentReport]) -> Mistakes:
 
     We count only checks with the status "failed". If a check is blocked or inherited, the mistake
     is in another exercise or chapter, and it is counted there. The numbers in a message depend on
-    the random seed. So if two messages differ only in their numbers, we take them for the same
-    mistake.
+    the random seed, so we treat two messages that differ only in their numbers as the same mistake.
     """
     found: dict[str, Mistake] = {}
     wordings: dict[str, Counter[str]] = {}

@@ -1,4 +1,4 @@
-"""Handles, through which the checks use a student's objects that live in a worker process.
+"""A handle lets a check use a student's object that lives in a worker process.
 
 Whatever a check does with a handle becomes a request to the worker. A check cannot compare a
 handle, convert it or use it as a truth value, because the student's code would then decide the

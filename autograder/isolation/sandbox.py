@@ -1,6 +1,6 @@
 """Restrict what a worker can do, because it runs a student's code that we do not trust.
 
-Three mechanisms of Linux work together. Landlock lets the worker read a few folders and write
+Several mechanisms of Linux work together. Landlock lets the worker read a few folders and write
 nothing. A seccomp filter allows only those system calls that a computation needs, so the worker
 cannot create processes, open sockets, or send signals to other processes. Where bubblewrap is
 available, it adds a wall around the whole process. Resource limits restrict memory, processor time

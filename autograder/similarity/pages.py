@@ -84,7 +84,7 @@ def write_pages(
 def pieces_of(passage: Passage, kinds: dict[int, str]) -> list[Piece]:
     """Divide the lines of a function into pieces, so that shared code can be highlighted.
 
-    ``kinds`` says which tokens are shared and whether they are rare, by the tokens' numbers.
+    ``kinds`` says for the number of each shared token whether it is "rare" or "common".
     """
     first, last = passage.tokens[0].start[0], passage.tokens[-1].end[0]
     lines = passage.text.split("\n")[first - 1 : min(last, first - 1 + MOST_LINES)]

@@ -57,7 +57,7 @@ class Section:
 
 @dataclass(frozen=True)
 class Question:
-    """A written exercise, together with what the student has answered to it.
+    """A written exercise, together with the student's answer to it.
 
     ``section`` is the student's section in answers.md. ``problems`` describes what is wrong with
     this section, such as a heading that appears twice.

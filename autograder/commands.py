@@ -89,7 +89,8 @@ def command(name: str, **variables: str) -> str:
     """Return what a user should type to run the command ``name``, such as "make check EX=2.5".
 
     On a machine without make, this is a line that calls Python directly. In the browser a student
-    cannot type commands at all, but the buttons on the page are called like the commands of make.
+    cannot type commands at all, but the buttons on the page have the same names as the commands of
+    make.
     """
     if sys.platform == "emscripten" or shutil.which("make"):
         return " ".join(["make", name, *(f"{key}={value}" for key, value in variables.items())])

@@ -45,7 +45,7 @@ def to_json(value: Any) -> Any:
 def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
     """Create a dataclass of the type ``kind`` from JSON data.
 
-    ``what`` is a name for the data, such as "the report", with which error messages begin.
+    ``what`` is a name for the data, such as "the report", that appears in error messages.
 
     Raises:
         RecordError: A value is missing, unknown or of the wrong type.

@@ -1,8 +1,8 @@
 """Remember what the running check is testing, so that a message about a failure can say so.
 
-Before a check calls the student's code, it stores the call, the likely mistake if the result is
-wrong, and the section to read. If the result is wrong, or if the student's code raises an
-exception, the message shows them.
+Before a check calls the student's code, it stores three things: the call, the likely mistake if the
+result is wrong, and the section to read. If the result is wrong, or if the student's code raises an
+exception, the message shows all three.
 """
 
 from __future__ import annotations

@@ -45,7 +45,7 @@ class StudentLeft(BaseException):
 
 @dataclass(frozen=True)
 class Fault:
-    """An exception as plain data: its type, its text, and the student's lines that it passed.
+    """An exception as plain data: its type, its text, and the path it took through student code.
 
     For a syntax error, ``syntax`` holds the file, the line and the text that Python could not read.
     If the exception is about a name that does not exist, ``unknown`` describes this name.

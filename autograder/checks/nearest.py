@@ -1,8 +1,7 @@
 """Guess which name a student meant when the code uses a name or attribute that does not exist.
 
-Python's error contains only the missing name. Which names do exist is known only to the process
-that ran the code. So that process searches for a similar name itself, and returns what it has found
-as plain data.
+Python's error contains only the missing name. Only the process that ran the code knows which names
+do exist, so it searches for a similar one itself, and returns the result as plain data.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Give a student's code the same environment as in the grader.
 
-It runs in the root folder, without command-line arguments and without the user's environment
+The code runs in the root folder, without command-line arguments and without the user's environment
 variables. The limits on memory and recursion are those of the grader, so that a program which needs
 too much fails at home as well.
 """

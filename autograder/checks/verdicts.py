@@ -49,8 +49,8 @@ MOST_KEPT = (40, 2000)  # how many lines and characters of the printed output we
 class Recorder:
     """A pytest plugin that selects the checks to run, limits their time and reports the verdicts.
 
-    ``engine`` is the object that runs the student's code. Unless a test passes its own, we choose
-    it as the configuration says.
+    ``engine`` is the object that runs the student's code. Unless a test passes its own, the
+    configuration decides which kind of engine we use.
     """
 
     def __init__(self, config: Config, send: Send, engine: InProcess | None = None) -> None:

@@ -10,8 +10,8 @@ def rescaled(points: Mapping[str, float], out_of: float, unit: str = "0.01") -> 
     """Scale the points of all exercises by the same factor, so that they add up to ``out_of``.
 
     Each result is a multiple of ``unit``. To make the sum come out exactly, we first round
-    everything down. Then we give one unit each to the exercises that have lost most by rounding,
-    until none is left.
+    everything down. We then hand out the units that are left, one each, to the exercises that have
+    lost most by rounding.
     """
     step = Fraction(unit)
     total = sum(map(Fraction, points.values()))

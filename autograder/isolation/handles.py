@@ -57,7 +57,7 @@ class Session:
         """Send a request to the worker process, and return its answer.
 
         If the student's code raises an Exception, this method raises the nearest built-in one, so
-        that the check sees the same error.
+        that the check can handle it like any other error.
 
         Raises:
             StudentLeft: The student's code raised something that is not an Exception.

@@ -32,7 +32,7 @@ def check(
     *,
     only: bool = False,
 ) -> bool:
-    """Check some chapters or a single exercise, print the results, and return whether all passes.
+    """Check chapters or a single exercise, print the results, and return whether all checks pass.
 
     With ``exercise``, only this exercise and what it builds on are checked. With ``only``, we show
     and count nothing but the physics checks of this exercise. Everything else still runs, but

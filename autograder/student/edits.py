@@ -55,10 +55,10 @@ class Edits:
 
 
 def _bodies(module: str, text: bytes) -> dict[str, str] | None:
-    """Return the code of each function in a module, or None if there is none to compare.
+    """Return the code of each function in a module, or None if there is no code to compare.
 
-    Then the module cannot be read, or it is empty. Some editors empty a file for a moment before
-    they write to it.
+    This happens if the module cannot be read or is empty. Some editors empty a file for a moment
+    before they write to it.
     """
     try:
         found = functions(ast.parse(text))

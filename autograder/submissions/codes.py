@@ -23,7 +23,7 @@ QUOTED = re.compile(r"'.*'", re.DOTALL)
 
 
 def with_codes(people: ClassList, path: Path) -> ClassList:
-    """Return the class with codes instead of names, and write a key file that says whose is whose.
+    """Return the class with codes instead of names, and write the key file that explains the codes.
 
     We compute a code from the student's id and from a secret in the key file. As long as this file
     exists, every student therefore keeps the same code. If a submission belongs to no student in

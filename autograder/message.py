@@ -81,7 +81,7 @@ class Message:
         return self != NOTHING
 
     def changed(self, change: Callable[[str], str]) -> Message:
-        """Return a copy of the message, in which every text has been passed through ``change``."""
+        """Return a copy of the message with ``change`` applied to every text."""
         values: dict[str, Any] = {
             field.name: change(value)
             for field in fields(self)
@@ -95,7 +95,7 @@ class Message:
         return replace(self, **values)
 
     def rows(self, *, printed: bool = True) -> list[Row]:
-        """Return the texts of the message, each with its label, in the order to show them."""
+        """Return the texts of the message with their labels, in the order in which we show them."""
         rows = [("", self.blocked), ("", self.title)]
         rows += [("called", one_per_line(self.called)), ("got", self.got)]
         rows += [("wanted", self.wanted + self._how_close), ("where", str(self.where or ""))]

@@ -34,7 +34,7 @@ class Discrimination:
 
     @property
     def is_low(self) -> bool:
-        """Whether the exercise hardly separates students, or even favors the weaker ones."""
+        """Whether the exercise barely separates the students, or even favors the weaker ones."""
         return self.value is not None and self.value < LOW
 
 

@@ -42,7 +42,7 @@ WITHOUT = (
 
 
 def limit_acts(code: StudentsCode) -> None:
-    """Make every operation that the grader would refuse fail in the student's code from now on."""
+    """From now on, refuse every operation of the student's code that the grader would refuse."""
     refusals: dict[str, Callable[..., None]] = {
         "open": lambda *arguments: _open(code, *arguments),
         "os.listdir": lambda path: _list(code, path),

@@ -23,7 +23,7 @@ CHAPTER = re.compile(r"ch\d\d_\w+")
 
 
 def limit_imports(code: StudentsCode) -> None:
-    """Make every import that would fail in the grader fail in the student's code from now on."""
+    """From now on, refuse every import by the student's code that would fail in the grader."""
     real_import, real_import_module = builtins.__import__, importlib.import_module
 
     def guarded_import(

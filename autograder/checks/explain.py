@@ -241,7 +241,7 @@ def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> M
 
 
 def _unescaped(text: str) -> str:
-    """Turn the escapes that Python writes for special characters in a stack back into text."""
+    """Decode the escapes that Python uses for special characters when it writes a stack trace."""
     return ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), text)
 
 
@@ -272,7 +272,7 @@ def _is_given(place: Place, complete: Sequence[str]) -> bool:
 
 
 def _with_source(place: Place, engine_folders: list[Path]) -> Place:
-    """Add the text of the line to ``place``, from the first folder that contains its file."""
+    """Add the source line to ``place``, which we read from the first folder that has the file."""
     for folder in engine_folders:
         file = folder / place.file
         if file.is_file():

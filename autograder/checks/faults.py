@@ -34,7 +34,7 @@ class CheckEnded(BaseException):
 
 
 class GraderFault(BaseException):
-    """Raised to end a check when the grader itself has failed, and not the student's code."""
+    """Raised to end a check because of an error in the grader, not in the student's code."""
 
 
 class StudentLeft(BaseException):

@@ -1,4 +1,4 @@
-"""Stand-ins for modules that cannot be imported and for names that do not exist.
+"""Placeholders for modules that cannot be imported and for names that do not exist.
 
 Thanks to them the checks of a chapter can be imported even if the student's file lacks a name. Only
 a check that uses this name then fails, and its message says why.
@@ -55,7 +55,7 @@ def file_of(module: str) -> str:
 
 
 def broken_module(name: str, why: Message) -> ModuleType:
-    """Create a stand-in for a module that cannot be imported.
+    """Create a placeholder for a module that cannot be imported.
 
     If a check uses any name in it, the check fails with the message ``why``.
     """
@@ -65,7 +65,7 @@ def broken_module(name: str, why: Message) -> ModuleType:
 
 
 def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
-    """Return a __getattr__ function that creates a stand-in for each name a module lacks."""
+    """Return a __getattr__ function that creates a placeholder for each name a module lacks."""
     is_empty = all(name.startswith("__") for name in vars(module))
 
     def answer(name: str) -> Any:
@@ -85,7 +85,7 @@ def while_imported(module: str, message: Message) -> Message:
 
 
 def _placeholder(missing: MissingName, message: Message) -> Any:
-    """Create a stand-in for a missing name: a class that raises an error when it is called."""
+    """Create a placeholder for a missing name: a class that raises an error when it is called."""
     if missing.name.startswith("__"):
         raise AttributeError(missing.name)
 

@@ -1,4 +1,4 @@
-"""Capture what a student's code prints, and throw away all but the first characters."""
+"""Capture what a student's code prints, but keep only the first characters."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ LONGEST = 4000  # characters
 
 
 class CappedText(io.TextIOBase):
-    """A text stream that keeps the first LONGEST characters that are written to it."""
+    """A text stream that keeps the first LONGEST characters written to it and discards the rest."""
 
     def __init__(self, keep: Callable[[str], object]) -> None:
         self.left = LONGEST

@@ -64,7 +64,7 @@ class Recorder:
         self.engine.open(self.config.arranged.modules, self.config.broken, self.send)
 
     def pytest_collection_finish(self) -> None:
-        """Let the engine prepare itself for running the checks, now that all are collected."""
+        """Let the engine finish its preparations after the checks are collected."""
         self.engine.after_collection()
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
@@ -105,7 +105,7 @@ class Recorder:
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtestloop(self, session: pytest.Session) -> bool | None:
-        """Run each exercise in a forked copy, if the student's code shares this process."""
+        """Run each exercise in a forked copy, if the student's code runs in this process."""
         apart = isinstance(self.engine, InProcess) and self.engine.apart
         if session.testsfailed or not apart:  # if the collection failed, pytest reports that
             return None

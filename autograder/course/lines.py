@@ -1,4 +1,4 @@
-"""Find the line of a key in a TOML file, which Python's TOML parser does not tell us."""
+"""Find the line of a key in a TOML file, because Python's TOML parser does not report lines."""
 
 from __future__ import annotations
 

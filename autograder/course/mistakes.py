@@ -40,7 +40,7 @@ class Mistakes:
         raise ValueError("\n".join([f"{self.file} has {count}:", *lines]))
 
     def check_keys(self, table: Mapping[str, Any], path: Path, known: Iterable[str]) -> None:
-        """Note every key that we do not know as a mistake, and suggest a similar one."""
+        """Note each unknown key as a mistake, and suggest the most similar known key."""
         keys = list(known)
         for key in table:
             if key not in keys:

@@ -1,4 +1,4 @@
-"""Grade a whole class: run the grading in parallel, write the reports, and resume after a stop."""
+"""Grade a whole class: grade in parallel, write the reports, and resume interrupted runs."""
 
 from __future__ import annotations
 

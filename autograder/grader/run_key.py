@@ -45,7 +45,7 @@ def run_key(assignment: Assignment) -> RunKey:
 
 
 def grader_digest() -> str:
-    """Return a digest of the autograder's code, by which we recognize its version."""
+    """Return a digest of the autograder's code, which identifies its version."""
     return _digest((ROOT / "autograder").rglob("*.py"))
 
 

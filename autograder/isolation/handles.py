@@ -167,7 +167,7 @@ class Session:
 
 
 class Handle:
-    """Stands for one of the student's objects in the process of the checks."""
+    """An object in the process of the checks that stands for one of the student's objects."""
 
     __slots__ = ()
 

@@ -192,7 +192,7 @@ class InWorker:
 
 
 class Name(Handle):
-    """Stands for a name in a student's module, such as Vector3. It works with any worker."""
+    """A placeholder for a name in a student's module, such as Vector3. It works with any worker."""
 
     __slots__ = ("_module", "_name", "_workers")
 
@@ -237,7 +237,7 @@ class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
 
 
 class ChapterModule(ModuleType):
-    """A module that gives placeholders while checks are collected, and real objects in a check."""
+    """A module with placeholders while the checks are collected, and real objects in a check."""
 
     def __init__(self, workers: InWorker, name: str) -> None:
         super().__init__(name)

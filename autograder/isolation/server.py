@@ -98,7 +98,7 @@ class Server:
         return self.do_name(*data["name"])
 
     def callback(self, number: int) -> Callable[..., Any]:
-        """Return a function whose calls are passed on to function ``number`` of the check."""
+        """Return a function that asks the process of the checks to call its function ``number``."""
 
         def call(*arguments: Any) -> Any:
             packed = [pack(argument, self.refer) for argument in arguments]
@@ -192,7 +192,7 @@ class Server:
 
 
 def _imported(name: str) -> ModuleType:
-    """Import a module, and throw away what it prints, since this does not belong to any check."""
+    """Import a module, and discard its output, because it does not belong to any check."""
     if name in sys.modules:
         return sys.modules[name]
     nowhere = CappedText(lambda _: None)

@@ -108,7 +108,7 @@ class Template:
         return Session(wire, deadline, on_hang, self.how_it_ended, broken, patience)
 
     def warm_up(self) -> None:
-        """Order the next worker unless that has been done, but do not wait for it."""
+        """Order the next worker, unless it is already ordered, but do not wait for it."""
         if self._process is None:
             self._start()
         if self._next is None:

@@ -1,1 +1,1 @@
-"""Write down the results of grading: reports, feedback pages, gradebook and Gradescope's files."""
+"""Write the results of grading: reports, feedback pages, a gradebook, and files for Gradescope."""

@@ -190,7 +190,7 @@ def _possible(exercises: Sequence[ExerciseReport]) -> float:
 
 
 def _groups(checks: list[CheckReport]) -> list[LostChecks]:
-    """Group failed checks by message, because one unreadable file can make many fail alike."""
+    """Group failed checks by message, because one unreadable file can make many checks fail."""
     groups: dict[tuple[Status, str, bool, bool], LostChecks] = {}
     for check in checks:
         shared = check.status, str(check.message), check.hidden, check.robust

@@ -168,7 +168,7 @@ def _written(where: str, given: str, exercises: dict[str, Exercise]) -> Exercise
 
 
 def _names(students: Iterable[str]) -> dict[str, str]:
-    """Map each way to write a student's name to the student, unless two students share it."""
+    """Map each spelling of a student's name to the student, unless two students share it."""
     forms: dict[str, set[str]] = {}
     for name in students:
         for form in (name, _key(name), _key(as_cell(name))):

@@ -1,4 +1,4 @@
-"""Fill in the templates of all pages. Whatever comes from a student is inserted as text only."""
+"""Render the templates of all pages. Whatever comes from a student is inserted as text only."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ SHARED = Path(__file__).parent / "templates"
 
 
 def render(template: str, folder: Path = SHARED, **values: Any) -> str:
-    """Fill in a template with some values, and return the page.
+    """Render a template with some values, and return the page.
 
     We look for the template in ``folder`` first, and then among the templates that all pages share.
     """

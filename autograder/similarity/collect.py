@@ -40,7 +40,7 @@ class Ground:
 
 
 def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
-    """Find out everything about the chapters that a comparison needs."""
+    """Collect what a comparison needs for some chapters: exercises, known names and given code."""
     names = [chapter.name for chapter in load_chapters(root)]
     known = frozenset(name for text in _our_files(root, names) for name in names_in(text))
     given: set[int] = set()

@@ -129,7 +129,7 @@ def compare(works: list[Work]) -> Comparison:
 
 
 class Measure:
-    """Knows how much weight each fingerprint and each exercise has in this class."""
+    """The weights of the fingerprints and of the exercises in this class."""
 
     def __init__(self, works: list[Work]) -> None:
         self.students = len(works)
@@ -192,7 +192,7 @@ def _spread(values: Iterator[float]) -> tuple[float, float] | None:
     """Return the median and a robust standard deviation, or None if the values do not vary.
 
     We compute the standard deviation from the upper half of the values, which has the longer tail.
-    A few copies hardly change it.
+    It barely changes if a few students have copied.
     """
     found = [*values]
     deciles = statistics.quantiles(found, n=10, method="inclusive")

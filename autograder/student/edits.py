@@ -35,7 +35,7 @@ class Edits:
         return edited
 
     def _look_at(self, chapter: Chapter, name: str) -> set[str]:
-        """Return which parts of a file have changed, and remember how they look now."""
+        """Return the parts of a file that have changed, and remember its contents."""
         path = self.engine / chapter.name / name
         try:
             text = path.read_bytes()

@@ -166,7 +166,7 @@ def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
 
 
 def _last_change(chapter: Chapter, engine: Path) -> float:
-    """Return when somebody last changed a file that affects the chapter's picture."""
+    """Return when a file that affects the chapter's picture was last changed."""
     files = [
         file
         for file in engine.glob("ch??_*/*.*")
@@ -180,7 +180,7 @@ def _lab(name: str, engine: list[Path], given: list[Chapter]) -> str:
 
 
 def _variables(engine: list[Path], given: list[Chapter]) -> dict[str, str]:
-    """Return the variables of make that select this engine and the given chapters."""
+    """Return the make variables that select the engine and the given chapters."""
     numbers = ",".join(str(chapter.number) for chapter in given)
     return {**({"GIVEN": numbers} if given else {}), **engine_variables(engine)}
 

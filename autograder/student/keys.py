@@ -22,7 +22,7 @@ def available() -> bool:
 
 @contextmanager
 def single_keys() -> Iterator[None]:
-    """Deliver each key at once and without showing it. At the end, restore the terminal."""
+    """Deliver each key immediately and without echo. At the end, restore the terminal."""
     if not available() or sys.platform == "win32":
         yield
         return

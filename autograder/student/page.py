@@ -75,7 +75,7 @@ class Page:
         return few_printed(printed, MOST_PRINTED_LINES, MOST_PRINTED)
 
     def _below(self) -> list[Line]:
-        """Return what stands below the failure: the next steps, the progress and the note."""
+        """Return the lines below the failure: the next steps, the progress and the note."""
         steps: list[Line] = []
         if self.failure is not None:
             first, *others = self.failure.steps

@@ -61,7 +61,7 @@ class Progress:
         return not any(lacks_physics(r) for r in self._results(chapter) if r.exercise.id in wanted)
 
     def words(self, chapter: Chapter) -> str:
-        """Say how much of a chapter is done, first by its physics and in the end by all checks."""
+        """Describe how much of a chapter is done: first the physics, and then all checks."""
         wanted = {e.id for e in chapter.exercises if e.kind != "written" and not e.optional}
         results = [r for r in self._results(chapter) if r.exercise.id in wanted]
         of = len(wanted)

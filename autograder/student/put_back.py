@@ -1,4 +1,4 @@
-"""Restore functions that a student has deleted, at the place in the module where they were."""
+"""Restore functions that a student has deleted, at their original positions in the module."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cs
 
 
 def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
-    """Return the class with some members added, which we take from the stub."""
+    """Return a class with the members ``names`` added, which we take from the stub."""
     members = [*node.body.body]
     if not isinstance(node.body, cst.IndentedBlock):  # the whole class is on one line
         members = [cst.SimpleStatementLine(members)]
@@ -57,7 +57,7 @@ def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
 
 
 def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
-    """Insert a node where the stub has it, next to the nearest neighbor that is still there."""
+    """Insert a node after its nearest predecessor in the stub, or else before its successor."""
     names = [_name(other) for other in body]
     at = [*order].index(node)
     for other in reversed(order[:at]):

@@ -116,7 +116,7 @@ def planned(
 
 
 def _change(chapter: Chapter, exercise: Exercise, file: Path, messages: dict[str, str]) -> Change:
-    """Return the change to one file. If functions were deleted, it only brings these back."""
+    """Return the change to one file. If functions were deleted, it restores only these."""
     try:
         before = file.read_bytes()
         tree, module = ast.parse(before), cst.parse_module(before)

@@ -55,7 +55,7 @@ class Report:
 
 
 class ProgressBar:
-    """Shows on a terminal how far the checks have come. Anywhere else it shows nothing."""
+    """Shows the progress of the checks on a terminal. On other outputs, it shows nothing."""
 
     title = ""
     _bar = None

@@ -93,14 +93,14 @@ class Keyboard:
         self.note(f"Hint {number} of {of}: {exercise.hints[number - 1]}")
 
     def ask(self) -> None:
-        """Ask the student whether to put back the stubs of the current exercise."""
+        """Ask whether to reset the current exercise to its stubs."""
         if not self.session.current:
             return
         self.note(f"{question(*self.session.current, self.session.engine[0])} (y or n)", "bold")
         self.asking = True
 
     def answer(self, key: str) -> None:
-        """If the student has answered yes, put back the stubs of the current exercise."""
+        """Reset the current exercise if the student's answer is yes."""
         self.asking = False
         if key != "y" or not self.session.current:
             self.note("Nothing was reset.")
@@ -123,7 +123,7 @@ class Keyboard:
         print_report(session.console, reports, None, session.engine, progress.given)
 
     def plot(self) -> None:
-        """Draw a chapter's plots into files, in a separate process that opens no window."""
+        """Draw a chapter's plots to files, in a separate process that opens no window."""
         session = self.session
         chapter = session.current[0] if session.current else session.progress.chapters[-1]
         self.say(f"Drawing chapter {chapter.number} ...")

@@ -41,7 +41,7 @@ class Submission:
 
     @property
     def late(self) -> bool:
-        """Whether the platform has marked this as late. Only Canvas does that."""
+        """Whether the platform has marked the submission as late, which only Canvas does."""
         return self.export is not None and self.export.late
 
 
@@ -127,7 +127,7 @@ def printable(text: str) -> str:
 
 
 def _order(submission: Submission) -> tuple[int, int]:
-    """Return a number to sort by, which is larger for a later upload to a platform."""
+    """Return a sort key, which is larger for a later upload to a platform."""
     return submission.export.order if submission.export else (0, 0)
 
 

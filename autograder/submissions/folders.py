@@ -108,7 +108,7 @@ def refuse(reason: str) -> Callable[[int], bytes]:
 
 
 def refuse_all(place: tuple[str, ...], files: Sequence[str], reason: str) -> list[Found]:
-    """Return an entry for each file that we cannot read, because we cannot read its folder."""
+    """Return an entry for each of the files in a folder that cannot be read."""
     return [Found(place, file, refuse(reason), doubtful=True) for file in files]
 
 

@@ -1,16 +1,17 @@
-"""Check, grade and hand out the chapters of the companion.
+"""The autograder checks a student's engine, grades a class, and makes the folders we hand out.
 
-All packages below use these words in the same sense:
+The code in all of these packages uses the same few words, so it helps to know them first:
 
-- *Exercise*: A part of a chapter that a student writes. The *manifest* of the chapter,
-  chapter.toml, lists the exercises and, for each exercise, the functions to write.
-- *Check*: A pytest test that decides whether an exercise works. *Physics* checks test the physics.
-  *Robust* checks test bad arguments, overflow and NaN.
-- *Stub*: A file from which students start. The *reference* is our solution in solutions/.
-- *Engine*: A list of folders with chapters. If a file exists in several folders, the first folder
-  takes precedence.
-- *Given* chapter: A chapter that is taken from the reference instead of from the student.
-- *Inherited*: A check is inherited if it fails only because of an earlier chapter. A check is
-  *blocked* if its exercise builds on another exercise that fails.
+- *Exercise*: A part of a chapter that a student writes. The chapter's *manifest*, chapter.toml,
+  lists the exercises, and says for each one which functions the student has to write.
+- *Check*: A pytest test that helps to decide whether an exercise works. *Physics* checks test the
+  physics, and *robust* checks try bad arguments, overflow and NaN.
+- *Stub*: The unfinished file that a student starts from. The *reference* is our own solution, in
+  solutions/.
+- *Engine*: The list of folders in which we look for a chapter's files. If a file exists in several
+  of them, the first folder wins.
+- *Given* chapter: A chapter whose code comes from the reference instead of from the student.
+- *Inherited*: A check is inherited if it fails only because of a mistake in an earlier chapter.
+  It is *blocked* if its exercise builds on another exercise that still fails.
 - *Hand-out*: The folder that students receive. It does not contain the reference.
 """

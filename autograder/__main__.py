@@ -1,4 +1,7 @@
-"""Run a command of the autograder: python -m autograder COMMAND. `make` runs the same commands."""
+"""Run one command of the autograder, as in `python -m autograder check`.
+
+`make check` does the same.
+"""
 
 from __future__ import annotations
 
@@ -26,7 +29,7 @@ except ImportError:  # a hand-out contains only the student's commands
 
 
 def main() -> int:
-    """Run one command and return its exit status."""
+    """Run the command that was typed, and return its exit status."""
     parser = argparse.ArgumentParser(prog="python -m autograder", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     add_commands(commands)
@@ -46,7 +49,7 @@ def main() -> int:
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add the student's commands: check, watch, hint and reset."""
+    """Define the commands that a student can type: check, watch, hint and reset."""
     check_command = commands.add_parser("check", help="check your work")
     check_command.add_argument("--exercise", help="check only this exercise, such as 2.5 or B2.3")
     check_command.add_argument(
@@ -86,7 +89,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_check(arguments: argparse.Namespace) -> bool:
-    """Check chapters, or only one exercise of a chapter."""
+    """Check all the chapters that were asked for, or a single exercise of one chapter."""
     chapters = select_chapters(arguments.chapter)
     exercise = None
     if arguments.exercise:
@@ -100,7 +103,7 @@ def run_check(arguments: argparse.Namespace) -> bool:
 
 
 def run_watch(arguments: argparse.Namespace) -> int:
-    """Check the current exercise whenever a file is saved."""
+    """Check the student's current exercise again each time a file is saved."""
     from autograder.student.watch import watch  # imported only here, so that check starts quickly
 
     engine = find_engine(arguments.engine)
@@ -110,7 +113,7 @@ def run_watch(arguments: argparse.Namespace) -> int:
 
 
 def run_reset(arguments: argparse.Namespace) -> int:
-    """Restore the stub of an exercise."""
+    """Put the original stub of an exercise back into the student's file."""
     from autograder.student.reset import reset
 
     chapter, exercise = find_exercise(arguments.exercise, load_chapters())
@@ -120,7 +123,7 @@ def run_reset(arguments: argparse.Namespace) -> int:
 
 
 def run_hint(arguments: argparse.Namespace) -> int:
-    """Print the first hints of an exercise and the command that shows the next hint."""
+    """Print the first hints of an exercise, and say how to get the next one."""
     chapter, exercise = find_exercise(arguments.exercise, load_chapters())
     refuse_given(chapter, exercise, arguments.given)
     shown = exercise.hints[: max(1, arguments.count)]
@@ -134,7 +137,9 @@ def run_hint(arguments: argparse.Namespace) -> int:
 
 
 def find_exercise(wanted: str, chapters: list[Chapter]) -> tuple[Chapter, Exercise]:
-    """Find an exercise by its id, ignoring case, and return its chapter and the exercise.
+    """Look up an exercise by its id, such as B2.3, and return it together with its chapter.
+
+    Upper and lower case make no difference.
 
     Raises:
         ValueError: No exercise has this id. The message suggests similar ids if there are any.

@@ -1,7 +1,8 @@
-"""Read the written answers from answers.md.
+"""Read a student's written answers from answers.md, and our model answers from solutions/.
 
-For each question, the file contains a heading, the quoted question and an answer. In solutions/ the
-answer is the model answer, which is followed by a line RUBRIC and the rubric.
+Every question has a section in answers.md, with a heading, the quoted question and the answer. Our
+own copies in solutions/ hold the model answer instead, followed by a rubric, which lists what an
+answer must contain to earn its points.
 """
 
 from __future__ import annotations
@@ -18,15 +19,15 @@ PLACE = "_Write your answer here._"
 RUBRIC = "**Rubric**"
 FILE = "answers.md"
 WORD = re.compile(r"[^\W\d_]{2,}")
-ENOUGH = 2  # the fewest words that count as an answer
+ENOUGH = 2  # a text with fewer words does not count as an answer
 
 
 @dataclass(frozen=True)
 class Section:
-    """A section of answers.md, with a question and its answer. In solutions/ it also has a rubric.
+    """One section of answers.md, which holds a question and its answer.
 
-    ``line`` is the number of the line where the answer begins. If the answer is missing, it is the
-    line where the answer belongs.
+    In the copies in solutions/, ``rubric`` says how to mark the answer. In a student's file it is
+    empty. ``line`` is the line number at which the answer begins, or should begin if it is missing.
     """
 
     id: str
@@ -38,17 +39,17 @@ class Section:
 
     @property
     def places(self) -> list[str]:
-        """The numbers of the lines that contain the placeholder, even if it is damaged."""
+        """The lines that are still the placeholder, perhaps with a few letters changed."""
         return [line.strip() for line in self.answer.splitlines() if _is_place(line)]
 
     @property
     def has_words(self) -> bool:
-        """Whether the student has written an answer, even if the placeholder is still there."""
+        """Whether the student has written an answer, even if the placeholder is still above it."""
         return self.words >= ENOUGH
 
     @property
     def words(self) -> int:
-        """The number of words that the student has written."""
+        """The number of words in the answer, without the placeholder, headings and comments."""
         text = re.sub(r"<!--.*?(-->|\Z)", "", self.answer, flags=re.DOTALL)
         lines = [line for line in text.splitlines() if not (line[:1] in "#>" or _is_place(line))]
         return len(WORD.findall(" ".join(lines)))
@@ -56,7 +57,11 @@ class Section:
 
 @dataclass(frozen=True)
 class Question:
-    """A written exercise, with the student's section and the problems in this section."""
+    """A written exercise, together with the student's answer to it.
+
+    ``section`` is the student's section in answers.md. ``problems`` describes what is wrong with
+    this section, such as a heading that appears twice.
+    """
 
     exercise: Exercise
     file: Path
@@ -65,17 +70,17 @@ class Question:
 
     @property
     def answered(self) -> bool:
-        """Whether the student has given an answer that has no problems."""
+        """Whether the student has written an answer and there is nothing to fix in its section."""
         return self.section is not None and self.section.has_words and not self.problems
 
     @property
     def place(self) -> str:
-        """Where the answer belongs, as path:line. If the section is missing, only the path."""
+        """The file and line where the answer belongs, or only the file if it has no section yet."""
         return f"{self.file}:{self.section.line}" if self.section else str(self.file)
 
 
 def blank_answers(text: str) -> str:
-    """Replace each answer with a placeholder, and keep the headings and the quoted questions."""
+    """Turn our answers.md into the one for students, with a placeholder instead of each answer."""
     title = text.partition("\n")[0]
     parts = [title]
     for section in sections_of(text):
@@ -86,8 +91,9 @@ def blank_answers(text: str) -> str:
 def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
     """Split the text of an answers.md file into its sections.
 
-    A section begins with a second-level heading. A student may accidentally delete a # or a space,
-    so a heading of any form also begins a section if its first word is in ``ids``.
+    A section begins at a heading with two # signs. Students sometimes delete a # or the space after
+    it by accident. So a heading of any other level begins a section too, as long as its first word
+    is one of the exercise ids in ``ids``.
     """
     known = {*ids}
     lines = text.splitlines()
@@ -97,7 +103,10 @@ def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
 
 
 def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
-    """Return the written exercises of ``chapter``, with the student's answers from ``engine``."""
+    """Find the written exercises of a chapter, and read the student's answers to them.
+
+    The answers come from the first folder of ``engine`` that contains the chapter's answers.md.
+    """
     exercises = [exercise for exercise in chapter.exercises if exercise.kind == "written"]
     if not exercises:
         return []
@@ -126,9 +135,9 @@ def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
 
 
 def model_answer(chapter: Chapter, exercise: Exercise, root: Path = ROOT) -> Section | None:
-    """Return the section with the model answer and the rubric of ``exercise``.
+    """Return our model answer to a written exercise, with its rubric.
 
-    A hand-out contains no model answers, so the result is None there.
+    The result is None in a hand-out, because students do not receive the model answers.
     """
     file = root / "solutions" / chapter.name / FILE
     if not file.is_file():
@@ -138,9 +147,9 @@ def model_answer(chapter: Chapter, exercise: Exercise, root: Path = ROOT) -> Sec
 
 
 def _section(lines: list[str], start: int, end: int) -> Section:
-    """Read one section.
+    """Read one section, whose heading is in line ``start``.
 
-    Its heading is line ``start``, and the next section starts at line ``end``.
+    ``end`` is the line in which the next section begins.
     """
     heading = lines[start]
     first = start + 1
@@ -166,7 +175,7 @@ def _first_word(heading: str) -> str:
 
 
 def _is_place(line: str) -> bool:
-    """Return whether ``line`` is the placeholder, even if the student has damaged it."""
+    """Return whether a line is still the placeholder, even with a few letters changed."""
     words, wanted = (" ".join(re.findall(r"\w+", text)) for text in (line.lower(), PLACE.lower()))
     return SequenceMatcher(None, words.strip("_"), wanted.strip("_")).ratio() > 0.8
 
@@ -174,9 +183,11 @@ def _is_place(line: str) -> bool:
 def _problems(
     exercise: Exercise, own: list[Section], strangers: list[Section], file: Path
 ) -> list[str]:
-    """Describe the problems that the student must correct before the answer counts.
+    """Describe what the student must correct in answers.md before this answer can count.
 
-    Each problem is a sentence.
+    Each problem is a sentence that we can show to the student. ``own`` holds the sections for this
+    exercise, of which there should be exactly one. ``strangers`` holds sections that belong to no
+    exercise, which may be ones whose heading the student has changed.
     """
     heading = f"## {exercise.id}"
     if not file.is_file():

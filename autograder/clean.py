@@ -1,6 +1,7 @@
-"""Make untrusted text safe to show on a terminal or page, in a spreadsheet and in a JSON file.
+"""Make untrusted text safe to show on a terminal, on a web page, in a spreadsheet or in JSON.
 
-This is the only module that decides which characters may be shown.
+A student's file or name can contain characters that do harm when somebody looks at them. All
+decisions about which characters may be shown are in this module.
 """
 
 from __future__ import annotations
@@ -13,8 +14,8 @@ LINE_ENDS = re.compile("\r\n?|[\x0b\x0c\x85\u2028\u2029]")
 def clean(text: str) -> str:
     """Return the text with every unprintable character replaced by an escape sequence.
 
-    Unprintable characters could repaint the screen, reverse the reading direction or fail to
-    encode. Line endings become newlines, tabs are kept, and unusual spaces become ordinary spaces.
+    Such a character could repaint the screen, reverse the direction of reading, or fail to encode.
+    Line endings of all kinds become newlines, and unusual spaces become ordinary ones. Tabs stay.
     """
     if text.isprintable():
         return text
@@ -22,12 +23,12 @@ def clean(text: str) -> str:
 
 
 def clean_line(text: str) -> str:
-    """Return the cleaned text on a single line."""
+    """Clean a text like ``clean`` does, and put all of it on a single line."""
     return clean(text).replace("\n", " ").replace("\t", " ")
 
 
 def visible(character: str) -> str:
-    """Return ``character`` unchanged if it is printable. Otherwise return an escape sequence."""
+    """Return a printable character as it is, and any other as an escape sequence."""
     return character if character.isprintable() else character.encode("unicode_escape").decode()
 
 

@@ -1,4 +1,4 @@
-"""Helpers that all commands share: set-up, finding an engine, and suggesting the next command."""
+"""Helpers that all commands share, such as the one that suggests what to type next."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ from autograder.clean import clean
 from autograder.make_venv import shown_python
 from autograder.manifest import ROOT
 
-# The option for each variable of make. Scenes, and the exercise of hint and reset, are positional.
+# Each variable of make has such an option. Scenes, and the exercise of hint and reset, have none,
+# because they are positional arguments.
 OPTIONS = {
     "CH": "--chapter",
     "EX": "--exercise",
@@ -34,8 +35,9 @@ MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of
 def prepare() -> bool:
     """Set up the output streams, and return whether the required packages are installed.
 
-    If a package is missing, print how to install it. If file names are not encoded in UTF-8, as
-    with LC_ALL=C and PYTHONUTF8=0, restart the program in Python's UTF-8 mode.
+    If a package is missing, we tell the user how to install it. We also make sure that Python
+    encodes file names in UTF-8. If it does not, as under LC_ALL=C with PYTHONUTF8=0, the program
+    starts itself again in UTF-8 mode.
     """
     if sys.getfilesystemencoding() != "utf-8" and os.environ.get("PYTHONUTF8") != "1":
         os.environ["PYTHONUTF8"] = "1"  # also affects the processes that are started later
@@ -54,26 +56,29 @@ def prepare() -> bool:
 
 
 def advice(error: BaseException) -> str:
-    """Return advice on a file system error. For any other error, return an empty string."""
+    """Say what to do about a full or read-only disk.
+
+    For any other error, return an empty string.
+    """
     number = error.errno if isinstance(error, OSError) else None
     return next((words for numbers, words in ADVICE.items() if number in numbers), "")
 
 
 def sentence(error: Exception) -> str:
-    """Return the text of ``error`` as a sentence, followed by advice if there is any."""
+    """Return the text of an error for the user and, if we know what to do about it, our advice."""
     what, words = clean(str(error)), advice(error)
     return f"{what}. {words}" if words else what
 
 
 def find_engine(folder: str) -> list[Path]:
-    """Return the engine for ``folder``, which is a list of folders with chapters.
+    """Return the engine that begins with ``folder``, as a list of folders to search in this order.
 
-    If a file exists in several folders, the first folder takes precedence.
+    The second folder is always chapters/, because only it contains the files that students do not
+    edit.
 
     Raises:
         ValueError: The folder does not exist.
     """
-    # Files that students do not edit exist only in chapters/.
     engine = [ROOT / name for name in dict.fromkeys((folder, "chapters"))]
     if not engine[0].is_dir():
         raise ValueError(f"engine must be a folder of chapters, got {folder!r}")
@@ -81,10 +86,11 @@ def find_engine(folder: str) -> list[Path]:
 
 
 def command(name: str, **variables: str) -> str:
-    """Return the command line for the command ``name``.
+    """Return what a user should type to run the command ``name``, such as "make check EX=2.5".
 
-    The command line uses make, or Python if make is missing. A student in the browser has no
-    command line, but the buttons on the page have the same names as the make commands.
+    On a machine without make, this is a line that calls Python directly. In the browser a student
+    cannot type commands at all, but the buttons on the page have the same names as the commands of
+    make.
     """
     if sys.platform == "emscripten" or shutil.which("make"):
         return " ".join(["make", name, *(f"{key}={value}" for key, value in variables.items())])
@@ -98,7 +104,10 @@ def command(name: str, **variables: str) -> str:
 
 
 def engine_variables(engine: list[Path]) -> dict[str, str]:
-    """Return the make variables that select ``engine``. The student's own engine needs none."""
+    """Return the make variables that select an engine, such as {"ENGINE": "solutions"}.
+
+    The student's own engine in chapters/ is the default, so it needs no variables.
+    """
     if engine[0] == ROOT / "chapters":
         return {}
     inside = engine[0].is_relative_to(ROOT)
@@ -106,8 +115,5 @@ def engine_variables(engine: list[Path]) -> dict[str, str]:
 
 
 def check_command(engine: list[Path], **arguments: str) -> str:
-    """Return the command that checks ``engine`` again.
-
-    Commands print it as the next step.
-    """
+    """Return the line that checks this engine again, which we print as the user's next step."""
     return command("check", **arguments, **engine_variables(engine))

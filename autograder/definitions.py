@@ -1,4 +1,4 @@
-"""Find the functions that a module defines, and name them as manifests do."""
+"""Find the functions that a module defines, and name them the way the manifests do."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from pathlib import Path
 
 
 def functions(tree: ast.Module) -> dict[str, ast.FunctionDef]:
-    """Return every top-level function and every method, keyed by its dotted name.
+    """Return every top-level function and method of a module, keyed by a name such as Vector3.dot.
 
-    A property is called Particle.mass, and its setter is called Particle.mass.setter.
+    A property appears as Particle.mass, and its setter as Particle.mass.setter.
     """
     found = {}
     for node in tree.body:
@@ -23,7 +23,7 @@ def functions(tree: ast.Module) -> dict[str, ast.FunctionDef]:
 
 
 def read_definitions(file: Path) -> set[str] | None:
-    """Return the names that ``file`` defines. If it is missing, empty or invalid, return None."""
+    """Return the names that a file defines, or None if it is missing, empty or not valid Python."""
     try:
         return bound_names(ast.parse(file.read_bytes())) or None
     except (OSError, SyntaxError, ValueError, MemoryError, RecursionError):
@@ -31,10 +31,10 @@ def read_definitions(file: Path) -> set[str] | None:
 
 
 def bound_names(tree: ast.Module) -> set[str]:
-    """Return all names that a module and its classes define with def, class, = or import.
+    """Return every name that a module or one of its classes defines with def, class, = or import.
 
-    The names have the same form as in ``functions``. A name that is assigned with = may be a
-    property, so the result also includes its setter.
+    The names look like those of ``functions``. We cannot see whether a name that is assigned with =
+    is a property, so the result contains its setter as well.
     """
     found = set(_bound(tree))
     for node in tree.body:
@@ -44,7 +44,7 @@ def bound_names(tree: ast.Module) -> set[str]:
 
 
 def _bound(scope: ast.AST) -> Iterator[str]:
-    """Yield the names that a module or a class defines. Names in nested scopes are not included."""
+    """Yield the names that a module or class defines itself, without those of nested functions."""
     for node in ast.iter_child_nodes(scope):
         match node:
             case ast.FunctionDef():
@@ -60,10 +60,7 @@ def _bound(scope: ast.AST) -> Iterator[str]:
 
 
 def own_name(edited: str) -> str:
-    """Return the name of a function without its module and class.
-
-    ``edited`` is the function's entry in the manifest, such as vector.Vector3.dot.
-    """
+    """Return the bare name of a function, such as dot for vector.Vector3.dot in the manifest."""
     return edited.split(".", 2)[-1]
 
 

@@ -1,4 +1,4 @@
-"""Make a hand-out, which contains stubs, given chapters, checks and the students' tools."""
+"""Make a hand-out: the folder with stubs, checks and tools that an instructor gives to students."""
 
 from __future__ import annotations
 
@@ -52,14 +52,14 @@ into `answers.md`. When you are done, hand in the folders under `chapters/` that
 Only the files that the table of exercises names are graded, so put helper functions into them, too.
 """
 PAGE_LINK = re.compile(r"(?<!!)\[([^\[\]]*)\]\(([^)#:\s]+\.(?:md|py))(?:#[^)]*)?\)")
-CHARTS = "ch08_charts.py"  # scenes for charts of the reference, which hand-outs do not need
+CHARTS = "ch08_charts.py"  # these scenes draw charts of the reference, so students don't need them
 KEPT_README = """\
 This folder has the original stubs, which `make reset` restores. Do not edit or hand in these files.
 """
 
 
 def student_tools(root: Path = ROOT) -> Iterator[Path]:
-    """Yield the files of the tools that a hand-out includes."""
+    """Yield the files of our own programs that students receive with their hand-out."""
     for folder, names in STUDENT_TOOLS.items():
         for name in names.split():
             yield from sorted((root / folder).glob(name))
@@ -70,9 +70,9 @@ def make_handout(
 ) -> None:
     """Write a hand-out into the new folder ``out``, and print a summary of its contents.
 
-    The hand-out contains ``chapters`` as stubs with their checks. It also contains the ``given``
-    chapters, which are complete and have no checks. If an exercise of the manifest is missing from
-    ``chapters``, it becomes optional. ``about`` is the README section about the assignment.
+    Students receive ``chapters`` as stubs together with their checks, and the ``given`` chapters as
+    finished code without checks. ``chapters`` may contain only some of the exercises in a manifest,
+    and the rest are then marked as optional. ``about`` is the README section about the assignment.
 
     Raises:
         ValueError: A chapter is in both lists, or the folder is not empty.
@@ -100,7 +100,7 @@ def make_handout(
 
 
 def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, about: str) -> None:
-    """Write the files of a hand-out into a folder."""
+    """Write all files of a hand-out into the folder ``out``."""
     for file in [*student_tools(root), *shared_by_checks(root)]:
         _copy([file], out / file.parent.relative_to(root))
     _copy_lab(root, out, [chapter.name for chapter in (*chapters, *given)])
@@ -116,7 +116,7 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
         folder = f"chapters/{chapter.name}"
         _write_manifest(chapter, root / folder, out / folder)
         for path, text in stubs.items():
-            if path.startswith(folder + "/"):  # generated, since the files here may be edited
+            if path.startswith(folder + "/"):  # made anew, since the files here may be edited
                 (out / path).write_text(text, encoding="utf-8", newline="\n")
                 if path.endswith(".py"):
                     kept = out / KEPT / chapter.name / Path(path).name
@@ -137,7 +137,10 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
 
 
 def _remove_dead_links(out: Path) -> None:
-    """Turn links to files that the hand-out lacks, such as later lessons, into plain text."""
+    """Turn a link into plain text if it leads to a file that students did not receive.
+
+    An example is a link to the lesson of a later chapter.
+    """
     for page in out.rglob("*.md"):
         text = page.read_text(encoding="utf-8")
         dead = [m for m in PAGE_LINK.finditer(text) if not (page.parent / m[2]).exists()]
@@ -148,7 +151,7 @@ def _remove_dead_links(out: Path) -> None:
 
 
 def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:
-    """Write the manifest and the exercise table of ``chapter`` with its points."""
+    """Write the chapter's manifest and its exercise table, with the points of this assignment."""
     whole = for_students(load_chapter(source), chapter)
     text = (source / "chapter.toml").read_text(encoding="utf-8")
     if whole != load_chapter(source):
@@ -161,7 +164,7 @@ def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:
 
 
 def _copy_lab(root: Path, out: Path, chapters: Collection[str]) -> None:
-    """Copy the lab with the scenes of these chapters only."""
+    """Copy the lab, but leave out the scenes of chapters that students do not receive."""
     for file in (root / "lab").rglob("*"):
         numbered = re.match(r"ch\d\d_", file.name)
         wanted = not numbered or any(name.startswith(numbered[0]) for name in chapters)

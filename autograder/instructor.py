@@ -1,4 +1,7 @@
-"""The commands for instructors, which hand-outs do not contain."""
+"""The commands that only instructors have, such as grade.
+
+A hand-out does not contain this module.
+"""
 
 from __future__ import annotations
 
@@ -13,10 +16,10 @@ from autograder.release import commands as release
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add the instructor's commands to the command line.
+    """Define the commands that an instructor can type, such as grade and handout.
 
-    Each command imports the modules that it needs only when it runs. As a result, `check` starts
-    quickly.
+    Each command imports the modules it needs when it runs. That way a student's `check` does not
+    have to wait for the imports of the grader.
     """
     unsafe = "grade without a sandbox if this machine has none; only for a class that you trust"
     command = commands.add_parser("grade", help="grade a folder of submissions")
@@ -99,7 +102,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_grade(arguments: argparse.Namespace) -> int:
-    """Grade a class."""
+    """Grade a whole class, or a single student again."""
     if sys.platform == "win32":
         raise ValueError("grade needs Linux or macOS; on Windows, run it under WSL")
     import signal
@@ -132,7 +135,7 @@ def run_grade(arguments: argparse.Namespace) -> int:
 
 
 def run_handout(arguments: argparse.Namespace) -> int:
-    """Make a hand-out, and print a summary of its contents."""
+    """Make a hand-out, and print a summary of what is in it."""
     from autograder.course.handout import about
     from autograder.handout import make_handout
 
@@ -142,7 +145,7 @@ def run_handout(arguments: argparse.Namespace) -> int:
 
 
 def run_classroom(arguments: argparse.Namespace) -> int:
-    """Make a hand-out with a workflow for GitHub Classroom, and print a summary of its contents."""
+    """Make a hand-out that GitHub Classroom can grade, and print a summary of what is in it."""
     from autograder.course.handout import about
     from autograder.platforms.classroom import make_classroom
 
@@ -152,7 +155,7 @@ def run_classroom(arguments: argparse.Namespace) -> int:
 
 
 def run_gradescope(arguments: argparse.Namespace) -> int:
-    """Make the zip file for Gradescope, and print a summary of its contents."""
+    """Make the zip file that Gradescope needs, and print a summary of what is in it."""
     from autograder.platforms.gradescope import make_gradescope
 
     make_gradescope(work_of(arguments), arguments.out, unsafe=arguments.unsafe_no_sandbox)
@@ -160,7 +163,7 @@ def run_gradescope(arguments: argparse.Namespace) -> int:
 
 
 def run_similarity(arguments: argparse.Namespace) -> int:
-    """Compare the submissions of a class, and report how many pairs are unusually similar."""
+    """Compare all submissions of a class, and report how many pairs are unusually similar."""
     from autograder.similarity.run import similarity
     from autograder.submissions.unpack import class_folder
 
@@ -169,7 +172,7 @@ def run_similarity(arguments: argparse.Namespace) -> int:
 
 
 def run_mark(arguments: argparse.Namespace) -> int:
-    """Serve the page for marking written answers until the user presses Ctrl-C."""
+    """Serve the page on which an instructor marks written answers, until Ctrl-C is pressed."""
     if sys.platform == "win32":
         raise ValueError("mark needs Linux or macOS; on Windows, run it under WSL")
     from autograder.marking.server import mark
@@ -180,7 +183,10 @@ def run_mark(arguments: argparse.Namespace) -> int:
 
 
 def run_stubs(arguments: argparse.Namespace) -> int:
-    """Generate the stubs and tables, or list the stubs that are out of date."""
+    """Generate the stubs and the exercise tables.
+
+    With --check, only list the stubs that are outdated.
+    """
     from autograder.stubs import stale_stubs, write_stubs
     from autograder.tables import write_tables
 

@@ -1,8 +1,8 @@
-"""Provide a base for local servers, which answer only requests from their own page.
+"""A base for the small web servers that run on the user's own machine, such as the marking page.
 
-A site listens only on 127.0.0.1. Its addresses begin with a random token, which other pages and
-other users of the machine cannot guess. A request is refused if it is for another host name or
-comes from a page of another origin.
+Such a server listens only on 127.0.0.1. Its addresses begin with a random token, so that other web
+pages and other users of the machine cannot guess them. It refuses every request that is meant for
+another host name or that comes from a page of another origin.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from tornado.httputil import HTTPServerRequest
 from tornado.netutil import bind_sockets
 from tornado.web import Application, HTTPError, RequestHandler, StaticFileHandler
 
-# The page may load nothing from other hosts, and no other page may show it in a frame.
+# Our page may not load anything from other hosts, and no other page may show it in a frame.
 POLICY = "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:"
 HEADERS = {
     "Content-Security-Policy": f"{POLICY}; frame-ancestors 'none'; base-uri 'none'",
@@ -26,7 +26,7 @@ HEADERS = {
 
 
 class Site:
-    """A page that is served on this machine, with its address and its request handlers."""
+    """A page that we serve on this machine. It knows its address and the token in it."""
 
     def __init__(self) -> None:
         self.token = secrets.token_urlsafe(16)
@@ -37,25 +37,26 @@ class Site:
         return f"http://127.0.0.1:{self.port}/{self.token}/"
 
     def listen(self, application: Application, port: int = 0) -> None:
-        """Start to listen on ``port``. If ``port`` is 0, use any free port.
+        """Start to listen on ``port``, or on any free port if it is 0.
 
-        The caller must have a running event loop.
+        The caller must already have a running event loop.
         """
         sockets = bind_sockets(port, "127.0.0.1")
         self.port = sockets[0].getsockname()[1]
         HTTPServer(application).add_sockets(sockets)
 
     def check_host(self, request: HTTPServerRequest) -> None:
-        """Refuse a request for another host name.
+        """Refuse a request whose host name is not that of this machine.
 
-        A foreign page may point its own name at this server.
+        A malicious site can make its own host name point to this server. Without this check, it
+        could then act as if it were our page.
         """
         if request.host not in (f"127.0.0.1:{self.port}", f"localhost:{self.port}"):
             raise HTTPError(403)
 
 
 def is_own_page(request: HTTPServerRequest, origin: str) -> bool:
-    """Return whether ``request`` comes from our own page. No other page may change data."""
+    """Return whether a request comes from our own page. No other page may change data."""
     try:
         return urlsplit(origin).netloc == request.host
     except ValueError:  # no address at all, such as http://[
@@ -63,7 +64,7 @@ def is_own_page(request: HTTPServerRequest, origin: str) -> bool:
 
 
 class Handler(RequestHandler):
-    """A request handler that answers only requests for the host name of its site."""
+    """A request handler that refuses requests for any host name other than that of its site."""
 
     site: Site
 
@@ -79,7 +80,7 @@ class Handler(RequestHandler):
 
 
 class Files(StaticFileHandler):
-    """A handler that serves the page and its static files."""
+    """A handler that serves the page itself and its static files, such as scripts and styles."""
 
     def initialize(self, site: Site, path: str, default_filename: str = "index.html") -> None:  # type: ignore[override]
         self.site = site

@@ -1,4 +1,7 @@
-"""Read stubs.lock, which contains a hash of each file that students start from."""
+"""Read stubs.lock, which stores a hash of every file that students start from.
+
+A stub whose hash still matches has not been edited.
+"""
 
 from __future__ import annotations
 
@@ -12,12 +15,12 @@ LOCK_NAME = "stubs.lock"
 
 
 def stub_hash(text: str) -> str:
-    """Compute the hash of ``text`` that is stored in stubs.lock."""
+    """Compute the hash of a stub's text, as stubs.lock stores it."""
     return hashlib.sha256(text.encode("utf-8")).hexdigest()
 
 
 def read_lock(root: Path = ROOT) -> dict[str, str]:
-    """Read stubs.lock, and return the hash of each path. If the file is missing, return {}."""
+    """Read stubs.lock, and return the hash of each file. Without a lock, return an empty dict."""
     path = root / LOCK_NAME
     if not path.exists():
         return {}

@@ -1,8 +1,8 @@
-"""Create .venv, and install the packages that requirements.lock pins.
+"""Create .venv, and install the exact packages that requirements.lock lists.
 
-`make` runs this script before its first command. Without make, run it directly: python3
-autograder/make_venv.py. The script uses only syntax that Python 3.6 understands. If Python is too
-old, the script can therefore report that, instead of failing with a syntax error.
+`make` runs this script before its first command. If you have no make, run it yourself with python3
+autograder/make_venv.py. The script sticks to the syntax of Python 3.6, because a Python that is too
+old for the rest of the project should print a helpful message instead of a syntax error.
 """
 
 import os
@@ -18,17 +18,20 @@ NETWORK_WORDS = ("connection broken", "name resolution", "read timed out", "is u
 
 
 def stop(sentence: str) -> None:
-    """Print ``sentence`` and exit. The next run starts over, because .venv/ready is missing."""
+    """Print why the setup failed, and exit.
+
+    The next run starts from scratch, since it finds no .venv/ready.
+    """
     sys.exit(f"Cannot set up: {sentence}")
 
 
 def python_of_venv() -> Path:
-    """Return the path of Python in .venv. Works only in Python 3.11 or later."""
+    """Return the path of the Python in .venv. This needs Python 3.11 or later."""
     return Path(sysconfig.get_path("scripts", "venv", {"base": str(VENV)})) / "python"
 
 
 def shown_python() -> str:
-    """Return the path of Python in .venv for use in a command, relative if possible."""
+    """Return the path of the Python in .venv as a user would type it, relative if possible."""
     try:
         return str(python_of_venv().relative_to(Path.cwd()))
     except ValueError:
@@ -36,7 +39,7 @@ def shown_python() -> str:
 
 
 def check_python() -> None:
-    """Exit with a message if this Python is too old or has no venv module."""
+    """Exit with a helpful message if this Python is too old or cannot create environments."""
     version = ".".join(str(part) for part in sys.version_info[:2])
     if sys.version_info < (3, 11):  # noqa: UP036 - an old Python ends here
         newer = "py -3.12" if os.name == "nt" else "python3.12"
@@ -56,7 +59,10 @@ def check_python() -> None:
 
 
 def install(python: str) -> str:
-    """Install the locked packages, and show the progress. Return pip's output if it fails."""
+    """Install the locked packages with pip, and show its progress.
+
+    If pip fails, return its output. If it succeeds, return an empty string.
+    """
     lock = LOCK.read_text(encoding="utf-8").splitlines()
     total = sum("==" in line and line[0].isalpha() for line in lock)
     command = [python, "-m", "pip", "install", "--disable-pip-version-check", "--retries", "1"]
@@ -76,7 +82,10 @@ def install(python: str) -> str:
 
 
 def main() -> None:
-    """Create the environment from scratch. At the end, write .venv/ready to mark it as complete."""
+    """Create .venv from scratch.
+
+    The file .venv/ready, which is written last, marks it as complete.
+    """
     check_python()
     print(f"Setting up .venv with {sys.executable}, once; this takes about a minute.", flush=True)
     made = subprocess.run(

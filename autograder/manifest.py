@@ -1,4 +1,4 @@
-"""Read chapter.toml, the manifest of a chapter. Its keys are explained in chapters/README.md."""
+"""Read chapter.toml, the manifest of a chapter. chapters/README.md explains its keys."""
 
 from __future__ import annotations
 
@@ -16,10 +16,11 @@ FOLDER_NAME = re.compile(r"ch(\d\d)_[a-z0-9_]+")
 
 @dataclass(frozen=True)
 class Exercise:
-    """An exercise or build task of a chapter.
+    """An exercise of a chapter, as its manifest describes it.
 
-    In an assignment, an exercise can be ``extra`` credit. Its points are then added on top of the
-    total. If an exercise is not assigned, it is ``optional`` in the hand-out of the assignment.
+    In an assignment an exercise can be ``extra`` credit, which means that its points come on top of
+    the total. An exercise that is not part of the assignment is ``optional``. Students may still do
+    it, but it does not count.
     """
 
     id: str
@@ -41,12 +42,16 @@ class Exercise:
 
 @dataclass(frozen=True)
 class Chapter:
-    """A chapter with its folder name (which is also its package), number, title and exercises.
+    """A chapter, as its manifest describes it.
 
-    ``complete`` lists the modules that students use unchanged, such as cloth.py. ``builds_on``
-    lists the numbers of the chapters that its modules import. None means all earlier chapters.
-    ``summary`` describes the chapter in one sentence. ``you_can`` lists what students can do after
-    the chapter. ``picture`` names the plot that illustrates the chapter best.
+    Attributes:
+        name: The name of the chapter's folder, which is also its package.
+        complete: The modules that students use without changing them, such as cloth.py.
+        builds_on: The numbers of the earlier chapters whose code this one imports. None stands for
+            all earlier chapters.
+        summary: What the chapter is about, in one sentence.
+        you_can: What students are able to do after the chapter.
+        picture: The plot that shows best what the chapter is about.
     """
 
     name: str
@@ -61,25 +66,22 @@ class Chapter:
 
     @property
     def edited_files(self) -> list[str]:
-        """The modules that students edit, such as vector.py, in the order of the manifest."""
+        """The modules that students edit, such as vector.py, in the manifest's order."""
         modules = [name.split(".")[0] for exercise in self.exercises for name in exercise.edit]
         return [f"{module}.py" for module in dict.fromkeys(modules)]
 
     @property
     def data_files(self) -> list[str]:
-        """The files into which students enter their own data, such as drops.csv."""
+        """The files into which students enter data of their own, such as drops.csv."""
         return [name for exercise in self.exercises for name in exercise.files]
 
     @property
     def handed_in(self) -> list[str]:
-        """All files that are copied from a submission.
-
-        These are the edited modules and the data files.
-        """
+        """All files that we copy from a submission: the edited modules and the data files."""
         return [*self.edited_files, *self.data_files]
 
     def exercise(self, exercise_id: str) -> Exercise:
-        """Return the exercise whose id is ``exercise_id``.
+        """Return the exercise of this chapter that has the id ``exercise_id``.
 
         Raises:
             ValueError: The chapter has no such exercise.
@@ -92,16 +94,16 @@ class Chapter:
 
 
 def load_chapter(folder: Path) -> Chapter:
-    """Read the manifest in the folder of a chapter.
+    """Read the manifest in a chapter's folder, and check that everything in it is valid.
 
     Raises:
-        ValueError: The manifest is not valid. The message gives the reason.
+        ValueError: Something in the manifest is not valid. The message says what.
     """
     path = folder / "chapter.toml"
     return _read_chapter(path, path.read_text(encoding="utf-8"))
 
 
-@cache  # because each of the hundreds of runs in grading reads every manifest
+@cache  # grading a class starts hundreds of runs, and each of them reads every manifest
 def _read_chapter(path: Path, text: str) -> Chapter:
     folder = path.parent
     match = FOLDER_NAME.fullmatch(folder.name)
@@ -129,18 +131,18 @@ def _read_chapter(path: Path, text: str) -> Chapter:
 
 
 def load_chapters(root: Path = ROOT) -> list[Chapter]:
-    """Read the manifest of every chapter in ``root``/chapters. Sort the chapters by number."""
+    """Read the manifests of all chapters in ``root``/chapters, in the order of their numbers."""
     return [load_chapter(path.parent) for path in sorted(root.glob("chapters/*/chapter.toml"))]
 
 
 def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], list[Chapter]]:
-    """Split ``chapters`` into the given chapters and the other chapters.
+    """Split some chapters into the given ones and those that the student writes.
 
-    ``numbers`` lists the given chapters, such as "2,4-6". An empty text means that no chapter is
-    given.
+    The code of a given chapter comes from the reference. ``numbers`` says which chapters are given,
+    as in "2,4-6". If it is empty, the student writes all of them.
 
     Raises:
-        ValueError: All chapters are given, or ``select_chapters`` rejects the text.
+        ValueError: No chapter is left for the student, or ``numbers`` is malformed.
     """
     given = select_chapters(numbers) if numbers else []
     left = [chapter for chapter in chapters if chapter not in given]
@@ -150,9 +152,10 @@ def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], l
 
 
 def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
-    """Raise ValueError if ``chapter`` is one of the given chapters.
+    """Raise ValueError if a student asks about an exercise of a given chapter.
 
-    ``numbers`` lists the given chapters, such as "2-5".
+    Such a chapter comes from the reference, so there is nothing for the student to write.
+    ``numbers`` says which chapters are given, as in "2-5".
     """
     if numbers and chapter in select_chapters(numbers):
         raise ValueError(
@@ -162,7 +165,7 @@ def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
 
 
 def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
-    """Return the earlier chapters on which a chapter builds."""
+    """Return the earlier chapters whose code a chapter uses."""
     below = [other for other in load_chapters(root) if other.number < chapter.number]
     if chapter.builds_on is None:
         return below
@@ -170,12 +173,12 @@ def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
 
 
 def select_chapters(numbers: str) -> list[Chapter]:
-    """Return the chapters whose numbers are in ``numbers``, such as "2,4-6".
+    """Return the chapters that a user has asked for with a text such as "2,4-6".
 
-    If ``numbers`` is empty, return all chapters.
+    An empty text stands for all chapters.
 
     Raises:
-        ValueError: The text has another form, or it names a chapter that does not exist.
+        ValueError: The text is malformed, or it names a chapter that does not exist.
     """
     chapters = {chapter.number: chapter for chapter in load_chapters()}
     wanted: list[int] = []
@@ -195,7 +198,7 @@ def select_chapters(numbers: str) -> list[Chapter]:
 
 
 def numbers_of(chapters: list[Chapter]) -> str:
-    """Format the numbers of ``chapters`` as commands accept them, such as "2" or "2-5"."""
+    """Format consecutive chapter numbers the way our commands accept them, such as "2-5"."""
     first, last = chapters[0].number, chapters[-1].number
     return str(first) if first == last else f"{first}-{last}"
 
@@ -227,7 +230,7 @@ def _are_words(value: object) -> bool:
 
 
 def _check_needs(path: Path, chapter: Chapter) -> None:
-    """Check that the ids are unique and that each exercise is listed after its prerequisites.
+    """Check that every id is unique, and that an exercise comes after the ones it builds on.
 
     Raises:
         ValueError: An id appears twice, or an exercise is listed before one of its prerequisites.

@@ -1,6 +1,6 @@
-"""Represent the message of a check as data.
+"""The message that a check sends to a student, stored as data instead of text.
 
-Screens, pages and files format it in different ways.
+The terminal, the web pages and the result files each lay it out in their own way.
 """
 
 from __future__ import annotations
@@ -11,12 +11,12 @@ from enum import Enum
 from typing import Any
 
 INDENT = 10  # width of the label column
-LONG_CALL = 100  # characters; a longer call is shown with one statement per line
+LONG_CALL = 100  # characters; if a call is longer, each of its statements gets its own line
 Row = tuple[str, str]  # a label, which is empty for a title, and its text
 
 
 class Kind(Enum):
-    """The way in which a check ended."""
+    """The different ways in which a check can end without passing."""
 
     FAILED = "failed"  # a result or an exception is wrong
     UNWRITTEN = "not written yet"
@@ -28,7 +28,10 @@ class Kind(Enum):
 
 @dataclass(frozen=True)
 class Place:
-    """A line of the student's code, in a file such as ch02_vectors/vector.py."""
+    """A line in the student's code that a message points to.
+
+    ``file`` includes the chapter, as in ch02_vectors/vector.py.
+    """
 
     file: str
     line: int
@@ -43,13 +46,20 @@ class Place:
 
 @dataclass(frozen=True)
 class Message:
-    """The message that tells a student the outcome of a check. Empty parts are not shown.
+    """What a check has to say to a student. Parts that are empty are not shown.
 
-    ``title`` is a sentence without a label. ``got`` must equal ``wanted`` to within ``tolerance``,
-    or exactly if the tolerance is 0. ``where`` is a line of the student's code. ``likely`` is the
-    likely cause of the failure, and ``other`` is a second possible cause. If a function is not
-    written yet, ``exercise`` names the exercise in which to write it. ``blocked_by`` lists the
-    exercises that must pass first.
+    Attributes:
+        title: A sentence that is shown without a label.
+        called: The call that the check has made.
+        got: What the student's code returned, or the exception that it raised.
+        wanted: The value that ``got`` must match, to within ``tolerance``. A tolerance of 0 means
+            that the two must be equal.
+        where: A line of the student's code.
+        likely: The most likely mistake, while ``other`` names a second possibility.
+        read: The section of the book or lesson that helps.
+        printed: What the student's code has printed.
+        exercise: If the function is not written yet, the exercise in which to write it.
+        blocked_by: The exercises that must pass first.
     """
 
     title: str = ""
@@ -67,7 +77,7 @@ class Message:
     blocked_by: tuple[str, ...] = ()
 
     def __bool__(self) -> bool:
-        """Return whether the message has any content."""
+        """Return whether the message says anything at all."""
         return self != NOTHING
 
     def changed(self, change: Callable[[str], str]) -> Message:
@@ -85,7 +95,7 @@ class Message:
         return replace(self, **values)
 
     def rows(self, *, printed: bool = True) -> list[Row]:
-        """Return the labels with their texts, in the order in which they are shown."""
+        """Return the texts of the message with their labels, in the order in which we show them."""
         rows = [("", self.blocked), ("", self.title)]
         rows += [("called", one_per_line(self.called)), ("got", self.got)]
         rows += [("wanted", self.wanted + self._how_close), ("where", str(self.where or ""))]
@@ -95,13 +105,16 @@ class Message:
 
     @property
     def blocked(self) -> str:
-        """A sentence that names the exercises that must pass first, or an empty string."""
+        """A sentence that says which exercises must pass first, or an empty string."""
         verb = "pass" if len(self.blocked_by) > 1 else "passes"
         return f"blocked until {', '.join(self.blocked_by)} {verb}" if self.blocked_by else ""
 
     @property
     def in_short(self) -> str:
-        """The most informative part: the likely cause of a wrong value, or the exception."""
+        """The part of the message that helps most when there is room for only one.
+
+        For a wrong value this is the likely mistake, and otherwise the exception.
+        """
         return (self.likely if self.wanted else self.got) or (
             self.blocked or self.title or self.called
         ).partition("\n")[0]
@@ -117,7 +130,7 @@ class Message:
 
 
 def one_per_line(call: str) -> str:
-    """Put each statement of a long call on its own line. Do not split text inside brackets."""
+    """Put each statement of a long call on a line of its own, without splitting inside brackets."""
     if len(call) <= LONG_CALL:
         return call
     lines, depth = [""], 0
@@ -131,9 +144,10 @@ def one_per_line(call: str) -> str:
 
 
 def laid_out(rows: list[Row]) -> str:
-    """Format ``rows`` as text. Each row starts with its label, and its text starts at column 10.
+    """Lay out the rows of a message as text, with labels on the left and the texts in column 10.
 
-    Continuation lines are indented too, so that nobody mistakes their text for a label.
+    Every further line of a text is indented as well, so that nobody mistakes its beginning for a
+    label.
     """
     lines = []
     for label, words in rows:
@@ -146,9 +160,9 @@ NOTHING = Message()
 
 
 class ExpectationError(AssertionError):
-    """Raised when a student's code does not meet an expectation.
+    """Raised when a student's code does not do what a check expects.
 
-    It contains the check's message.
+    It carries the check's message.
     """
 
     def __init__(self, message: Message) -> None:

@@ -1,7 +1,8 @@
-"""Convert frozen dataclasses to JSON data and back.
+"""Convert frozen dataclasses to JSON and back.
 
-The data may come from another process or from an older version of the program, so every value is
-checked against the type of its field. If a value does not match, the error names the value.
+When we read JSON, it may come from another process or from an older version of this program. We
+therefore compare every value with the type of its field, and if they do not match, the error says
+which value is wrong.
 """
 
 from __future__ import annotations
@@ -18,13 +19,13 @@ Record = TypeVar("Record")
 
 
 class RecordError(ValueError):
-    """Raised when a value in the JSON data does not match the type of its field."""
+    """Raised when a value in JSON data does not have the type that its field declares."""
 
 
 def to_json(value: Any) -> Any:
-    """Convert a record to plain data for json.dumps.
+    """Convert a dataclass to plain lists and dictionaries, which json.dumps accepts.
 
-    Fields that equal their default are left out.
+    Fields that still have their default value are left out, which keeps the data short.
     """
     if is_dataclass(value) and not isinstance(value, type):
         data = {}
@@ -42,9 +43,9 @@ def to_json(value: Any) -> Any:
 
 
 def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
-    """Create a record of type ``kind`` from JSON data.
+    """Create a dataclass of the type ``kind`` from JSON data.
 
-    ``what`` is a name for the data in error messages.
+    ``what`` is a name for the data, such as "the report", that appears in error messages.
 
     Raises:
         RecordError: A value is missing, unknown or of the wrong type.
@@ -55,10 +56,7 @@ def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
 
 @cache
 def _fields(kind: type) -> list[tuple[str, Any]]:
-    """Return the fields of a dataclass with their defaults.
-
-    A required field has the default MISSING.
-    """
+    """Return the fields of a dataclass with their defaults, or MISSING for required fields."""
     found = []
     for field in fields(kind):
         made = field.default_factory
@@ -68,9 +66,9 @@ def _fields(kind: type) -> list[tuple[str, Any]]:
 
 @cache
 def _reader(kind: Any) -> Callable[[Any, str], Any]:
-    """Return a function that reads a value of type ``kind``.
+    """Return a function that reads a value of type ``kind`` from JSON data.
 
-    The function takes the data and a name for the data, which appears in error messages.
+    It takes the data and a name for them, so that an error message can say which value is wrong.
     """
     origin, arguments = typing.get_origin(kind), typing.get_args(kind)
     if is_dataclass(kind):
@@ -111,9 +109,9 @@ def _record_reader(kind: type) -> Callable[[Any, str], Any]:
 
 
 def _union_reader(kinds: tuple[Any, ...]) -> Callable[[Any, str], Any]:
-    """Return a function that reads a value of any type in ``kinds``.
+    """Return a function that reads a value which may have any of the types in ``kinds``.
 
-    If no type fits, the function raises the error of the first type.
+    If the value fits none of them, the error is the one for the first type.
     """
     readers = [_reader(kind) for kind in kinds if kind is not type(None)]
 
@@ -176,7 +174,7 @@ def _choice_reader(choices: Any) -> Callable[[Any, str], Any]:
 def _plain_reader(kind: Any) -> Callable[[Any, str], Any]:
     """Return a function that reads a string, number or boolean.
 
-    For a float, it also accepts an int.
+    A float may be written as an int.
     """
     accepted = (int, float) if kind is float else (kind,)
 

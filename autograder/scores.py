@@ -1,4 +1,4 @@
-"""Convert the verdicts on checks to the points of exercises."""
+"""Turn the verdicts on checks into points for the exercises."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from autograder.checks.verdict import Point, Status, Verdict
 from autograder.manifest import Chapter, Exercise
 
 ExerciseStatus = Status | Literal["waiting", "marked"]  # "marked" means that a person gave points
-PHYSICS_SHARE = 0.85  # of an exercise's points, if it also has robust checks
+PHYSICS_SHARE = 0.85  # the physics checks' part of the points, if there are robust checks too
 
 
 @dataclass(frozen=True)
 class Result:
-    """The result of an exercise, with the verdicts on its checks.
+    """How a student did in one exercise, with the verdict on each of its checks.
 
-    The score is None while it is unknown. It is unknown if nobody has marked a written answer yet,
-    or if the grader failed on the exercise.
+    The score is None while we do not know it. That happens to a written answer until somebody marks
+    it, and to any exercise on which the grader itself failed.
     """
 
     exercise: Exercise
@@ -28,27 +28,27 @@ class Result:
 
     @property
     def physics(self) -> list[Verdict]:
-        """The verdicts on the physics checks. Only these can block later exercises."""
+        """The verdicts on the physics checks, which alone decide whether the exercise works."""
         return [check for check in self.checks if not check.robust]
 
     @property
     def robust(self) -> list[Verdict]:
-        """The verdicts on the robust checks, which test bad arguments, overflow and NaN."""
+        """The verdicts on the robust checks, which try bad arguments, overflow and NaN."""
         return [check for check in self.checks if check.robust]
 
     @property
     def works(self) -> bool:
-        """Whether all physics checks pass, regardless of the robust checks."""
+        """Whether the exercise works, which means that all of its physics checks pass."""
         return bool(self.checks) and all(check.status == "passed" for check in self.physics)
 
     @property
     def on_chart(self) -> Point | None:
-        """The submission's position on the chart, or None if no check has reported one."""
+        """The cost and error of this student's solution, if a check has measured them."""
         return next((check.on_chart for check in self.checks if check.on_chart), None)
 
 
 def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
-    """Return the result of each exercise in the chapter."""
+    """Sort the verdicts by exercise, and return the result of each exercise in the chapter."""
     by_exercise: dict[str, list[Verdict]] = {}
     for verdict in verdicts:
         by_exercise.setdefault(verdict.exercise, []).append(verdict)
@@ -56,11 +56,13 @@ def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
 
 
 def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
-    """Compute the result of ``exercise``. The points depend on the weights of the passing checks.
+    """Compute the status and the points of an exercise from the verdicts on its checks.
 
-    If the exercise has both tiers, the physics checks earn PHYSICS_SHARE of the points and the
-    robust checks earn the rest. The status depends only on the physics checks until all of them
-    pass. If an exercise has no checks, this is an error of the grader, so the score is not zero.
+    Each check has a weight, and the student earns the weights of the checks that pass. If the
+    exercise has both kinds of checks, the physics checks are worth PHYSICS_SHARE of the points, and
+    the robust checks are worth the rest. The robust checks affect the status only once all physics
+    checks pass. An exercise without any checks is our mistake, so its score is None instead of
+    zero.
     """
     if exercise.kind == "written":
         return Result(exercise, "waiting", None, [])
@@ -81,17 +83,17 @@ def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
 
 
 def _passing(checks: Sequence[Verdict]) -> float:
-    """Return the weight of the passing checks as a fraction of the total weight."""
+    """Return how much of the total weight belongs to checks that pass, from 0 to 1."""
     passed = sum(check.weight for check in checks if check.status == "passed")
     return passed / sum(check.weight for check in checks)
 
 
 def total(results: Iterable[Result]) -> tuple[float | None, float]:
-    """Return the points earned and the possible points. Written answers are not included.
+    """Return the points a student has earned, and how many there are to earn.
 
-    If the grader failed on an exercise, the points earned are unknown, so they are None. Extra
-    credit adds to the points earned but not to the possible points. Optional exercises do not
-    count.
+    Written answers and optional exercises do not count here, and extra credit adds only to the
+    points earned. If the grader failed on an exercise, we cannot know the sum, so the points earned
+    are None.
     """
     checked = [r for r in results if not (r.exercise.kind == "written" or r.exercise.optional)]
     points = possible(result.exercise for result in checked)
@@ -100,16 +102,19 @@ def total(results: Iterable[Result]) -> tuple[float | None, float]:
 
 
 def possible(exercises: Iterable[Exercise]) -> float:
-    """Return the points that these exercises can give, without extra credit."""
+    """Add up the points of these exercises, leaving out extra credit and optional exercises."""
     counted = [e.points for e in exercises if not (e.extra or e.optional)]
     return round(sum(counted), 2)
 
 
 def shown(score: float | None) -> str:
-    """Format a score for people to read, such as 2.5. If there is no score, return a dash."""
+    """Format a score for people to read, such as 2.5. If it is unknown, return a dash."""
     return "-" if score is None else f"{score:.2f}".rstrip("0").rstrip(".")
 
 
 def place_on_chart(axes: Sequence[str], point: Sequence[float]) -> str:
-    """Format a position on a chart for people to read. ``axes`` names the cost and the error."""
+    """Describe the cost and the error of a solution in words.
+
+    ``axes`` names the two quantities, such as the number of force evaluations.
+    """
     return f"{point[0]:g} {axes[0]}, {axes[1]}: {point[1]:.2g}"

@@ -1,8 +1,9 @@
-"""Generate the stubs in chapters/ from the solutions. Students start from the stubs.
+"""Turn our solutions into the stubs in chapters/, from which students start.
 
-The manifest names the functions that students write. In a stub, their bodies become ``raise
-NotImplementedError``, and their signatures and docstrings stay. stubs.lock contains a hash of every
-stub, which shows whether the stub has been edited. An edited stub is never overwritten.
+The manifest lists the functions that students write. In a stub each of these functions keeps its
+signature and docstring, but its body becomes ``raise NotImplementedError``. stubs.lock stores a
+hash of every stub. From this hash we see whether somebody has edited the stub since, and we never
+overwrite one that has been edited.
 """
 
 from __future__ import annotations
@@ -28,13 +29,13 @@ KEPT = "stubs"  # the folder of a hand-out with the original stubs
 
 
 def make_stubs(root: Path = ROOT) -> dict[str, str]:
-    """Generate all stubs. Return their texts by path, such as chapters/ch02_vectors/vector.py."""
+    """Generate the text of every stub, keyed by a path such as chapters/ch02_vectors/vector.py."""
     stubs = {}
     for chapter in load_chapters(root):
         solution = root / "solutions" / chapter.name
         for name in chapter.edited_files:
             stubs[f"chapters/{chapter.name}/{name}"] = stub_of(chapter, name, root)
-        for name in chapter.data_files:  # only their first line, which has the column names
+        for name in chapter.data_files:  # students get only the first line, with the column names
             lines = (solution / name).read_text(encoding="utf-8").splitlines(keepends=True)
             stubs[f"chapters/{chapter.name}/{name}"] = lines[0]
         answers = solution / "answers.md"
@@ -45,7 +46,7 @@ def make_stubs(root: Path = ROOT) -> dict[str, str]:
 
 
 def stub_of(chapter: Chapter, file: str, root: Path = ROOT) -> str:
-    """Generate the stub of the module ``file``, such as vector.py, and return its text.
+    """Generate the stub of a single module, such as vector.py, and return its text.
 
     Raises:
         OSError: The solution cannot be read.
@@ -56,15 +57,19 @@ def stub_of(chapter: Chapter, file: str, root: Path = ROOT) -> str:
 
 @cache
 def _stub_of_text(source: str, messages: tuple[tuple[str, str], ...]) -> str:
-    """Generate the stub for a source text. The result is cached, because libcst is slow."""
+    """Generate the stub for the text of a solution.
+
+    The result is cached, because libcst is slow.
+    """
     return stub_module(source, dict(messages))
 
 
 def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
-    """Return the original stub of a module, or None if the stub is not available.
+    """Return the stub of a module as it was before the student edited it.
 
-    The stub is generated from the reference. A hand-out does not contain the reference, so it keeps
-    its original stubs in a folder.
+    Where the reference is available, we generate the stub from it. A hand-out has no reference, so
+    it keeps a copy of each original stub in a separate folder. If there is no such copy either, the
+    result is None.
     """
     if (root / "solutions" / chapter.name / file).is_file():
         return stub_of(chapter, file, root)
@@ -73,9 +78,9 @@ def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
 
 
 def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
-    """Write the stubs and the lock. Return the paths of written stubs and of edited stubs.
+    """Write all stubs and stubs.lock, but leave alone every stub that somebody has edited.
 
-    A stub that has been edited is not overwritten.
+    Return two lists of paths: the stubs that were written, and the edited ones that were not.
     """
     locked = read_lock(root)
     written, left_alone = [], []
@@ -99,14 +104,18 @@ def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
 
 
 def stale_stubs(root: Path = ROOT) -> list[str]:
-    """Return the paths of stubs that are out of date, and of complete modules not in the lock."""
+    """Return the paths of all files in chapters/ that no longer match what we would generate.
+
+    These are stubs that differ from their solutions, and complete modules that differ from
+    stubs.lock.
+    """
     stale = [path for path, text in make_stubs(root).items() if _read(root / path) != text]
     locked = read_lock(root)
     return stale + [path for path, key in complete_hashes(root).items() if locked.get(path) != key]
 
 
 def complete_hashes(root: Path = ROOT) -> dict[str, str]:
-    """Return the hash of every module that students use unchanged, keyed by path."""
+    """Return the hash of every module that students use without changing it, keyed by its path."""
     files = [
         root / "chapters" / chapter.name / name
         for chapter in load_chapters(root)
@@ -119,21 +128,21 @@ def complete_hashes(root: Path = ROOT) -> dict[str, str]:
 
 
 def _read(file: Path) -> str | None:
-    """Return the text of ``file``, or None if the file does not exist.
+    """Return the text of a file, or None if there is no such file.
 
-    Invalid UTF-8 is replaced with other characters, so a file with invalid UTF-8 counts as edited.
+    Bytes that are not valid UTF-8 are replaced, so a file that contains some counts as edited.
     """
     return file.read_text(encoding="utf-8", errors="replace") if file.exists() else None
 
 
 def stub_module(source: str, messages: dict[str, str], kept: Collection[str] = ()) -> str:
-    """Return the source of a module with the bodies of some functions removed.
+    """Turn the source of a solution into a stub, by removing the bodies of the functions to write.
 
-    ``messages`` maps the name of each of these functions, such as ``Vector3.dot``, to the message
-    that its stub raises. If private helpers, constants and imports are used only by removed bodies,
-    they are removed as well, because they belong to the reference's solution. If public helpers are
-    used only by removed bodies, they lose their bodies but stay. Public constants stay, because
-    docstrings mention them. The functions in ``kept`` always keep their bodies.
+    ``messages`` maps the name of each such function, such as ``Vector3.dot``, to the message that
+    its stub raises. Once the bodies are gone, some helpers are no longer used, and they would give
+    the solution away. So we also remove private helpers, constants and imports that only these
+    bodies used. A public helper stays but loses its body. Public constants stay, because docstrings
+    mention them. The functions in ``kept`` always keep their bodies.
 
     Raises:
         ValueError: The module does not define one of the names.
@@ -160,7 +169,7 @@ def stub_module(source: str, messages: dict[str, str], kept: Collection[str] = (
 
 
 def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
-    """Return the messages that stubs of the module ``file`` raise, by the function's name."""
+    """Return the message that each stub of a module raises, keyed by the function's name."""
     prefix = file.removesuffix(".py") + "."
     return {
         name.removeprefix(prefix): f"Exercise {exercise.id}: {exercise.title}"
@@ -173,10 +182,11 @@ def messages_of(chapter: Chapter, file: str) -> dict[str, str]:
 def _helpers_of(
     defined: dict[str, ast.FunctionDef], messages: dict[str, str], gone: set[str]
 ) -> dict[str, str]:
-    """Return the functions that only removed bodies use, each with the message of its first user.
+    """Find the helper functions that nothing uses any more, now that some bodies are gone.
 
-    If several functions have the same short name, such as the methods of a Protocol, a use may
-    refer to any of them. Such functions are not returned.
+    Each helper comes with the message of a function that used it. Sometimes several functions share
+    a short name, such as the methods of a Protocol. Then we cannot tell which of them a body has
+    used, so we leave all of them alone.
     """
     short_names = [_short(name) for name in defined]
     return {
@@ -189,12 +199,12 @@ def _helpers_of(
 
 
 def _short(name: str) -> str:
-    """Return the name of a function without its class."""
+    """Return the name of a function or method without its class."""
     return name.rpartition(".")[2]
 
 
 def _without_functions(module: cst.Module, names: set[str]) -> cst.Module:
-    """Return the module without these functions and methods."""
+    """Remove the functions and methods with these names from a module."""
 
     def kept(nodes: Any, prefix: str = "") -> list[Any]:
         left = []
@@ -211,14 +221,14 @@ def _without_functions(module: cst.Module, names: set[str]) -> cst.Module:
 
 
 def _used_names(source: str) -> set[str]:
-    """Return every name and attribute that the source reads."""
+    """Return every name and attribute that a piece of source code reads."""
     nodes = [*ast.walk(ast.parse(source))]
     names = {n.id for n in nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)}
     return names | {node.attr for node in nodes if isinstance(node, ast.Attribute)}
 
 
 def _private_constant(statement: cst.CSTNode) -> str | None:
-    """Return _NAME if the statement has the form ``_NAME = value``, or else None."""
+    """Return the name _NAME if a statement has the form ``_NAME = value``, and otherwise None."""
     match statement:
         case cst.SimpleStatementLine(
             body=[cst.Assign(targets=[cst.AssignTarget(target=cst.Name(value=name))])]
@@ -237,7 +247,10 @@ def without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
 
 
 def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
-    """Replace the bodies of the functions in ``bodies``. Keep their docstrings."""
+    """Replace the bodies of some functions with other code, and keep their docstrings.
+
+    ``bodies`` maps the name of a function to the source of its new body.
+    """
 
     def changed(node: Any, prefix: str = "") -> Any:
         if isinstance(node, cst.ClassDef):
@@ -260,7 +273,7 @@ def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
 
 
 def _tidied(source: str) -> str:
-    """Use ruff to remove unused imports and superfluous blank lines."""
+    """Let ruff remove the imports and blank lines that are no longer needed."""
     one_line = "lint.isort.split-on-trailing-comma=false"  # if the remaining names fit
     unused = ["check", "--fix", "--select", "F401,I", "--config", one_line, "--quiet", "-"]
     for arguments in (unused, ["format", "-"]):

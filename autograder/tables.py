@@ -1,4 +1,4 @@
-"""Write the table of exercises in a chapter's reference.md, based on the manifest."""
+"""Write the exercise table in each chapter's reference.md, using the data of the manifest."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ END = "<!-- end of exercises -->"
 
 
 def exercise_table(chapter: Chapter) -> str:
-    """Return a Markdown table of the exercises in a chapter."""
+    """Return the exercises of a chapter as a Markdown table."""
     rows = ["| no. | exercise | kind | stars | points | you write | builds on |"]
     rows.append("|---|---|---|---|---|---|---|")
     for exercise in chapter.exercises:
@@ -32,9 +32,9 @@ def _extra(exercise: Exercise) -> str:
 
 
 def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
-    """Return each file with the functions that students write in it, and the data files.
+    """List the functions that students write for an exercise, by file, and then its data files.
 
-    If several classes of a file have a method of the same name, the class is named too.
+    If several classes in a file have a method of this name, the list names the class as well.
     """
     files: dict[str, list[str]] = {}
     edited = [name.partition(".") for other in chapter.exercises for name in other.edit]
@@ -48,10 +48,10 @@ def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
 
 
 def with_table(page: str, chapter: Chapter) -> str:
-    """Return the text of a page in which the exercise table is up to date.
+    """Return the text of reference.md with an up-to-date exercise table.
 
     Raises:
-        ValueError: The page lacks the two lines between which the table belongs.
+        ValueError: The page lacks the two comment lines between which the table belongs.
     """
     before, begin, rest = page.partition(BEGIN)
     _, end, after = rest.partition(END)
@@ -61,7 +61,7 @@ def with_table(page: str, chapter: Chapter) -> str:
 
 
 def write_tables(chapters: list[Chapter], root: Path) -> list[str]:
-    """Update the table in every chapter's reference.md. Return the paths of the changed files."""
+    """Update the exercise table of every chapter, and return the paths of the changed files."""
     changed = []
     for chapter in chapters:
         path = root / "chapters" / chapter.name / "reference.md"

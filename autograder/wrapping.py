@@ -1,4 +1,4 @@
-"""Lay out text for a terminal, by wrapping lines between words and shortening long output."""
+"""Fit text to a terminal, by wrapping lines between words and shortening very long output."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ if TYPE_CHECKING:
 
 MOST_PRINTED_LINES = 5
 MOST_PRINTED = 300  # characters
-LONGEST_PRINTED = 4000  # characters; longer output was cut when it was captured
+LONGEST_PRINTED = 4000  # characters; anything longer has already been cut while it was captured
 MORE = re.compile(r"\.\.\. and (at least )?(\d+) more lines?")
 
 
 def plain_console(file: IO[str] | None = None, width: int | None = None) -> Console:
-    """Return a console that prints every text as it is, by default to standard output.
+    """Return a console that prints every text exactly as it is, by default to standard output.
 
-    Without this setting, rich would interpret brackets and colons in a student's name as styles and
-    emoji, and a name such as "Ann [/]" would raise an error.
+    Rich normally reads brackets as styles and words between colons as emoji. A student whose name
+    contains "[/]" would then cause an error.
     """
     from rich.console import Console
 
@@ -31,8 +31,8 @@ def plain_console(file: IO[str] | None = None, width: int | None = None) -> Cons
 def wrapped(words: str, width: int, hanging: int = 0) -> list[str]:
     """Wrap a text to the width of a terminal, and return its lines.
 
-    Lines after the first are indented by ``hanging`` columns. A word is split only if it is longer
-    than a line.
+    All lines but the first are indented by ``hanging`` columns. We split a word only if it is too
+    long for a whole line.
     """
     lines = []
     for line in words.splitlines():
@@ -46,32 +46,33 @@ def wrapped(words: str, width: int, hanging: int = 0) -> list[str]:
 
 
 def wrapped_rows(rows: list[Row], width: int) -> list[str]:
-    """Wrap the rows of a message to the width of a terminal. The text stays beside its label."""
+    """Wrap the rows of a message to a terminal's width, and keep each text beside its label."""
     return [
         line for row in rows for line in wrapped(laid_out([row]), width, INDENT if row[0] else 0)
     ]
 
 
 def print_wrapped(console: Console, words: str, style: str = "", hanging: int = 0) -> None:
-    """Print a text, which is wrapped if the output is a terminal.
+    """Print a text, and wrap it to the width of the window if it goes to a terminal.
 
-    Lines after the first are indented by ``hanging`` columns.
+    All lines but the first are indented by ``hanging`` columns.
     """
     lines = wrapped(words, console.width, hanging) if console.is_terminal else [words]
     console.print("\n".join(lines), style=style, markup=False, soft_wrap=True)
 
 
 def print_rows(console: Console, rows: list[Row]) -> None:
-    """Print the rows of a message, which are wrapped if the output is a terminal."""
+    """Print the rows of a message, and wrap them if they go to a terminal."""
     lines = wrapped_rows(rows, console.width) if console.is_terminal else [laid_out(rows)]
     console.print("\n".join(lines), markup=False, soft_wrap=True)
 
 
 def few_lines(text: str, lines: int, characters: int) -> str:
-    """Return the beginning of a text, with a note on how many lines are left out.
+    """Return the beginning of a long text, and say at its end how many lines we left out.
 
-    The number includes lines that an earlier call has left out. A text of LONGEST_PRINTED or more
-    characters has already been cut when it was captured, so its note says "at least".
+    If an earlier call has already shortened the text, the number includes the lines that it left
+    out. Output of LONGEST_PRINTED or more characters was cut while it was captured. Nobody knows
+    how long it really was, so in that case the note says "at least".
     """
     cut_before = len(text) >= LONGEST_PRINTED
     text = text[:LONGEST_PRINTED].strip("\n")
@@ -90,7 +91,7 @@ def few_lines(text: str, lines: int, characters: int) -> str:
 
 
 def cut(lines: list[str], room: int, note: str) -> list[str]:
-    """Shorten a list of lines to at most ``room`` lines, by replacing its middle with a note."""
+    """Shorten a list to at most ``room`` lines, by putting ``note`` in place of its middle."""
     if len(lines) <= room:
         return lines
     room = max(room - 1, 2)

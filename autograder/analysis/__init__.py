@@ -1,1 +1,1 @@
-"""Analyze the results of a class: its exercises, its mistakes and its progress."""
+"""Study the results of a class: which exercises were hard, and which mistakes were common."""

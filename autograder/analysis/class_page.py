@@ -1,7 +1,7 @@
-"""Write class.html, a page that shows an instructor how a class did.
+"""Write class.html, the page that shows an instructor how a whole class did.
 
-The page shows the distribution of the scores, the most common mistakes and the statistics of each
-exercise. It does not name any students, so an instructor can show it in a lecture.
+The page contains the distribution of the scores, the most common mistakes and statistics on every
+exercise. No student is named on it, so an instructor can show it in a lecture.
 """
 
 from __future__ import annotations
@@ -23,7 +23,10 @@ TEMPLATES = Path(__file__).parent / "templates"
 
 @dataclass(frozen=True)
 class ShownMistake:
-    """A mistake as class.html shows it, with links to the sections that explain the topic."""
+    """A mistake on class.html, with the number of students who made it.
+
+    ``places`` says where to read about the topic, such as a lesson or the glossary.
+    """
 
     mistake: Mistake
     count: int
@@ -31,7 +34,7 @@ class ShownMistake:
 
 
 def write_class_page(out: Path, chapters: list[Chapter], reports: Sequence[StudentReport]) -> Path:
-    """Write class.html into the folder ``out``, and return the path of the page."""
+    """Write class.html into the folder ``out``, and return its path."""
     path = out / "class.html"
     clean = [clean_all(report) for report in reports]
     mistakes = mistakes_of(clean)

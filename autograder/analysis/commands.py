@@ -1,4 +1,4 @@
-"""The command `progress`, which compares the graded assignments of a class."""
+"""The command `progress`, which follows a class over several graded assignments."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add the command `progress` to the command line."""
+    """Define the command `progress` and its options."""
     command = commands.add_parser("progress", help="compare several graded assignments of a class")
     command.add_argument("runs", nargs="+", type=Path, help="folders with the results of grade")
     command.add_argument("--out", type=Path, required=True, help="folder for the page")
@@ -15,7 +15,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_progress(arguments: argparse.Namespace) -> int:
-    """Write the page about the progress of a class, and print its path."""
+    """Write the page about a class's progress, and print where it is."""
     from autograder.analysis.progress import write_progress
 
     page = write_progress(arguments.runs, arguments.out)

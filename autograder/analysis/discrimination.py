@@ -1,8 +1,8 @@
-"""Measure how well an exercise separates stronger students from weaker students.
+"""Measure how well an exercise separates stronger students from weaker ones.
 
-The measure is the item-rest correlation. This is Pearson's correlation between the scores for the
-exercise and the scores for all other exercises. If every student earns either all points of the
-exercise or no points, it equals the point-biserial correlation.
+The usual measure for this is the item-rest correlation: Pearson's correlation between the scores
+for one exercise and the scores for all the others. If every student earns either all points of the
+exercise or none, this is the same as the point-biserial correlation.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-FEWEST = 20  # students; even then a true 0.5 is measured below LOW in 8 % of classes
-FEWEST_APART = 3  # students who differ from the most common score
+FEWEST = 20  # students; even in so large a class, a true 0.5 comes out below LOW in 8 % of cases
+FEWEST_APART = 3  # at least this many students must have another score than most
 LOW = (
     0.2  # a usual limit in item analysis (Ebel and Frisbie, Essentials of Educational Measurement)
 )
@@ -22,9 +22,9 @@ LOW = (
 
 @dataclass(frozen=True)
 class Discrimination:
-    """The item-rest correlation of an exercise, or the reason why it could not be computed.
+    """The item-rest correlation of an exercise, with its 95 % confidence interval.
 
-    ``interval`` is the 95 % confidence interval of the correlation.
+    If the correlation cannot be computed, ``value`` is None and ``reason`` says why.
     """
 
     students: int
@@ -34,15 +34,15 @@ class Discrimination:
 
     @property
     def is_low(self) -> bool:
-        """Whether the exercise barely separates the students, or favors the weaker students."""
+        """Whether the exercise barely separates the students, or even favors the weaker ones."""
         return self.value is not None and self.value < LOW
 
 
 def discrimination(own: Sequence[float], rest: Sequence[float]) -> Discrimination:
     """Compute the item-rest correlation of an exercise.
 
-    ``own`` contains each student's score for the exercise. ``rest`` contains the scores for all
-    other exercises, with the students in the same order.
+    ``own`` holds the score of each student for this exercise. ``rest`` holds the same student's
+    score for all the other exercises, so both must list the students in the same order.
     """
     count = len(own)
     if count < FEWEST:
@@ -58,7 +58,7 @@ def discrimination(own: Sequence[float], rest: Sequence[float]) -> Discriminatio
 
 
 def _interval(value: float, count: int) -> tuple[float, float]:
-    """Return the confidence interval of a correlation, computed with Fisher's transformation."""
+    """Return the 95 % confidence interval of a correlation, using Fisher's transformation."""
     if abs(value) == 1.0:
         return value, value
     half = statistics.NormalDist().inv_cdf(0.975) / math.sqrt(count - 3)

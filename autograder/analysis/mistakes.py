@@ -1,4 +1,4 @@
-"""Collect the mistakes of a class from the messages of its failed checks."""
+"""Find out which mistakes a class has made, using the messages of the checks that failed."""
 
 from __future__ import annotations
 
@@ -10,18 +10,23 @@ from dataclasses import dataclass, field
 from autograder.message import Kind
 from autograder.reports.report import CheckReport, StudentReport
 
-MOST = 5  # misconceptions for one lecture
-SHARED_BY = 2  # students; a mistake that only one student made is shown on that student's page
+MOST = 5  # misconceptions; more would not fit into one lecture
+SHARED_BY = 2  # students; if only one student made a mistake, it is shown on that student's page
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 
 
 @dataclass
 class Mistake:
-    """A likely cause of failures, with the students and exercises that it affects.
+    """A mistake that students have made, as the messages of their failed checks describe it.
 
-    ``read`` lists the sections of the book and the lessons that explain the topic. ``robust`` is
-    true if only robust checks found the mistake. ``in_values`` is true if the code runs but
-    computes a wrong value. It is false if the code is incomplete or raises an error.
+    Attributes:
+        words: The message about the mistake.
+        students: Who has made it.
+        exercises: In which exercises it was made.
+        read: The sections of the book and the lessons that explain the topic.
+        robust: Whether only robust checks have found it.
+        in_values: Whether the code runs but computes a wrong value. If this is false, the code is
+            incomplete or raises an error.
     """
 
     words: str
@@ -34,10 +39,10 @@ class Mistake:
 
 @dataclass(frozen=True)
 class Mistakes:
-    """The mistakes of a class, ordered by the number of students who made them.
+    """All mistakes of a class, starting with the one that most students made.
 
-    ``unexplained`` counts the failed checks whose message names no likely cause. This includes all
-    hidden checks, because their messages never name a cause.
+    ``unexplained`` counts the failed checks whose messages do not name a likely mistake. Hidden
+    checks are always among them, because their messages must not reveal what they test.
     """
 
     found: list[Mistake]
@@ -45,18 +50,17 @@ class Mistakes:
 
     @property
     def misconceptions(self) -> list[Mistake]:
-        """The most common mistakes in the physics, as topics for the next lecture."""
+        """The most common mistakes in the physics, which deserve a few minutes of a lecture."""
         physics = [one for one in self.found if one.in_values and not one.robust]
         return [one for one in physics if len(one.students) >= SHARED_BY][:MOST]
 
 
 def mistakes_of(reports: Sequence[StudentReport]) -> Mistakes:
-    """Collect the mistakes from the reports of a class.
+    """Collect the mistakes that the reports of a class describe.
 
-    Only failed checks count. A blocked or inherited check fails because of a mistake in another
-    exercise or chapter, so the mistake is counted for that exercise or chapter. The numbers in a
-    message depend on the seed. Two messages that differ only in their numbers therefore count as
-    the same mistake.
+    We count only checks with the status "failed". If a check is blocked or inherited, the mistake
+    is in another exercise or chapter, and it is counted there. The numbers in a message depend on
+    the random seed, so we treat two messages that differ only in their numbers as the same mistake.
     """
     found: dict[str, Mistake] = {}
     wordings: dict[str, Counter[str]] = {}

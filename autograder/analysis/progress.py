@@ -1,4 +1,7 @@
-"""Compare several graded assignments of one class: scores, students, and repeated mistakes."""
+"""Show how a class has developed from one graded assignment to the next.
+
+The page compares the scores, lists each student, and shows which mistakes came up again.
+"""
 
 from __future__ import annotations
 
@@ -20,9 +23,9 @@ FEWEST = 2  # assignments
 
 @dataclass(frozen=True)
 class Run:
-    """A graded assignment, with each student's points as a percentage of the points for checks.
+    """A graded assignment, with what each student earned in percent of the points for checks.
 
-    The percentage is None if the grader failed on the student's submission.
+    If the grader failed on a student's submission, the percentage is None.
     """
 
     name: str
@@ -31,14 +34,14 @@ class Run:
 
     @property
     def known(self) -> list[float]:
-        """All percentages except those that are None."""
+        """The percentages of all students whose submissions could be graded."""
         return [value for value in self.percent.values() if value is not None]
 
     @property
     def five(self) -> list[float]:
-        """The minimum, the quartiles and the maximum.
+        """The minimum, the three quartiles and the maximum, from which the page draws a box plot.
 
-        The list is empty if no percentage is known.
+        The list is empty if we do not know any percentage.
         """
         values = self.known
         if len(values) < 2:
@@ -49,9 +52,10 @@ class Run:
 
 @dataclass(frozen=True)
 class Returning:
-    """A mistake that occurred in several assignments.
+    """A mistake that students made in more than one assignment.
 
-    It lists the students who made the mistake in each assignment.
+    ``counts`` says how many students made it in each assignment, and ``again`` how many of them
+    made it more than once.
     """
 
     words: str
@@ -60,9 +64,9 @@ class Returning:
 
 
 def write_progress(folders: Sequence[Path], out: Path) -> Path:
-    """Write progress.html, which compares several graded assignments. Return the path of the page.
+    """Write progress.html, which compares several graded assignments, and return its path.
 
-    ``folders`` contains one graded folder per assignment. The page keeps their order.
+    ``folders`` holds the results of one assignment each, and the page shows them in the same order.
 
     Raises:
         ValueError: There are fewer than two folders, or one of them contains no results.
@@ -85,9 +89,10 @@ def write_progress(folders: Sequence[Path], out: Path) -> Path:
 
 
 def _run(folder: Path, folders: Sequence[Path]) -> Run:
-    """Read the graded folder ``folder``.
+    """Read the results of one graded assignment.
 
-    The run is named after the last component of the path if no other folder has the same name.
+    On the page the assignment has the name of its folder. If two of the folders have the same name,
+    the page shows their full paths instead.
     """
     reports = [clean_all(report) for report in read_results(folder)]
     same = [other for other in folders if other.resolve().name == folder.resolve().name]
@@ -100,7 +105,10 @@ def _run(folder: Path, folders: Sequence[Path]) -> Run:
 
 
 def returning(runs: Sequence[Run]) -> list[Returning]:
-    """Return the mistakes that occurred in several assignments, the most repeated first."""
+    """Find the mistakes that came up in several assignments.
+
+    The list begins with the mistake that most students have repeated.
+    """
     words: dict[str, str] = {}
     students: dict[str, list[list[str]]] = {}
     for number, run in enumerate(runs):

@@ -1,12 +1,12 @@
 """Keep a student's code from writing files, starting programs or threads, and using sockets.
 
-The grader runs submissions in a sandbox that refuses these operations. When students run the checks
-at home, there is no sandbox. Instead, this module listens to Python's audit events. Python raises
-an audit event before it performs such an operation, and this module then raises the error that the
-sandbox would cause.
+The grader runs submissions in a sandbox that refuses all of this. When students run the checks at
+home, there is no sandbox, so we need another way to find out what their code is about to do.
+Python's audit events tell us. Python raises such an event just before it opens a file, for example,
+and this module then raises the same error that the sandbox would cause.
 
-Its purpose is to show students early what the grader will refuse. It does not stop hostile code,
-and it cannot refuse an operation that has no audit event, such as os.pipe.
+The purpose is to show students early what the grader will refuse. This is not protection against
+hostile code, and it misses operations without an audit event, such as os.pipe.
 """
 
 from __future__ import annotations
@@ -26,13 +26,13 @@ from autograder.checks.students_code import LIBRARY, StudentsCode
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 READABLE = [*LIBRARY, *map(Path, ("/lib", "/lib64", "/usr/lib", "/usr/lib64"))]
 THREAD_STARTERS = "start_new_thread _start_new_thread start_joinable_thread _start_joinable_thread"
-# Linux's numbers, because Python in a browser uses different ones.
+# We use the numbers that Linux gives these errors, because Python in a browser has others.
 NOT_PERMITTED = 1, "Operation not permitted"
 NOT_FOUND = 2, "No such file or directory"
 DENIED = 13, "Permission denied"
 NOT_STARTED = 32512  # what os.system returns if it cannot start a process
 
-# Audit events that are refused, grouped by how many paths the error names.
+# We refuse these audit events. They are grouped by how many paths the error message names.
 WITH_PATH = "os.mkdir os.remove os.rmdir os.chmod os.chown os.truncate os.chdir os.posix_spawn"
 WITH_PATHS = "os.rename os.link os.symlink"
 WITHOUT = (
@@ -91,9 +91,9 @@ def _list(code: StudentsCode, path: Any) -> None:
 
 
 def _allow_reading(file: Any, path: Any, more: list[Path] | None = None) -> None:
-    """Allow reading ``path`` if it is in Python's library or in a folder of ``more``.
+    """Let the student's code read only files of Python's library and of the folders in ``more``.
 
-    Raise PermissionError for any other path.
+    For every other file, raise the PermissionError that the sandbox would cause.
     """
     inside = os.path.join(os.fsdecode(file), "x")  # noqa: PTH118 - a folder contains itself
     if not is_inside(inside, [*READABLE, *(more or []), Path(os.devnull)]):

@@ -1,8 +1,8 @@
-"""Let a student's code import only the Python standard library and the chapters.
+"""Let a student's code import only Python's standard library and the chapters.
 
-The grader has no installed packages. It has only the files that were handed in and the files that
-are given. An import that fails in the grader must therefore fail on the student's machine too, on
-the same line and with the same message from Python.
+The grader has no other packages, and of the chapters it has only the files that students hand in or
+that we give them. An import that will fail there should fail at home as well, so that the student
+finds out in time. It fails on the same line and with the same message from Python.
 """
 
 from __future__ import annotations
@@ -48,10 +48,7 @@ def limit_imports(code: StudentsCode) -> None:
 
 
 def _refuse(code: StudentsCode, name: str, package: str | None, fromlist: Sequence[str]) -> None:
-    """Raise the error that the import of ``name`` would raise in the grader.
-
-    If the import would succeed, return without an error.
-    """
+    """If importing ``name`` would fail in the grader, raise the same error here."""
     if name.startswith("."):
         try:
             name = importlib.util.resolve_name(name, package)

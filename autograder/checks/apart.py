@@ -1,9 +1,9 @@
 """Run checks in a forked copy of this process, so that one exercise cannot affect another.
 
-A student's module may contain a counter or a cache. Without a copy, its contents would leak from
-one check into the next. The grader avoids this by starting a new process for each check. On a
-student's machine, a copy for each check would double the time of the run, so all checks of an
-exercise share one copy.
+A student's module may contain a counter or a cache, and what one check leaves in it would change
+the result of the next. The grader prevents this by starting a new process for each check. On a
+student's machine that would take too long, because even a copy per check doubles the time of a run.
+So there all checks of one exercise share a copy.
 """
 
 from __future__ import annotations
@@ -15,15 +15,15 @@ import sys
 import traceback
 from collections.abc import Callable
 
-CAN_COPY = hasattr(os, "fork") and sys.platform != "emscripten"  # where fork always fails
+CAN_COPY = hasattr(os, "fork") and sys.platform != "emscripten"  # a browser's fork always fails
 DONE = 87  # exit code of a copy that has finished its work
 
 
 def run_in_a_copy(work: Callable[[], object]) -> None:
-    """Call ``work`` in a forked copy of this process.
+    """Fork this process, and call ``work`` in the copy.
 
-    If the copy crashes, this process ends in the same way. The runner then starts a new process for
-    the remaining checks.
+    If the copy crashes, this process deliberately ends in the same way. The runner notices that,
+    and starts a new process for the checks that are left.
     """
     if sys.platform == "win32":
         raise OSError("Windows cannot copy a process")
@@ -47,7 +47,7 @@ def run_in_a_copy(work: Callable[[], object]) -> None:
 
 
 def how_it_ended(code: int) -> str:
-    """Explain how a process ended while it ran a student's code. ``code`` is its exit code."""
+    """Explain to a student how the process that ran the code ended. ``code`` is its exit code."""
     if code < 0:
         name = signal.strsignal(-code) or f"signal {-code}"
         return f"the process ended early: Python crashed ({name})"

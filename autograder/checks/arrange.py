@@ -1,4 +1,7 @@
-"""Prepare the files and settings for a process that runs checks."""
+"""Put together the files and settings that a check process needs.
+
+A check process is the program that runs the checks of one chapter on one student's code.
+"""
 
 from __future__ import annotations
 
@@ -13,16 +16,16 @@ from autograder.message import Message
 
 @dataclass(frozen=True)
 class Behind:
-    """The settings for running untrusted code in worker processes inside a sandbox.
+    """How to run a student's code in worker processes inside a sandbox.
 
-    ``level`` names the layers of the sandbox (a sandbox.Level as a dict). If ``fresh`` is set, each
-    check gets a new interpreter. ``missing`` maps each rejected module to the reason for its
-    rejection.
-
-    ``hidden`` is a folder of additional checks. Students see only the rationale of a hidden check.
-    If ``for_instructor`` is set, the result contains the full messages, so set it only if students
-    will not read the result. ``compiled`` is a folder in which the compiled code of a submission is
-    kept between runs.
+    Attributes:
+        level: The layers of the sandbox, which is a sandbox.Level turned into a dict.
+        fresh: Whether every check gets a new interpreter.
+        missing: The modules of the submission that we have rejected, each with the reason.
+        hidden: A folder of additional checks, of which students see only a short rationale.
+        for_instructor: Whether the result contains the full messages of hidden checks. Set this
+            only if students will not read the result.
+        compiled: A folder that keeps the compiled code of a submission from one run to the next.
     """
 
     level: dict[str, bool]
@@ -35,9 +38,10 @@ class Behind:
 
 @dataclass(frozen=True)
 class Workers:
-    """The settings with which a check process starts its worker processes.
+    """What a check process needs to know in order to start its workers.
 
-    ``probes`` is the folder of the probes. ``compiled`` is the folder for compiled code.
+    A worker is the process in the sandbox that runs the student's code. ``probes`` and ``compiled``
+    are the folders for the probes and for the compiled code.
     """
 
     level: dict[str, bool]
@@ -49,12 +53,14 @@ class Workers:
 
 @dataclass(frozen=True)
 class Arranged:
-    """The files and names that a check process works with. Paths are strings, as in JSON.
+    """The files and names that a check process works with, in a form that fits into JSON.
 
-    ``known`` lists the exercises of the chapter. ``edits`` lists the functions that students write,
-    for each exercise. ``modules`` are imported before the checks. ``complete`` lists the files that
-    students call but do not write. ``graded`` maps each chapter's folder to its files that also
-    exist in the grader.
+    Attributes:
+        known: The exercises of the chapter.
+        edits: For each exercise, the functions that students write.
+        modules: The modules to import before the checks.
+        complete: The files that students call but did not write.
+        graded: For each chapter's folder, the files that the grader has too.
     """
 
     root: str
@@ -71,11 +77,12 @@ class Arranged:
 
 @dataclass(frozen=True)
 class Config:
-    """The configuration of a check process: its files, its settings and the remaining checks.
+    """Everything a check process has to know: its files, its settings and which checks to run.
 
-    If ``apart`` is set, the checks of each exercise run in a forked copy of the process. ``broken``
-    maps each module that cannot be imported to the reason. ``done`` names the checks that already
-    have a verdict.
+    Attributes:
+        apart: Whether the checks of each exercise run in a forked copy of the process.
+        broken: The modules that cannot be imported, each with the reason.
+        done: The checks that already have a verdict, and therefore need not run again.
     """
 
     arranged: Arranged
@@ -91,13 +98,13 @@ class Config:
 def arrange(
     folder: Path, chapter: Chapter, engine: list[Path], root: Path, behind: Behind | None
 ) -> Arranged:
-    """Prepare ``folder`` for a check process, and return the paths and names that it works with."""
+    """Put the files for a check process into ``folder``, and return their paths and names."""
     chapters = [*chapters_below(chapter, root), chapter]
     hidden = _put_hidden_checks(folder, chapter, root, behind)
     return Arranged(
         root=str(root_of_checks(folder, root, behind)),
         engine=[str(path) for path in engine],
-        # The paths are relative to root, because pytest rejects paths that contain brackets.
+        # These paths are relative to root, because pytest does not accept brackets in a path.
         tests=[f"tests/{chapter.name}", *hidden],
         known=[exercise.id for exercise in chapter.exercises],
         chapter=chapter.name,
@@ -112,22 +119,24 @@ def arrange(
 def root_of_checks(folder: Path, root: Path, behind: Behind | None) -> Path:
     """Return the folder that contains the checks.
 
-    If there are hidden checks, the result is a copy that contains the public and the hidden checks.
+    Without hidden checks this is the project itself. Otherwise it is a copy to which the hidden
+    checks have been added.
     """
     return folder / "root" if behind and behind.hidden else root
 
 
 def shared_by_checks(root: Path) -> list[Path]:
-    """Return the helper files that the checks of all chapters share."""
+    """Return the helper files in tests/ that the checks of all chapters share."""
     return [root / "tests/conftest.py", *sorted((root / "tests/shared").glob("*.py"))]
 
 
 def _put_hidden_checks(
     folder: Path, chapter: Chapter, root: Path, behind: Behind | None
 ) -> list[str]:
-    """Copy the public and the hidden checks of this chapter into the folder.
+    """Copy a chapter's public and hidden checks into the folder of the check process.
 
-    Return the path of the hidden checks relative to the root, or an empty list if there are none.
+    Return the path of the hidden checks relative to the root. The list is empty if the chapter has
+    no hidden checks.
     """
     if not behind or not behind.hidden:
         return []
@@ -152,7 +161,7 @@ def _put_hidden_checks(
 
 
 def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) -> Workers | None:
-    """Copy the probes into the folder, and return the settings for the workers."""
+    """Copy the probes into the check process's folder, and return the settings for its workers."""
     if behind is None:
         return None
     probes = folder / "probes" / chapter.name
@@ -170,10 +179,10 @@ def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) 
 def _modules(
     chapter: Chapter, chapters: list[Chapter], engine: list[Path], root: Path
 ) -> list[str]:
-    """Return the names of the modules to import before the checks.
+    """Return the names of the modules to import before the checks, so that we see which ones fail.
 
-    A module that cannot be imported does not affect the other modules. If an earlier chapter has no
-    manifest, as in some hand-outs, all of its files are included.
+    A module that cannot be imported does not stop us from importing the others. In some hand-outs
+    an earlier chapter has no manifest, and then we import all of its files.
     """
     files = {c.name: c.edited_files for c in chapters}
     listed = {c.name for c in load_chapters(root)}

@@ -1,8 +1,8 @@
-"""Store the context of the running check, so that a failure message can show it.
+"""Remember what the running check is testing, so that a message about a failure can say so.
 
-The context consists of the call that is being checked, the likely cause of a failure, and the
-section to read. A check sets the context before it calls the student's code. If an expectation
-fails or the student's code raises an exception, the message includes the context.
+Before a check calls the student's code, it stores three things: the call, the likely mistake if the
+result is wrong, and the section to read. If the result is wrong, or if the student's code raises an
+exception, the message shows all three.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ Returned = TypeVar("Returned")
 
 
 class Words(TypedDict, total=False):
-    """The context for a single expectation, which replaces the context of the check.
+    """Words for a single expectation, which replace those that its check has stored in ``about``.
 
-    ``then`` is appended to the call.
+    ``then`` is appended to the call instead of replacing it.
     """
 
     call: str
@@ -28,10 +28,10 @@ class Words(TypedDict, total=False):
 
 
 class About:
-    """The context of the running check: the call, the likely cause, and the section to read.
+    """What a message about a failure will show: the call, the likely mistake, and what to read.
 
-    Call the object to change some parts and keep the others. You can also assign to a part, as in
-    ``about.call += "; v.x"``.
+    To change some of these and keep the rest, call the object with the new ones. You can also
+    assign to one of them, as in ``about.call += "; v.x"``.
     """
 
     def __init__(self) -> None:
@@ -45,12 +45,12 @@ class About:
         self.read = self.read if read is None else read
 
     def but(self, words: Words) -> tuple[str, str, str]:
-        """Return the call, the cause and the reading, with the parts in ``words`` replaced."""
+        """Return the call, the mistake and what to read, with those in ``words`` replaced."""
         call = words.get("call", self.call) + words.get("then", "")
         return call, words.get("cause", self.cause), words.get("read", self.read)
 
     def forget(self) -> None:
-        """Clear the context before a new check."""
+        """Clear everything, so that a check does not inherit the words of the check before it."""
         self("", cause="", read="")
 
 
@@ -58,9 +58,10 @@ about = About()
 
 
 def scoped(helper: Callable[Parameters, Returned]) -> Callable[Parameters, Returned]:
-    """Wrap ``helper``, so that the context is restored when ``helper`` returns.
+    """Wrap a helper of the checks, so that what it stores in ``about`` is undone when it returns.
 
-    If ``helper`` raises an exception, the context stays as it is, so that the message can show it.
+    If the helper raises an exception, nothing is undone, because the message about the failure
+    needs what the helper has stored.
     """
 
     @wraps(helper)

@@ -1,4 +1,4 @@
-"""Find out which functions a check's expression calls."""
+"""Find out which of the student's functions the expression in a check calls."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 
 from autograder.definitions import own_name
 
-OPERATORS = {  # the operator that calls each special method
+OPERATORS = {  # for each special method, the operator that calls it
     "__neg__": "; -v",
     "__mul__": " * ",
     "__imul__": " *= ",
@@ -21,7 +21,10 @@ OPERATORS = {  # the operator that calls each special method
 
 
 def calls(expression: str, name: str) -> bool:
-    """Return whether ``expression`` calls a function. ``name`` is its name in the manifest."""
+    """Return whether an expression such as "v.dot(w)" calls a function.
+
+    ``name`` is the function's name in the manifest, such as vector.Vector3.dot.
+    """
     short = own_name(name)
     pattern = rf"\b{short}\(|\.{short}\b(?! =)"  # a function, a method or a property
     if short in OPERATORS:
@@ -33,9 +36,9 @@ def calls(expression: str, name: str) -> bool:
 
 
 def names_class(expression: str, name: str) -> bool:
-    """Return whether ``expression`` constructs an object of the class to which a method belongs.
+    """Return whether an expression creates an object of the class to which a method belongs.
 
-    ``name`` is the name of the method in the manifest. For a plain function, return True.
+    ``name`` is the method's name in the manifest. For a plain function, the answer is always True.
     """
     _, *path = name.split(".")
     return len(path) == 1 or re.search(rf"\b{path[0]}\(", expression) is not None

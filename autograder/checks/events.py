@@ -1,4 +1,4 @@
-"""The events that a check process sends to the runner, as one JSON object per line."""
+"""The events by which a check process reports its progress, as one JSON object per line."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from autograder.records import from_json, to_json
 
 @dataclass(frozen=True)
 class Check:
-    """A check that will be run.
+    """A check that is going to run.
 
-    For a hidden check, students see only the ``rationale``.
+    If it is hidden, students see nothing of it but ``rationale``.
     """
 
     name: str
@@ -26,26 +26,26 @@ class Check:
 
 @dataclass(frozen=True)
 class Checks:
-    """All checks of the run, in order."""
+    """Sent once at the beginning. It lists all checks in the order in which they run."""
 
     checks: list[Check]
 
 
 @dataclass(frozen=True)
 class Importing:
-    """The process is about to import a module of the student's."""
+    """Sent before the process imports one of the student's modules."""
 
     module: str
 
 
 @dataclass(frozen=True)
 class Imported:
-    """The import that was announced last has finished."""
+    """Sent when the import that was announced last has finished."""
 
 
 @dataclass(frozen=True)
 class Broken:
-    """A module of the student's cannot be imported."""
+    """Sent if one of the student's modules cannot be imported."""
 
     module: str
     message: Message
@@ -53,14 +53,14 @@ class Broken:
 
 @dataclass(frozen=True)
 class Started:
-    """A check begins."""
+    """Sent when a check begins."""
 
     name: str
 
 
 @dataclass(frozen=True)
 class Decided:
-    """A check has ended. Its status is passed, failed, or error if the grader is at fault."""
+    """Sent when a check has ended. The status "error" means that the grader itself failed."""
 
     name: str
     status: Literal["passed", "failed", "error"]
@@ -70,7 +70,7 @@ class Decided:
 
 @dataclass(frozen=True)
 class Ended:
-    """All checks have ended."""
+    """Sent when all checks have ended."""
 
 
 Event = Checks | Importing | Imported | Broken | Started | Decided | Ended
@@ -80,12 +80,12 @@ KINDS: dict[str, type[Event]] = {
 
 
 def write_event(event: Event) -> str:
-    """Return the line that represents an event."""
+    """Turn an event into a line of JSON."""
     return json.dumps({type(event).__name__: to_json(event)}) + "\n"
 
 
 def read_event(line: str) -> Event:
-    """Parse ``line`` and return the event.
+    """Turn a line of JSON back into an event.
 
     Raises:
         ValueError: The line does not contain an event.

@@ -1,4 +1,4 @@
-"""Turn errors into explanations that tell a student what to do."""
+"""Explain an error in a student's code, and suggest what to do about it."""
 
 from __future__ import annotations
 
@@ -29,8 +29,9 @@ NO_KEYBOARD = (
     "Your code waits for keyboard input, but nobody can type anything during a check. Remove the "
     "call to input or breakpoint."
 )
-# Mistakes in Python whose error messages are hard to understand, recognized by a part of the
-# message. The cause that the check suggests is about physics, so the explanation replaces it.
+# Some mistakes in Python cause error messages that are hard to understand. We recognize each of
+# them by a part of its message. Since the check itself can only suggest a mistake in the physics,
+# we show our explanation instead.
 SLIPS = (
     ("NotImplementedType", NOT_IMPLEMENTED),
     (
@@ -91,8 +92,8 @@ SLIPS = (
     ("can't decode", "Save the file as UTF-8 in your editor."),
     ("null bytes", "Save the file as UTF-8 in your editor."),
 )
-# These may be mistakes in Python, or they may follow from a mistake in the physics. So the cause
-# that the check suggests is shown as well.
+# These errors may come from a mistake in Python, or they may follow from one in the physics. So we
+# also show the mistake that the check suggests.
 PERHAPS = (
     (
         "'tuple'",
@@ -152,12 +153,12 @@ STACK_LINE = re.compile(r'File "([^"\n]{1,500})", line (\d{1,6}) in (\S{1,100})'
 def explain_exception(
     error: BaseException, engine_folders: list[Path], complete: Sequence[str] = ()
 ) -> Message:
-    """Create the message for a check that ended with the exception ``error``.
+    """Build the message for a check that ended with an exception.
 
-    If an expectation failed, ``error`` already has a message. For any other exception, the message
-    consists of the call that the check made, the exception, the student's line, and a likely cause.
-    If Python's error is a known mistake, it determines the cause. Otherwise the check's own cause
-    is used.
+    If an expectation was not met, the exception already carries its message. For any other
+    exception, the message shows the call that the check made, the exception, the student's line,
+    and a likely mistake. If we recognize Python's error, we know which mistake this is. Otherwise
+    we show the one that the check suggests.
 
     ``complete`` lists modules that the student calls but did not write, such as
     ch02_vectors/arguments.py. An exception that was raised in a worker process has the attribute
@@ -194,9 +195,10 @@ def explain_exception(
 def explain_import(
     fault: Fault, module: str, engine_folders: list[Path], complete: Sequence[str] = ()
 ) -> Message:
-    """Return the message that explains why a student's module cannot be imported.
+    """Build the message that tells a student why a module cannot be imported.
 
-    ``complete`` lists modules that the student did not write.
+    ``complete`` lists the modules that the student did not write. The message never points to a
+    line in one of these.
     """
     file = file_of(module)
     if fault.missing_module == module:
@@ -218,10 +220,10 @@ def explain_import(
 
 
 def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> Message:
-    """Create the message for a check that ran out of time.
+    """Build the message for a check that ran out of time.
 
-    ``stack`` is the stack trace that the process wrote. The student's code can write to the same
-    file, so ``stack`` may contain anything, and the message must be valid for any content.
+    ``stack`` is the stack trace that the process wrote to a file. The student's code can write to
+    the same file, so we must be prepared to find anything in it.
     """
     hung = Message(
         f"{Kind.HUNG.value} within {time_limit:g} seconds. Is there an endless loop?",
@@ -239,15 +241,12 @@ def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> M
 
 
 def _unescaped(text: str) -> str:
-    """Decode the escapes that Python uses for special characters when it writes a stack."""
+    """Decode the escapes that Python uses for special characters when it writes a stack trace."""
     return ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), text)
 
 
 def _likely(text: str, cause: str, fault: Fault) -> tuple[str, str]:
-    """Return the most likely cause of an exception and a second cause.
-
-    The second cause may be empty.
-    """
+    """Return the most likely mistake behind an exception, and a second one that may be empty."""
     meant = explain_unknown(fault.unknown) if fault.unknown else ""
     if slip := meant or slip_of(text):
         return slip, ""
@@ -256,24 +255,24 @@ def _likely(text: str, cause: str, fault: Fault) -> tuple[str, str]:
 
 
 def slip_of(text: str) -> str:
-    """Explain a common mistake in Python. ``text`` is the exception's text.
+    """Explain a common mistake in Python, which we recognize by the text of the exception.
 
-    Return an empty string if the mistake is not known.
+    If we do not know the mistake, return an empty string.
     """
     return next((slip for sign, slip in SLIPS if sign in text), "")
 
 
 def _is_given(place: Place, complete: Sequence[str]) -> bool:
-    """Return whether the code at ``place`` was given, so that the mistake must be in its caller.
+    """Return whether the student did not write the code at ``place``.
 
-    Students never write a constructor. A constructor that rejects its arguments is therefore given
-    code.
+    If such code raises an error, the mistake must be in the code that called it. Students never
+    write a constructor, so a constructor that rejects its arguments counts as given code too.
     """
     return place.function in ("__init__", "__setattr__") or place.file in complete
 
 
 def _with_source(place: Place, engine_folders: list[Path]) -> Place:
-    """Add the source line to ``place``. Read it from the first folder that contains the file."""
+    """Add the source line to ``place``, which we read from the first folder that has the file."""
     for folder in engine_folders:
         file = folder / place.file
         if file.is_file():

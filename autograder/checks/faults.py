@@ -1,7 +1,7 @@
 """Describe an exception in a student's code as plain data.
 
-The code may run in this process or in a worker process. In both cases the description has the same
-form.
+The code may run in this process or in a worker process, and for the rest of the program it should
+make no difference which.
 """
 
 from __future__ import annotations
@@ -19,9 +19,10 @@ MOST_FRAMES = 50
 
 
 class CheckEnded(BaseException):
-    """Raised to end a check with a message.
+    """Raised to end a check with a message for the student.
 
-    The class derives from BaseException, so a student's ``except Exception`` does not catch it.
+    It derives from BaseException, so that an ``except Exception`` in the student's code cannot
+    catch it.
     """
 
     def __init__(self, message: Message) -> None:
@@ -37,17 +38,17 @@ class GraderFault(BaseException):
 
 
 class StudentLeft(BaseException):
-    """Raised when student code raises something other than an Exception, such as SystemExit."""
+    """Raised when a student's code raises something other than an Exception, such as SystemExit."""
 
     fault: Fault
 
 
 @dataclass(frozen=True)
 class Fault:
-    """An exception as plain data: the name of its type, its text, and the frames in student code.
+    """An exception as plain data: its type, its text, and the path it took through student code.
 
-    For a syntax error, it also contains the file, the line and the text that Python could not
-    parse. If the exception reports a missing name, ``unknown`` describes the name.
+    For a syntax error, ``syntax`` holds the file, the line and the text that Python could not read.
+    If the exception is about a name that does not exist, ``unknown`` describes this name.
     """
 
     type: str
@@ -59,18 +60,18 @@ class Fault:
 
     @property
     def first_line(self) -> str:
-        """The type and the text on one line, as at the end of a traceback.
+        """The type and the text of the exception, as in the last line of a traceback.
 
-        Long text is shortened.
+        If the text is very long, we show only the beginning of its first line.
         """
         first = (self.text.splitlines() or [""])[0][:500]
         return f"{self.type}: {first}" if first else self.type
 
 
 def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
-    """Describe the exception ``error`` as plain data.
+    """Describe an exception as plain data, which can be sent to another process.
 
-    Only frames of files in ``folders`` are included. The innermost frame comes last.
+    Of its stack we keep only the lines in files of ``folders``, with the innermost one last.
     """
     syntax = None
     text = text_of(error)

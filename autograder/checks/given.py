@@ -1,7 +1,7 @@
-"""Find the failures of a chapter that are caused by earlier chapters.
+"""Find out which failures in a chapter come from mistakes in earlier chapters.
 
-The checks of the chapter are run a second time, with the earlier chapters from the reference. A
-check that passes in the second run failed only because of an earlier chapter, and is marked as
+To do that, we run the chapter's checks a second time, with the earlier chapters taken from the
+reference. If a check passes this time, an earlier chapter was to blame, and we mark the check as
 inherited.
 """
 
@@ -27,10 +27,10 @@ Run = Callable[[Chapter, list[Path]], list[Verdict]]  # runs a chapter's checks 
 def with_given(
     given: Sequence[Chapter], engine: list[Path], root: Path = ROOT
 ) -> Iterator[list[Path]]:
-    """Create an engine in which the chapters of ``given`` come from the reference.
+    """Create an engine in which the given chapters come from the reference.
 
     Raises:
-        ValueError: The reference of a chapter does not exist in ``root``, as in a hand-out.
+        ValueError: ``root`` does not contain the reference of a chapter. A hand-out never does.
     """
     if not given:
         yield engine
@@ -49,7 +49,7 @@ def with_given(
 
 
 def has_reference(chapter: Chapter, root: Path = ROOT) -> bool:
-    """Return whether this folder contains the reference of a chapter."""
+    """Return whether the reference of a chapter is available in this folder."""
     return (root / "solutions" / chapter.name).is_dir()
 
 
@@ -61,11 +61,11 @@ def run_on_given(
     run: Run,
     root: Path = ROOT,
 ) -> list[Verdict]:
-    """Run the checks a second time, with the chapters of ``below`` from the reference.
+    """Run the checks again, but with the reference in place of the chapters in ``below``.
 
-    Return the verdicts of the second run. There is no second run, and the result is empty, if the
-    reference is not available, if all failures come from functions that the student has not written
-    yet, or if a loop in this chapter does not end.
+    Return the new verdicts. In three cases a second run would be of no use, so the result is empty:
+    the reference is not available, or the student has not written any of the functions that fail,
+    or a loop in this chapter never ends.
 
     Raises:
         GraderError: The checks cannot be run.
@@ -80,9 +80,9 @@ def run_on_given(
 
 
 def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
-    """Mark each failed check as inherited if it passed in the second run.
+    """Mark each failed check as inherited if it passes once the earlier chapters are correct.
 
-    ``verdicts`` are the verdicts of the first run. ``again`` are the verdicts of the second run.
+    ``verdicts`` come from the first run, and ``again`` from the run on the reference.
     """
     passed = {verdict.name for verdict in again if verdict.status == "passed"}
     return [
@@ -94,11 +94,10 @@ def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdic
 
 
 def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
-    """Replace the verdict of each check that failed in both runs with the second verdict.
+    """For each check that failed in both runs, keep the verdict of the second run.
 
-    ``verdicts`` are the verdicts of the first run. ``again`` are the verdicts of the second run.
-    The second verdict explains the failure better, because only the student's own chapter can be
-    the cause.
+    ``verdicts`` come from the first run, and ``again`` from the run on the reference. The second
+    verdict explains the failure better, because only the student's own chapter can have caused it.
     """
     second = {verdict.name: verdict for verdict in again if verdict.status in LOST}
     return [
@@ -110,10 +109,10 @@ def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Ve
 def suspects(
     verdicts: list[Verdict], engine: list[Path], below: Sequence[Chapter], run: Run
 ) -> list[Chapter]:
-    """Return the earlier chapters that fail some of their own checks.
+    """Return the earlier chapters that do not pass all of their own checks.
 
-    Call this function if a second run is not possible. Without a second run, it is unknown which
-    failures are inherited, but the student should know that an earlier chapter may be the cause.
+    This is for a folder without the reference. There we cannot find out which failures are
+    inherited, but we can at least warn the student that an earlier chapter may be the cause.
     """
     lost = [verdict for verdict in verdicts if verdict.status in LOST]
     if all(_is_unwritten(verdict) for verdict in lost):
@@ -131,22 +130,22 @@ def suspects(
 def below_and_not_given(
     chapter: Chapter, given: Sequence[Chapter], root: Path = ROOT
 ) -> list[Chapter]:
-    """Return the earlier chapters that ``chapter`` uses and that the student has written."""
+    """Return the earlier chapters that this chapter uses and that the student has written."""
     return [other for other in chapters_below(chapter, root) if other not in given]
 
 
 def _is_unwritten(verdict: Verdict) -> bool:
-    """Return whether a check fails because a function of its own chapter is not written yet."""
+    """Return whether a check fails only because a function of its chapter has not been written."""
     message = verdict.message
     return message.kind is Kind.UNWRITTEN and _number(message.exercise) == _number(verdict.exercise)
 
 
 def _number(exercise: str) -> str:
-    """Return the chapter number in the id of an exercise: 4 in B4.2."""
+    """Return the chapter number in the id of an exercise, such as 4 for B4.2."""
     return re.sub(r"^[A-Z]|\..*", "", exercise)
 
 
 def _hangs(chapter: Chapter, lost: list[Verdict]) -> bool:
-    """Return whether a check hung in this chapter's own code."""
+    """Return whether a check got stuck in this chapter's own code."""
     hung = [verdict.message for verdict in lost if verdict.message.kind is Kind.HUNG]
     return any(m.where and m.where.file.startswith(f"{chapter.name}/") for m in hung)

@@ -1,8 +1,8 @@
-"""Explain that a check fails because a function was removed from the student's file.
+"""Explain to students that a check fails because they have removed or renamed a function.
 
-The manifest of a chapter lists the functions to write. If a student deletes or renames a function,
-Python's error says only that a name is missing. This module adds to the message that the stub was
-removed, and how to restore it.
+The manifest lists the functions that students write. If a student deletes or renames one of them,
+Python reports only that some name is missing. We can do better: this module adds to the message
+that the stub is gone, and says how to restore it.
 """
 
 from __future__ import annotations
@@ -18,17 +18,16 @@ from autograder.commands import command
 from autograder.definitions import own_name
 from autograder.message import Kind, Message
 
-Defined = Callable[
-    [str], set[str] | None
-]  # returns the names that a module such as vector defines, if it can be read
+# Returns the names that a module such as vector defines, or None if it cannot be read.
+Defined = Callable[[str], set[str] | None]
 
 
 def explain_gone(
     message: Message, exercise: str, edits: Mapping[str, Sequence[str]], defined: Defined
 ) -> Message:
-    """Add an explanation to ``message`` if the check failed because a function was removed.
+    """If a check failed because the student removed a function, say so in its message.
 
-    ``edits`` maps each exercise to the functions that students write, such as vector.Vector3.dot.
+    ``edits`` lists the functions that students write for each exercise, such as vector.Vector3.dot.
     """
     for owner, name in _candidates(message, exercise, edits):
         module, _, path = name.partition(".")
@@ -42,10 +41,9 @@ def explain_gone(
 def _candidates(
     message: Message, exercise: str, edits: Mapping[str, Sequence[str]]
 ) -> list[tuple[str, str]]:
-    """Return the functions whose removal may have caused the failure.
+    """Return the functions that the student may have removed, together with their exercises.
 
-    The functions in the text of ``message`` come first, then the functions that the check's
-    expression calls.
+    First come those that the message mentions, and then those that the check's expression calls.
     """
     every = [(owner, name) for owner, names in edits.items() for name in names]
     own = [(exercise, name) for name in edits.get(exercise, ()) if calls(message.called, name)]
@@ -54,7 +52,7 @@ def _candidates(
 
 
 def _names(says: str, name: str) -> bool:
-    """Return whether the error text ``says`` reports ``name`` or its class as missing."""
+    """Return whether the text of an error reports that ``name`` or its class is missing."""
     module, *path = name.removesuffix(".setter").split(".")
     short, outer = path[-1], path[0]
     signs = [f"name '{short}' is not defined", f"/{does_not_define(module, outer)}"]
@@ -69,7 +67,7 @@ def _names(says: str, name: str) -> bool:
 def _words(
     module: str, path: str, exercise: str, there: set[str], edits: Mapping[str, Sequence[str]]
 ) -> str:
-    """Explain that a function was removed or renamed, and how to get it back."""
+    """Tell the student that a function was removed or renamed, and how to get it back."""
     prefix = path.removesuffix(own_name(f"{module}.{path}"))
     if prefix and not any(name.startswith(prefix) for name in there):
         short = own_name(f"{module}.{path}")

@@ -1,7 +1,7 @@
-"""Run the checks and the student's code in the same process. This is fast but not secure.
+"""Run the checks and the student's code in one process, which is fast but not secure.
 
-Students run the checks at home in this way. The code is still restricted, because it can import
-only the modules and perform only the operations that the grader allows.
+The checks run like this on a student's own machine. The code can still import only those modules
+and perform only those operations that the grader allows, so that there are no surprises later.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ CALLS = 13  # nested calls of pytest and the check between start() and the stude
 
 
 class InProcess:
-    """The student's modules, imported into the same process as the checks."""
+    """Runs the student's modules in the same process as the checks."""
 
     def __init__(
         self,
@@ -55,9 +55,9 @@ class InProcess:
         self.depth = Depth()
 
     def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
-        """Import the student's modules one by one before the checks import them.
+        """Import the student's modules one by one, before the checks import them.
 
-        If a module cannot be imported, only the checks that use it fail.
+        If a module cannot be imported, only the checks that use it will fail.
         """
         self.surround()
         for module, message in broken.items():
@@ -69,24 +69,24 @@ class InProcess:
                 self._import(module)
                 self.stop()
                 send(Imported())
-        # Only the checks get a placeholder for a missing name. In the student's other modules,
-        # such a name raises ImportError, both here and in the sandbox.
+        # If a name is missing, only the checks get a placeholder for it. If another module of the
+        # student's imports it, that raises ImportError, here as well as in the sandbox.
         for imported in filter(None, map(sys.modules.get, modules)):
             imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
 
     def surround(self) -> None:
-        """Give the code the same environment and the same restrictions as in the grader."""
+        """Restrict the student's code the way the grader does, and give it the same environment."""
         leave_home()
         code = StudentsCode(self.engine, self.graded)
         limit_imports(code)
         limit_acts(code)
 
     def after_collection(self) -> None:
-        """Exclude existing objects from garbage collection, so that forks share more memory."""
+        """Hide all objects so far from the garbage collector, so that forks share more memory."""
         gc.freeze()
 
     def _import(self, module: str) -> None:
-        # Do not write bytecode. It could hide a second edit of a file within the same second.
+        # Without bytecode, Python notices if a file is edited twice within the same second.
         sys.dont_write_bytecode = True
         try:
             importlib.import_module(module)
@@ -101,18 +101,18 @@ class InProcess:
             sys.dont_write_bytecode = False
 
     def definitions(self, file: Path) -> set[str] | None:
-        """Return the names that the module in ``file`` defines, or None if they are unknown."""
+        """Return the names that the module in ``file`` defines, or None if we cannot find out."""
         return read_definitions(file)
 
     def start(self) -> None:
-        """Redirect the output streams and start the time limit."""
+        """Start the time limit, and capture what the student's code prints."""
         self.depth.adapt(CALLS)
         sys.stdin = Path(os.devnull).open(encoding="utf-8")  # noqa: SIM115 - closed by stop
         sys.stdout = sys.stderr = CappedText(self.printed.append)
         self.start_clock()
 
     def stop(self) -> str:
-        """Stop the time limit, and return the output that was printed."""
+        """Stop the time limit, and return what the student's code has printed."""
         self.stop_clock()
         sys.stdin.close()
         sys.stdin, sys.stdout, sys.stderr = self.streams
@@ -123,8 +123,8 @@ class InProcess:
     def start_clock(self) -> None:
         """Start the time limit of a check.
 
-        When the time is up, the process writes a stack trace and ends, even if the code is busy in
-        a loop.
+        When the time is up, the process writes a stack trace and ends, even if it is stuck in a
+        loop.
         """
         faulthandler.dump_traceback_later(self.time_limit, exit=True, file=self.stack_file)
 

@@ -29,8 +29,8 @@ if TYPE_CHECKING:
     from autograder.checks.runner import Run
     from autograder.isolation.judges import ForkedJudge
 
-GRACE = 10.0  # seconds without output, added to a check's limit, before the process is killed
-MOST_STDERR = 2000  # bytes that are kept from the end of standard error
+GRACE = 10.0  # seconds beyond a check's limit that we wait for output before we kill the process
+MOST_STDERR = 2000  # bytes; of standard error we keep only the end
 
 _processes: set[subprocess.Popen[str] | ForkedJudge] = set()
 _stopping = threading.Event()
@@ -38,9 +38,9 @@ _stopping = threading.Event()
 
 @contextlib.contextmanager
 def stopping() -> Iterator[None]:
-    """End the runs in all threads. No run can start until the context ends.
+    """Stop the checks that are running in all threads, and start none until the context ends.
 
-    Each run that was ended raises GraderError.
+    Each run that is stopped like this raises GraderError.
     """
     _stopping.set()
     for process in list(_processes):
@@ -52,7 +52,7 @@ def stopping() -> Iterator[None]:
 
 
 def is_stopped() -> bool:
-    """Return whether ``stopping`` is in effect."""
+    """Return whether some thread has just told all runs to end, with ``stopping``."""
     return _stopping.is_set()
 
 
@@ -61,10 +61,9 @@ class SilentError(Exception):
 
 
 class Judge:
-    """A process that runs verdicts.py with one configuration.
+    """A process that runs checks, as a configuration file tells it to.
 
-    After the process has ended, ``stderr`` contains the end of its standard error, and ``code`` is
-    its exit code.
+    Once it has ended, ``code`` is its exit code and ``stderr`` the end of its standard error.
     """
 
     def __init__(self, config: Path, folder: Path, *, behind: bool) -> None:
@@ -75,9 +74,9 @@ class Judge:
         self.code = 0
 
     def lines(self, silence: float, deadline: float) -> Generator[str]:
-        """Run the process, and yield its output line by line until it ends.
+        """Run the process, and yield each line of its output until it ends.
 
-        If the caller stops iterating early, the process is killed.
+        If the caller stops reading early, the process is killed.
 
         Raises:
             SilentError: No line arrived for ``silence`` seconds plus GRACE, or none before the
@@ -120,10 +119,11 @@ class Judge:
 
 @dataclass(frozen=True)
 class Ending:
-    """A description of how a check process ended.
+    """How a check process ended, and what we know about the reason.
 
-    If the process ran out of time, ``stack`` shows what it was doing. ``silent`` is true if the
-    process stopped responding and was killed. ``stderr`` is the end of its standard error.
+    If the process ran out of time, ``stack`` shows what it was doing at that moment. ``silent`` is
+    true if it stopped responding, so that we had to kill it. ``stderr`` is the end of its standard
+    error.
     """
 
     stack: str = ""
@@ -132,16 +132,16 @@ class Ending:
     stderr: str = ""
 
     def explain(self, time_limit: float, engine: list[Path]) -> Message:
-        """Create the message for the check that was running when the process ended."""
+        """Build the message for the check that was running when the process ended."""
         if self.stack or self.silent:
             return explain_hang(self.stack, time_limit, engine)
         return Message(how_it_ended(self.code), kind=Kind.LEFT)
 
 
 def judge(run: Run) -> Ending:
-    """Start a process for the checks of ``run`` that have no verdict yet. Wait until it ends."""
+    """Run the checks that have no verdict yet in a new process, and wait until it ends."""
     order, silent = run.order, False
-    # On Windows, the files of a process stay locked for a moment after it has ended.
+    # On Windows the files of a process stay locked for a moment after its end.
     with tempfile.TemporaryDirectory(prefix="checks-", ignore_cleanup_errors=True) as name:
         folder = Path(name)
         config = folder / "config.json"  # too long for a command line
@@ -186,10 +186,7 @@ def _pass_on(stream: IO[str], lines: queue.Queue[str]) -> None:
 
 
 def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
-    """Kill ``process``.
-
-    If the system has process groups, also kill the programs that it started.
-    """
+    """Kill a process and, where the system has process groups, the programs that it started."""
     with contextlib.suppress(ProcessLookupError, PermissionError):
         if sys.platform == "win32":
             assert isinstance(process, subprocess.Popen)  # Windows cannot fork judges
@@ -199,10 +196,7 @@ def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
 
 
 def environment() -> dict[str, str]:
-    """Return the environment variables of a check process.
-
-    They keep pytest from loading plugins.
-    """
+    """Return a check process's environment variables, which keep pytest from loading plugins."""
     path = os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH", "")]))
     return os.environ | {
         "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",

@@ -1,7 +1,7 @@
-"""Provide placeholders for modules that cannot be imported and for names that do not exist.
+"""Placeholders for modules that cannot be imported and for names that do not exist.
 
-With a placeholder, the checks can be imported even if a name is missing. A check then fails only if
-it uses the missing name, and its message explains the reason.
+Thanks to them the checks of a chapter can be imported even if the student's file lacks a name. Only
+a check that uses this name then fails, and its message says why.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from autograder.message import Message
 
 @dataclass(frozen=True)
 class MissingName:
-    """A name that a student's module does not define.
+    """A name that a student's module should define but does not.
 
-    It also contains the most similar name that the module does define.
+    ``nearest`` is the most similar name that the module does define.
     """
 
     module: str
@@ -29,14 +29,14 @@ class MissingName:
     is_empty: bool = False  # whether the module defines nothing at all
 
     def explain(self) -> Message:
-        """Return the message for a check that uses the name."""
+        """Build the message for a check that uses the missing name."""
         says = does_not_define(self.module, self.name, is_empty=self.is_empty)
         likely = f"Did you mean {self.nearest}?" if self.nearest else ""
         return Message(says, likely=likely)
 
 
 class MissingNameError(CheckEnded):
-    """Raised when a check uses a name that does not exist."""
+    """Raised when a check uses a name that the student's module does not define."""
 
     def __init__(self, missing: MissingName, message: Message) -> None:
         super().__init__(message)
@@ -44,25 +44,28 @@ class MissingNameError(CheckEnded):
 
 
 def does_not_define(module: str, name: str, *, is_empty: bool = False) -> str:
-    """Return the sentence that says that ``module`` does not define ``name``."""
+    """Return a sentence such as "ch02_vectors/vector.py does not define Vector3"."""
     empty = " is empty and" if is_empty else ""
     return f"{file_of(module)}{empty} does not define {name}"
 
 
 def file_of(module: str) -> str:
-    """Return the path of ``module`` as students know it, such as ch02_vectors/vector.py."""
+    """Return the path of a module as students know it, such as ch02_vectors/vector.py."""
     return module.replace(".", "/") + ".py"
 
 
 def broken_module(name: str, why: Message) -> ModuleType:
-    """Create the module ``name``. Using any name in it fails with the message ``why``."""
+    """Create a placeholder for a module that cannot be imported.
+
+    If a check uses any name in it, the check fails with the message ``why``.
+    """
     module = ModuleType(name)
     module.__dict__["__getattr__"] = lambda wanted: _placeholder(MissingName(name, wanted), why)
     return module
 
 
 def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
-    """Return a __getattr__ function that creates placeholders for names missing from ``module``."""
+    """Return a __getattr__ function that creates a placeholder for each name a module lacks."""
     is_empty = all(name.startswith("__") for name in vars(module))
 
     def answer(name: str) -> Any:
@@ -73,7 +76,7 @@ def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
 
 
 def while_imported(module: str, message: Message) -> Message:
-    """Create the message for a module whose import did not finish or ended the process."""
+    """Build the message for a module whose import got stuck or ended the process."""
     return Message(
         f"{file_of(module)} cannot be imported: {message.title}",
         where=message.where,
@@ -82,7 +85,7 @@ def while_imported(module: str, message: Message) -> Message:
 
 
 def _placeholder(missing: MissingName, message: Message) -> Any:
-    """Create a placeholder for a missing name. It is a class that raises an error when called."""
+    """Create a placeholder for a missing name: a class that raises an error when it is called."""
     if missing.name.startswith("__"):
         raise AttributeError(missing.name)
 

@@ -1,8 +1,7 @@
-"""Suggest the intended name when code uses a name or an attribute that does not exist.
+"""Guess which name a student meant when the code uses a name or attribute that does not exist.
 
 Python's error contains only the missing name. Only the process that ran the code knows which names
-exist. The process therefore searches for a similar name itself, and returns the result as plain
-data.
+do exist, so it searches for a similar one itself, and returns the result as plain data.
 """
 
 from __future__ import annotations
@@ -17,9 +16,9 @@ from dataclasses import dataclass, field
 from types import FrameType, ModuleType, TracebackType
 from typing import Any
 
-SHORTEST = 3  # letters; a shorter name is similar to too many others
+SHORTEST = 3  # letters; a shorter name would be similar to too many others
 LONGEST = 100  # characters of a name
-BUILT_IN = 0.8  # similarity that a built-in name must have to be suggested
+BUILT_IN = 0.8  # how similar a built-in name must be before we suggest it
 MOST_SLOTS = 20
 STORES = "STORE_ATTR"
 ATTRIBUTE = re.compile(r"'(\w+)' object has no attribute '(\w+)'")
@@ -28,12 +27,13 @@ IMPORTED = re.compile(r"cannot import name '(\w+)'")
 
 @dataclass(frozen=True)
 class Unknown:
-    """A name that does not exist.
+    """A name that the student's code uses although it does not exist.
 
-    ``of`` is the type or the file that lacks the name. It is empty for a plain name. ``nearest`` is
-    the most similar name that exists. ``slots`` lists the attributes that an object can have, if
-    the code assigned a different attribute. ``module`` is true if the name is a module of Python's
-    library that was not imported.
+    Attributes:
+        of: The type or the file that lacks the name. It is empty for a plain variable.
+        nearest: The most similar name that does exist.
+        slots: If the code assigns to an attribute that the object cannot have, those it can have.
+        module: Whether the name is a module of Python's library that was not imported.
     """
 
     name: str
@@ -44,10 +44,7 @@ class Unknown:
 
 
 def unknown_of(error: BaseException) -> Unknown | None:
-    """Return the missing name that ``error`` reports.
-
-    Return None if ``error`` is not about a missing name.
-    """
+    """Return the missing name that an error reports, or None if the error has another reason."""
     try:
         if isinstance(error, UnboundLocalError):
             return None
@@ -63,10 +60,10 @@ def unknown_of(error: BaseException) -> Unknown | None:
 
 
 def nearest(name: str, there: Iterable[str], cutoff: float = 0.6) -> str:
-    """Return the name in ``there`` that is most similar to ``name``.
+    """Return the name in ``there`` that is most similar to ``name``, to suggest it to the student.
 
-    Return an empty string if no name is similar enough. Names that begin and end with two
-    underscores are never suggested.
+    If none of them is similar enough, return an empty string. Names such as __init__ are never
+    suggested.
     """
     names = [other for other in there if not (other.startswith("__") and other.endswith("__"))]
     if not SHORTEST <= len(name) <= LONGEST:
@@ -75,7 +72,7 @@ def nearest(name: str, there: Iterable[str], cutoff: float = 0.6) -> str:
 
 
 def explain_unknown(unknown: Unknown) -> str:
-    """Suggest a name in place of the missing one. If no name is similar, return an empty string."""
+    """Suggest a name in place of the missing one, or return an empty string if we have no idea."""
     name, near = unknown.name, unknown.nearest
     if unknown.slots:
         held = ", ".join(unknown.slots)
@@ -141,7 +138,7 @@ def _innermost(traceback: TracebackType | None) -> FrameType | None:
 
 
 def _assigns(traceback: TracebackType | None) -> bool:
-    """Return whether the error was raised by an assignment to an attribute."""
+    """Return whether an error was raised by an assignment to an attribute."""
     while traceback and traceback.tb_next:
         traceback = traceback.tb_next
     if traceback is None:
@@ -159,11 +156,11 @@ def _attributes(value: Any) -> set[str]:
 
 
 def _slots(kind: type) -> list[str]:
-    """Return the slots of a class that a student may assign to.
+    """Return the attributes that a student may assign to, if a class limits them with __slots__.
 
-    The list is empty if the class accepts any attribute. A private slot such as _damping is
-    suggested only if the class has a property named damping, because the other private slots are
-    internal to the class. If this leaves no slots, all of them are suggested.
+    If the class accepts any attribute, the list is empty. A private slot such as _damping is in the
+    list only if there is a property named damping, because other private slots are internal to the
+    class. If no slot is left after that, we return all of them.
     """
     if kind.__dictoffset__:
         return []

@@ -1,7 +1,7 @@
-"""Run the checks of a chapter in a separate process, and return a verdict for each check.
+"""Run the checks of a chapter in a separate process, and return a verdict on each of them.
 
-Every check has a time limit. If a check hangs or ends its process, the remaining checks are run in
-a new process. Without a sandbox, this module also works on systems that are not POSIX.
+Each check has a time limit. If a check hangs or its process dies, the remaining checks run in a new
+process. As long as no sandbox is needed, this also works on Windows.
 """
 
 from __future__ import annotations
@@ -22,17 +22,17 @@ from autograder.clean import clean
 from autograder.manifest import ROOT, Chapter
 from autograder.message import Kind, Message
 
-HURRIED = 0.25  # fraction of the time limit for later checks, once one function has hung twice
-LONGEST_MESSAGE = 8000  # characters; a message shows returned values, which may be huge
-LONGEST_PART = 800  # characters of each part, if the whole message is too long
-ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # the address of an object, which differs in every run
+HURRIED = 0.25  # once a function has hung twice, later checks get only this part of the time limit
+LONGEST_MESSAGE = 8000  # characters; a message contains returned values, and these may be huge
+LONGEST_PART = 800  # characters; if the whole message is too long, each part is cut to this length
+ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # where an object is in memory differs in every run
 
 
 @dataclass(frozen=True)
 class Limits:
-    """The time limits in seconds for one check and for a whole run.
+    """How many seconds one check and a whole run may take.
 
-    A check usually takes only a few milliseconds.
+    The limit for a check is generous, since most checks finish within a few milliseconds.
     """
 
     check: float = 3.0
@@ -43,17 +43,17 @@ Judging = Callable[["Run"], Ending]
 
 
 class GraderError(Exception):
-    """Raised when the checks could not be run for a reason outside the student's code."""
+    """Raised when the checks could not run, although the student's code is not to blame."""
 
 
 @dataclass(frozen=True)
 class Order:
-    """The checks to run: a chapter, some of its exercises, and the engine to check.
+    """Which checks to run, and on which engine.
 
-    ``engine`` is a list of folders with chapters. A module in an earlier folder takes precedence
-    over the same module in a later one. ``behind`` describes the sandbox in which the student's
-    code runs. If it is None, the code runs in the same process as the checks. In that case,
-    ``apart`` runs the checks of each exercise in a forked copy of the process.
+    ``engine`` is a list of folders with chapters. If a module exists in several of them, the first
+    folder wins. ``behind`` describes the sandbox for the student's code. If it is None, the code
+    runs in the same process as the checks, and then ``apart`` says whether the checks of each
+    exercise run in a forked copy of this process.
     """
 
     chapter: Chapter
@@ -78,11 +78,12 @@ def run_checks(
     root: Path = ROOT,
     judge: Judging = judge,
 ) -> list[Verdict]:
-    """Run the checks of ``chapter`` on ``engine``, and return a verdict for each check.
+    """Run the checks of a chapter on a student's engine, and return a verdict on each of them.
 
-    If ``exercises`` is given, run only the checks of these exercises and their prerequisites.
-    ``on_verdict`` is called after each verdict with the number of verdicts so far and the total
-    number of checks. For the other arguments, see ``Order`` and ``Run``.
+    If ``exercises`` is given, only the checks of these exercises and of their prerequisites run.
+    After each verdict we call ``on_verdict`` with the number of verdicts so far and the total
+    number of checks, so that the caller can show the progress. ``Order`` and ``Run`` explain the
+    other arguments.
 
     Raises:
         GraderError: The checks could not be run.
@@ -103,10 +104,10 @@ def run_checks(
 
 
 class Run:
-    """The state of a run of checks, which may need several processes.
+    """Keeps track of a run of checks, which may take several processes to finish.
 
-    ``judge`` is a function that starts a process and passes its events to the run. It returns an
-    ``Ending``, which describes how the process ended.
+    ``judge`` is the function that starts such a process and passes its events on to the run. It
+    returns an ``Ending``, which says how the process ended.
     """
 
     def __init__(
@@ -129,7 +130,7 @@ class Run:
         self.stderr = ""
 
     def reason(self) -> str:
-        """Return the reason why there are no verdicts."""
+        """Explain why the process has ended without giving any verdict."""
         if missing := re.search(r"No module named '(ch\d\d_\w+)'", self.stderr):
             own = self.order.chapter.name
             return f"{missing[1]} is missing: put your own folder of that name beside {own}"
@@ -140,28 +141,29 @@ class Run:
 
     @property
     def limit(self) -> float:
-        """The time limit of the next check in seconds."""
+        """How many seconds the next check may take.
+
+        If one function has already hung twice, this is less than usual. The student then does not
+        have to wait so long for the same endless loop.
+        """
         hurried = len(set(self.loops)) < len(self.loops)
         return self.order.limits.check * (HURRIED if hurried else 1.0)
 
     @property
     def progress(self) -> tuple[int, int]:
-        """The number of verdicts and the number of broken modules so far.
+        """How many verdicts there are, and how many modules are known to be broken.
 
-        At least one of them grows whenever the run makes progress.
+        If neither number grows while a process runs, it would be useless to start another one.
         """
         return len(self.verdicts), len(self.broken)
 
     def outcome(self) -> list[Verdict]:
-        """Return the verdicts in the order of the checks."""
+        """Return the verdicts in the order of the checks, with blocked ones marked as such."""
         verdicts = [self.verdicts[name] for name in self.checks]
         return mark_blocked(self.order.chapter, verdicts)
 
     def one_process(self) -> None:
-        """Run the checks that have no verdict yet in one process.
-
-        Return when the process has ended.
-        """
+        """Start a process for the checks that have no verdict yet, and wait until it ends."""
         self.current = None
         ending = self.judge(self)
         self.stderr = ending.stderr
@@ -170,7 +172,7 @@ class Run:
         self._break_off(self.current, ending.explain(self.limit, self.order.engine))
 
     def config(self, folder: Path) -> Config:
-        """Return the configuration for the check process."""
+        """Return the configuration for the next process, which says what is left to check."""
         order = self.order
         return Config(
             arranged=arrange(folder, order.chapter, order.engine, order.root, order.behind),
@@ -184,7 +186,7 @@ class Run:
         )
 
     def hear(self, line: str) -> None:
-        """Handle one line of output from the process, which contains an event."""
+        """Read the event in one line of the process's output, and handle it."""
         try:
             event = read_event(line)
         except ValueError as error:
@@ -192,10 +194,10 @@ class Run:
         self.take(event)
 
     def take(self, event: Event) -> None:
-        """Handle one event from the process.
+        """Handle an event that the process has sent, such as a verdict.
 
         Raises:
-            GraderError: The event refers to a check that is not part of the run.
+            GraderError: The event is about a check that does not belong to this run.
         """
         doing, self.current = self.current, None
         match event:
@@ -212,10 +214,7 @@ class Run:
                 self.finished, self.current = doing is None, doing
 
     def _break_off(self, doing: events.Importing | events.Started, why: Message) -> None:
-        """Record why the running check or import did not finish.
-
-        ``why`` is the message for students.
-        """
+        """Record that the running check or import did not finish, and the message about it."""
         if isinstance(doing, events.Importing):
             self.broken[doing.module] = while_imported(doing.module, why)
             return
@@ -249,7 +248,7 @@ class Run:
         self.on_verdict(len(self.verdicts), len(self.checks))
 
     def give_up(self) -> None:
-        """Fail the remaining checks, because the time limit of the whole run has expired."""
+        """Fail all remaining checks, because the run as a whole has taken too long."""
         seconds = f"{self.order.limits.run:g} seconds"
         if not self.checks:
             raise GraderError(f"no check began within {seconds}:\n{self.stderr}")
@@ -260,12 +259,11 @@ class Run:
         self.finished = True
 
     def _note_hang(self, exercise: str) -> None:
-        """Record that a check of ``exercise`` hung.
+        """Record that a check of this exercise hung.
 
-        Fail its other checks if a prerequisite hung too.
-
-        All of these checks would probably run into the same loop. Each check would then use up its
-        whole time limit.
+        If a check of one of its prerequisites hung as well, the rest of this exercise fails without
+        being run. These checks would most likely end up in the same loop, and each would use its
+        whole time.
         """
         if self.hung & needs_of(self.order.chapter, exercise):
             why = Message("not run: another check of this exercise did not finish")
@@ -276,9 +274,9 @@ class Run:
 
 
 def presentable(message: Message) -> Message:
-    """Make a message safe to show. Clean its text, remove memory addresses, and shorten it.
+    """Make a message safe to show, by cleaning it, removing memory addresses and shortening it.
 
-    All text from a student's code passes through this function.
+    Everything that comes from a student's code passes through this function.
     """
     message = message.changed(lambda text: ADDRESS.sub("", clean(text)))
     return message if len(str(message)) <= LONGEST_MESSAGE else message.changed(_cut)

@@ -1,4 +1,4 @@
-"""Recognize the student's code, and find out whether it made the current call."""
+"""Tell the student's code from ours, and find out which of them made the current call."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ PACKAGES = ("site-packages", "dist-packages")  # these may be inside the library
 
 
 def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
-    """Map the folder of each chapter to its files that exist in the grader.
+    """For each chapter's folder, list the files that the grader will have.
 
-    In the grader, a chapter has the files that students hand in and the files that are given.
+    These are the files that students hand in and the ones that we give them.
     """
     return {chapter.name: [*chapter.handed_in, *chapter.complete] for chapter in chapters}
 
 
 class StudentsCode:
-    """The student's code, which is recognized by the folders of an engine.
+    """Recognizes whether a file is the student's, by the folder it is in.
 
-    ``graded`` maps the folder of each chapter to its files that also exist in the grader. If a
-    folder is not in ``graded``, all of its files count. ``ours`` lists files that the student did
-    not write, such as ch06_springs/cloth.py.
+    ``graded`` lists for each chapter's folder the files that the grader has too. If a folder is not
+    in ``graded``, all of its files count. ``ours`` lists files in these folders that the student
+    did not write, such as ch06_springs/cloth.py.
     """
 
     def __init__(
@@ -46,20 +46,18 @@ class StudentsCode:
         graded: Mapping[str, Collection[str]],
         ours: Collection[str] = (),
     ) -> None:
-        """Switch to the code of another engine.
-
-        Restrictions that are already installed stay in place.
-        """
+        """Switch to the code of another engine, and leave all restrictions in place."""
         self.folders = [folder.resolve() for folder in folders]
         self.graded = graded
         self.ours = ours
         self._known: dict[str, bool | None] = {}
 
     def is_calling(self) -> bool:
-        """Return whether the student's code made the current call.
+        """Return whether it was the student's code that made the current call.
 
-        The answer depends on the innermost function on the stack that does not belong to Python's
-        library. Python's own steps during an import do not count as calls by the student's code.
+        We go up the stack until we find a function that is not part of Python's library, and the
+        answer depends on who wrote this function. The steps that Python itself takes during an
+        import do not count as the student's.
         """
         frame = sys._getframe(2)
         while frame is not None:
@@ -81,9 +79,9 @@ class StudentsCode:
         return None if library else False
 
     def is_graded(self, package: str, file: str) -> bool:
-        """Return whether ``file`` of the chapter ``package`` exists in the grader.
+        """Return whether the grader has a certain file of the chapter ``package``.
 
-        Probes always exist in the grader.
+        Probes are always there.
         """
         return (
             package not in self.graded or file in self.graded[package] or file.endswith("probes.py")

@@ -1,8 +1,8 @@
-"""Run a student's code in the same environment as in the grader.
+"""Give a student's code the same environment as in the grader.
 
-The working folder is the root folder. The program has no command-line arguments and does not see
-the user's environment variables. The limits of memory and recursion depth are the same as in the
-grader.
+The code runs in the root folder, without command-line arguments and without the user's environment
+variables. The limits on memory and recursion are those of the grader, so that a program which needs
+too much fails at home as well.
 """
 
 from __future__ import annotations
@@ -13,16 +13,17 @@ from pathlib import Path
 
 VARIABLES = {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
 NEEDED = ("SYSTEMROOT",)  # variables that Python itself needs on Windows
-# Bytes in addition to what the process already uses. The grader allows 512 MB in total, of which
-# Python needs about 30 MB. Here, the thread for the time limit needs another 8 MB for its stack.
+# The student's code may use this many bytes on top of what the process uses already. The grader
+# allows 512 MB in all, of which Python needs about 30 MB. Here the thread for the time limit needs
+# another 8 MB for its stack.
 MEMORY = 490 << 20
 _ARENA_MAX = -8  # M_ARENA_MAX in malloc.h
 DEPTH = 1000  # recursion limit of a process in the grader
-FIRST_CALLS = 9  # of these, the number that the grader's own code uses
+FIRST_CALLS = 9  # how many of these calls the grader's own code uses up
 
 
 def leave_home() -> None:
-    """Remove the user's settings from this process permanently, and limit its memory."""
+    """Remove the user's settings from this process for good, and limit its memory."""
     sys.argv[:], sys.orig_argv[:] = [""], []
     kept = {name: os.environ[name] for name in NEEDED if name in os.environ}
     os.environ.clear()
@@ -44,10 +45,10 @@ def leave_home() -> None:
 
 
 class Depth:
-    """Limits the recursion depth of a student's code to the depth that the grader allows.
+    """Lets a student's code call itself as deeply as in the grader, but no deeper.
 
-    The stack may already be deeper here than in the grader, so the limit is adjusted by the
-    difference.
+    Here the stack may already be deeper than in the grader when the student's code is called, so we
+    raise the limit by the difference.
     """
 
     def __init__(self, deepest: int = DEPTH) -> None:
@@ -58,7 +59,7 @@ class Depth:
         """Set the recursion limit for the student's code.
 
         ``more`` is the number of calls between the caller of this method and the student's code. If
-        the student's code has changed the limit, keep the changed limit.
+        the student's code has changed the limit itself, we leave it alone.
         """
         if sys.getrecursionlimit() != self.limit:
             return

@@ -1,4 +1,4 @@
-"""The verdict on a check, and the dependencies between exercises."""
+"""The verdict on a check, and how the exercises of a chapter depend on each other."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from autograder.manifest import Chapter
 from autograder.message import NOTHING, Message
 
 Status = Literal["passed", "failed", "blocked", "inherited", "error"]
-Point = tuple[float, float]  # on the chart of an open exercise: cost (counted work), error
+Point = tuple[float, float]  # the cost (counted work) and the error, on an open exercise's chart
 
 
 @dataclass(frozen=True)
 class Verdict:
     """The verdict on one check.
 
-    A ``robust`` check tests bad arguments, overflow or NaN instead of the physics.
+    A ``robust`` check tries bad arguments, overflow or NaN instead of testing the physics.
     """
 
     name: str
@@ -30,13 +30,13 @@ class Verdict:
 
 
 def needs_of(chapter: Chapter, exercise: str) -> set[str]:
-    """Return all exercises on which an exercise depends, directly or indirectly."""
+    """Return all exercises that must work before this one can, directly or indirectly."""
     needs = set(chapter.exercise(exercise).needs)
     return needs.union(*(needs_of(chapter, need) for need in needs))
 
 
 def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
-    """Return ``exercises`` and their prerequisites in the order of the manifest.
+    """Return some exercises together with all that they build on, in the manifest's order.
 
     If ``exercises`` is None, return all exercises of the chapter.
     """
@@ -48,15 +48,16 @@ def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
 
 
 def asked_for(chapter: Chapter) -> list[str]:
-    """Return the exercises that are not optional, together with their prerequisites."""
+    """Return the exercises that students have to do, together with all that they build on."""
     return with_needs(chapter, [e.id for e in chapter.exercises if not e.optional])
 
 
 def mark_blocked(chapter: Chapter, verdicts: list[Verdict]) -> list[Verdict]:
-    """Change failed verdicts of an exercise to blocked if one of its prerequisites fails.
+    """Change a failed verdict to blocked if the exercise builds on another one that fails.
 
-    An exercise blocks others only if its physics checks fail. Failed robust checks do not block. A
-    check that passes keeps its verdict and earns its points, even if its exercise is blocked.
+    Only the physics checks of an exercise can block the exercises that build on it. The robust
+    checks cannot. If a check passes although its exercise is blocked, it keeps its verdict and its
+    points.
     """
     failing = {v.exercise for v in verdicts if v.status != "passed" and not v.robust}
     marked = []

@@ -1,8 +1,9 @@
-"""Run the checks with pytest, and report each verdict immediately.
+"""Run the checks with pytest, and report each verdict as soon as it is known.
 
-The runner starts this program as ``python -m autograder.checks.verdicts FILE`` and reads one JSON
-object per line. The first object lists the checks. The next objects report when each check starts
-and what its verdict is. Verdicts come from pytest's own reports, and never from printed text.
+The runner starts this program as ``python -m autograder.checks.verdicts FILE`` and reads a JSON
+object from each line that it prints. The first object lists the checks, and the next ones say when
+a check starts and how it ends. We take the verdicts from pytest's own reports, since the student's
+code could print anything.
 """
 
 from __future__ import annotations
@@ -35,20 +36,21 @@ from autograder.wrapping import few_lines
 if TYPE_CHECKING:
     from autograder.isolation.in_worker import InWorker
 
-# Built-in plugins that no check uses. Leaving them out saves a sixth of the wait.
+# No check uses these plugins of pytest. Students wait a sixth less if we leave them out.
 UNUSED_PLUGINS = (
     "terminal cacheprovider doctest faulthandler junitxml legacypath logging pastebin setuponly "
     "setupplan stepwise unittest debugging warnings unraisableexception threadexception recwarn "
     "subtests"
 )
 
-MOST_KEPT = (40, 2000)  # lines and characters of the printed output
+MOST_KEPT = (40, 2000)  # how many lines and characters of the printed output we keep
 
 
 class Recorder:
-    """A pytest plugin that selects the checks to run, limits their time and reports verdicts.
+    """A pytest plugin that selects the checks to run, limits their time and reports the verdicts.
 
-    ``engine`` runs the student's code. By default, the configuration selects the kind of engine.
+    ``engine`` is the object that runs the student's code. Unless a test passes its own, the
+    configuration decides which kind of engine we use.
     """
 
     def __init__(self, config: Config, send: Send, engine: InProcess | None = None) -> None:
@@ -58,7 +60,7 @@ class Recorder:
         self.definitions: dict[str, set[str] | None] = {}
 
     def pytest_sessionstart(self) -> None:
-        """Prepare the student's modules, so that the checks can import them."""
+        """Get the student's modules ready, so that the checks can import them."""
         self.engine.open(self.config.arranged.modules, self.config.broken, self.send)
 
     def pytest_collection_finish(self) -> None:
@@ -66,14 +68,14 @@ class Recorder:
         self.engine.after_collection()
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
-        """Print why the checks cannot be collected to stderr, where the runner reads it."""
+        """If the checks cannot be collected, say why on stderr, where the runner looks for it."""
         if report.failed:
             print(report.longreprtext, file=sys.stderr)
 
     def pytest_collection_modifyitems(
         self, config: pytest.Config, items: list[pytest.Item]
     ) -> None:
-        """Sort the checks by the manifest, report the list, and remove the checks that are done."""
+        """Sort the checks as the manifest does, report them, and drop those already done."""
         order = {exercise: place for place, exercise in enumerate(self.config.exercises)}
         for item in items:
             if exercise_of(item) not in self.config.arranged.known:
@@ -113,7 +115,7 @@ class Recorder:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self, item: pytest.Item) -> Generator[None, Any, Any]:
-        """Start the time limit of the check and, if it has one, its worker."""
+        """Start the time limit of a check and, in a sandbox, the worker for it."""
         self.send(Started(item.name))
         about.forget()
         self.engine.start()  # stopped after the report, since an exception's str() may hang
@@ -130,10 +132,10 @@ class Recorder:
     ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
         """Report the verdict on a check.
 
-        If an error occurs outside the body of the check, the grader is at fault.
+        An error outside the body of the check is the grader's fault and not the student's.
         """
-        # Nobody reads pytest's traceback, and formatting it takes four times as long as all the
-        # rest.
+        # Nobody reads pytest's traceback, and formatting it would take four times as long as
+        # everything else here.
         setattr(item, "repr_failure", str)  # noqa: B010
         report = yield
         status: Literal["passed", "failed", "error"] = "passed"
@@ -165,16 +167,13 @@ class Recorder:
         return report
 
     def _without_folders(self, text: str) -> str:
-        """Remove the paths of the engine's folders from ``text``.
-
-        These paths differ in the grader.
-        """
+        """Remove the paths of the engine's folders from a text, since they differ in the grader."""
         for folder in self.engine.engine:
             text = text.replace(f"{folder}{os.sep}", "")
         return text
 
     def _defined(self, module: str) -> set[str] | None:
-        """Return the names that ``module`` defines, or None if they are unknown."""
+        """Return the names that a module defines, or None if we cannot find out."""
         if module not in self.definitions:
             arranged = self.config.arranged
             places = [Path(folder) / arranged.chapter for folder in arranged.engine]
@@ -189,13 +188,13 @@ class Recorder:
 
 
 def run_all(checks: list[pytest.Item]) -> None:
-    """Run checks that pytest has collected."""
+    """Run some checks that pytest has already collected, one after the other."""
     for check in checks:
         runtestprotocol(check, log=False)
 
 
 def _engine(config: Config) -> InProcess | InWorker:
-    """Return the object that runs the student's code, either in this process or in workers."""
+    """Return the object that runs the student's code, in this process or in sandboxed workers."""
     arranged = config.arranged
     where = arranged.engine, config.time_limit, config.stack_file, arranged.complete
     if arranged.worker is None:
@@ -206,15 +205,12 @@ def _engine(config: Config) -> InProcess | InWorker:
 
 
 def _properties(item: pytest.Item) -> dict[str, Any]:
-    """Return the properties that a check has recorded, such as its rationale."""
+    """Return what a check has recorded about itself, such as its rationale."""
     return dict(item.user_properties)
 
 
 def _rationale(item: pytest.Item) -> str:
-    """Return the first line of a hidden check's docstring.
-
-    Students see nothing else of the check.
-    """
+    """Return the first line of a hidden check's docstring, which is all that students see of it."""
     words = (getattr(item, "obj", None).__doc__ or "").strip()
     return words.splitlines()[0] if words else "a hidden check of this exercise fails"
 
@@ -232,12 +228,12 @@ def _marker(item: pytest.Item) -> pytest.Mark:
 
 
 def _is_robust(item: pytest.Item) -> bool:
-    """Return whether ``item`` is a robust check. All other checks are physics checks."""
+    """Return whether this is a robust check. All others are physics checks."""
     return item.get_closest_marker("robust") is not None
 
 
 def main() -> int:
-    """Run the checks in the configuration file. Its path is the argument on the command line."""
+    """Run the checks described in the file that was named on the command line."""
     config = from_json(Config, json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")))
     wire = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # student output must not mix with verdicts
@@ -250,7 +246,7 @@ def main() -> int:
 
 
 def pytest_arguments(config: Config) -> list[str]:
-    """Return the command-line arguments for pytest."""
+    """Return the command-line arguments with which we start pytest."""
     arranged = config.arranged
     arguments = [*arranged.tests, "--capture=no", f"--rootdir={arranged.root}"]
     arguments += [f"--seed={config.seed}", *(f"--engine={path}" for path in arranged.engine)]
@@ -260,7 +256,7 @@ def pytest_arguments(config: Config) -> list[str]:
 
 
 def run_and_exit() -> NoReturn:
-    """Run the checks, and end the process immediately with pytest's exit code."""
+    """Run the checks, and end the process at once with pytest's exit code."""
     # Threads or exit handlers of the student's code must not keep the process from ending.
     code = main()
     sys.stderr.flush()

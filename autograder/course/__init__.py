@@ -1,1 +1,4 @@
-"""Read course.toml, which lists the assignments, points, due dates and late policies of a term."""
+"""Read course.toml, where an instructor writes down the assignments of a term.
+
+Each assignment has its points, its due date and perhaps a policy for late work.
+"""

@@ -1,7 +1,4 @@
-"""Find out which work a command is about.
-
-The work is an assignment in the course file or a list of chapters.
-"""
+"""Find out what a command should work on: an assignment of the course, or a list of chapters."""
 
 from __future__ import annotations
 
@@ -18,7 +15,7 @@ NOT_WITH_ASSIGNMENT = ("chapters", "given", "checks")  # these come from the cou
 
 
 def add_options(command: argparse.ArgumentParser) -> None:
-    """Add the command-line options that select an assignment."""
+    """Add the options --assignment and --course to a command."""
     command.add_argument("--assignment", help="an assignment of the course file, such as lab1")
     command.add_argument(
         "--course", type=Path, default=DEFAULT, help="the course file (default: course.toml)"
@@ -26,10 +23,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 
 def work_of(arguments: argparse.Namespace, *, handed_out: bool = False) -> Work:
-    """Return the work that the command-line options select.
+    """Return the assignment or the chapters that the options on the command line select.
 
-    If ``handed_out`` is set, the chapters of the work do not include the given chapters, because a
-    hand-out adds them separately.
+    If ``handed_out`` is set, the result is for a hand-out. It then does not include the given
+    chapters, because a hand-out adds those separately.
 
     Raises:
         ValueError: The course file contains mistakes, or the options contradict each other.

@@ -1,4 +1,4 @@
-"""Read due dates and time zones, and convert them to plain data that another machine can read."""
+"""Read due dates and time zones, and write deadlines in a form that another machine can read."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from autograder.course.lines import Path
 from autograder.course.mistakes import Mistakes, nearest, shown
 from autograder.course.model import Deadline, LatePolicy
 
-YEARS = range(1970, 3000)  # near the years 1 and 9999, converting to another zone may fail
+YEARS = range(1970, 3000)  # close to the years 1 and 9999, Python may fail to convert a time
 
 
 def read_zone(name: Any, path: Path, mistakes: Mistakes) -> ZoneInfo | None:
-    """Return the time zone ``name``, such as Europe/Berlin.
+    """Return the time zone with a name such as Europe/Berlin.
 
-    Record a mistake if it does not exist.
+    If there is no such zone, note this as a mistake in the course file.
     """
     if isinstance(name, str) and name in available_timezones():
         return ZoneInfo(name)
@@ -29,9 +29,10 @@ def read_zone(name: Any, path: Path, mistakes: Mistakes) -> ZoneInfo | None:
 def read_time(
     value: Any, path: Path, zone: tzinfo | None, mistakes: Mistakes, *, is_zone_wrong: bool = False
 ) -> datetime | None:
-    """Return ``value`` as a time with a time zone.
+    """Read a time from the course file, and give it a time zone.
 
-    If ``value`` has no offset, use ``zone``, the time zone of the course file.
+    If the time does not say how far it is from UTC, we assume that it is in ``zone``, the time zone
+    of the course. If anything is wrong with the time, we note this as a mistake in the course file.
     """
     key = path[-1]
     example = "2026-10-23T23:59:00+02:00"
@@ -60,7 +61,7 @@ def read_time(
 
 
 def parse_time(text: str, zone: tzinfo) -> datetime:
-    """Parse a time in ISO 8601 format. If the text has no time zone, use ``zone``.
+    """Read a time in ISO 8601 format. If it names no time zone, we assume that it is in ``zone``.
 
     Raises:
         ValueError: The text is not a time.
@@ -72,7 +73,7 @@ def parse_time(text: str, zone: tzinfo) -> datetime:
 
 
 def deadline_to_json(deadline: Deadline) -> dict[str, Any]:
-    """Convert a deadline to plain data."""
+    """Turn a deadline into plain data, so that it can be stored as JSON."""
     return {
         "due": _to_text(deadline.due),
         "policy": vars(deadline.policy) if deadline.policy else None,
@@ -81,14 +82,14 @@ def deadline_to_json(deadline: Deadline) -> dict[str, Any]:
 
 
 def deadline_from_json(data: dict[str, Any]) -> Deadline:
-    """Convert plain data from ``deadline_to_json`` back to a deadline."""
+    """Turn the plain data of ``deadline_to_json`` back into a deadline."""
     policy = LatePolicy(**data["policy"]) if data["policy"] else None
     extensions = {name: _from_text(text) for name, text in data["extensions"].items()}
     return Deadline(_from_text(data["due"]), policy, extensions)
 
 
 def _to_text(time: datetime) -> str:
-    """Format a time with its offset and, if there is one, the name of its time zone (RFC 9557).
+    """Format a time with its offset and the name of its time zone, as RFC 9557 describes.
 
     An example is 2026-10-23T23:59:00+02:00[Europe/Berlin].
     """

@@ -1,4 +1,4 @@
-"""Determine the exercises of an assignment, their points, and the exercises they build on."""
+"""Find out which exercises belong to an assignment, and how many points each of them is worth."""
 
 from __future__ import annotations
 
@@ -16,7 +16,10 @@ from autograder.scores import possible, shown
 
 @dataclass(frozen=True)
 class Chosen:
-    """The exercises of an assignment, grouped by chapter, and the given chapters."""
+    """The exercises of an assignment, by chapter, together with the chapters that are given.
+
+    ``earlier`` lists exercises of earlier assignments that these exercises build on.
+    """
 
     chapters: list[Chapter]
     given: list[Chapter]
@@ -24,9 +27,9 @@ class Chosen:
 
 
 class Chooser:
-    """Chooses the exercises of an assignment, and records the mistakes in its table.
+    """Finds the exercises of one assignment in the course file, and notes mistakes in its table.
 
-    ``before`` contains the exercises of earlier assignments. The assignment may build on them.
+    ``before`` contains the exercises of all earlier assignments, on which this one may build.
     """
 
     def __init__(
@@ -45,10 +48,7 @@ class Chooser:
         self.home = {e.id: chapter for chapter in chapters for e in chapter.exercises}
 
     def choose(self) -> Chosen:
-        """Return the exercises of the assignment.
-
-        Do not use the result if a mistake was recorded.
-        """
+        """Return the exercises of the assignment. Use the result only if there were no mistakes."""
         given = self._chapters("given")
         listed = self._ids("exercises")
         extra = self._ids("extra_credit")
@@ -80,7 +80,7 @@ class Chooser:
         self.mistakes.add((*self.path, key), words, word)
 
     def _ids(self, key: str) -> list[str]:
-        """Return the exercises listed under a key, without those that do not exist."""
+        """Return the exercises that are listed under a key, without those that do not exist."""
         found: list[str] = []
         for name in self.mistakes.items(self.table, self.path, key, str):
             if name not in self.home:
@@ -93,7 +93,7 @@ class Chooser:
         return found
 
     def _chapters(self, key: str) -> list[Chapter]:
-        """Return the chapters listed under a key, without those that do not exist."""
+        """Return the chapters that are listed under a key, without those that do not exist."""
         known = {chapter.number: chapter for chapter in self.chapters}
         numbers = self.mistakes.items(self.table, self.path, key, int)
         for number in numbers:
@@ -103,7 +103,10 @@ class Chooser:
         return [chapter for number, chapter in known.items() if number in numbers]
 
     def _earlier(self, ids: set[str], given: list[Chapter]) -> list[str]:
-        """Return the exercises of earlier assignments on which this assignment builds."""
+        """Return the exercises of earlier assignments that this assignment builds on.
+
+        If an exercise builds on one that was never assigned, this is a mistake in the course file.
+        """
         earlier: set[str] = set()
         for name in (name for name in self.home if name in ids):
             chapter = self.home[name]
@@ -124,20 +127,20 @@ class Chooser:
         return [name for name in self.home if name in earlier]
 
     def _below(self, chapter: Chapter) -> list[Chapter]:
-        """Return the earlier chapters on which a chapter builds."""
+        """Return the earlier chapters whose code a chapter uses."""
         earlier = [other for other in self.chapters if other.number < chapter.number]
         numbers = chapter.builds_on
         return [other for other in earlier if numbers is None or other.number in numbers]
 
     def _where(self, name: str) -> tuple[str]:
-        """Return the key in the course file that adds the exercise ``name`` to the assignment."""
+        """Return which key of the assignment, such as extra_credit, has added this exercise."""
         lists = {key: self.table.get(key) for key in ("exercises", "extra_credit")}
         return (
             next((k for k, v in lists.items() if isinstance(v, list) and name in v), "chapters"),
         )
 
     def _points(self, ids: set[str], extra: set[str]) -> dict[str, Exercise]:
-        """Return the exercises in ``ids`` with their points in the assignment."""
+        """Return the exercises of the assignment, with the points they are worth in it."""
         chosen = {
             name: replace(home.exercise(name), extra=name in extra)
             for name, home in self.home.items()
@@ -158,7 +161,10 @@ class Chooser:
         return self._rescaled(chosen)
 
     def _rescaled(self, chosen: dict[str, Exercise]) -> dict[str, Exercise]:
-        """Scale the points to the total in the course file. Without a total, keep the points."""
+        """Scale the points of the exercises, so that they add up to ``out_of`` in the course file.
+
+        If the course file has no ``out_of``, the points stay as they are.
+        """
         out_of = self.mistakes.number(self.table, self.path, "out_of")
         total = self.mistakes.number(self.table, self.path, "total")
         now = possible(chosen.values())
@@ -176,9 +182,6 @@ class Chooser:
 
 
 def _only(chapter: Chapter, exercises: Mapping[str, Exercise]) -> Chapter | None:
-    """Return a copy of ``chapter`` that contains only ``exercises``.
-
-    If it has none, return None.
-    """
+    """Return a copy of the chapter with only these exercises, or None if it has none of them."""
     mine = [exercises[e.id] for e in chapter.exercises if e.id in exercises]
     return replace(chapter, exercises=mine) if mine else None

@@ -1,4 +1,4 @@
-"""Write the parts of a hand-out that depend on the assignment: the manifests and the README."""
+"""Write those parts of a hand-out that depend on the assignment: its manifests and its README."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ POINTS = re.compile(r"(?m)^points = .*$")
 
 
 def for_students(whole: Chapter, assigned: Chapter) -> Chapter:
-    """Return the chapter ``whole`` with the points of ``assigned``, its part in the assignment.
+    """Return a chapter for the students of an assignment, with all of its exercises.
 
-    Exercises that are not assigned become optional.
+    The exercises in ``assigned`` have the points of the assignment, and the others become optional.
     """
     own = {exercise.id: exercise for exercise in assigned.exercises}
     exercises = [own.get(e.id) or replace(e, optional=True) for e in whole.exercises]
@@ -28,9 +28,9 @@ def for_students(whole: Chapter, assigned: Chapter) -> Chapter:
 
 
 def manifest_of(text: str, chapter: Chapter) -> str:
-    """Update the text of a manifest with the points of the exercises in ``chapter``.
+    """Change the points in the text of a manifest to those that ``chapter`` has.
 
-    Extra-credit exercises and exercises that have become optional are marked as such.
+    The new text also says which exercises are optional and which ones give extra credit.
     """
     first, *rest = START.split(text)
     return first + "".join(_entry(part, chapter) for part in rest)
@@ -49,7 +49,7 @@ def _entry(text: str, chapter: Chapter) -> str:
 
 
 def about(work: Work, root: Path = ROOT) -> str:
-    """Return the README section about the assignment, or an empty string if there is none."""
+    """Return the section of the README about the assignment. Without an assignment it is empty."""
     if not work.name:
         return ""
     title = f"{work.name}: {work.title}" if work.title else work.name

@@ -1,4 +1,4 @@
-"""Compute how late a submission is, and how many points are deducted for it."""
+"""Compute how late a submission is, and how many points that costs."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from autograder.scores import shown
 
 @dataclass(frozen=True)
 class HandedIn:
-    """The platform's information about when a submission was handed in.
+    """What a platform such as Gradescope says about when a submission was handed in.
 
-    Canvas reports no time. It only reports whether a submission is ``late``.
+    Canvas is an exception, because it says only whether the submission was ``late``.
     """
 
     source: str
@@ -24,10 +24,10 @@ class HandedIn:
 
 
 def days_late(due: datetime, submitted: datetime) -> int:
-    """Return how many days after ``due`` a submission was handed in.
+    """Return how many days late a submission is. A day counts in full as soon as it has begun.
 
-    A day counts as soon as it begins. It ends at the time of day at which the work was due, in the
-    time zone of ``due``. A day on which the clocks change therefore has 23 or 25 hours.
+    If the work was due at 18:00, each of these days ends at 18:00 in the time zone of ``due``. When
+    the clocks change in between, one of the days therefore has 23 or 25 hours.
     """
     at = submitted.astimezone(UTC)
     if at <= due.astimezone(UTC):
@@ -39,17 +39,18 @@ def days_late(due: datetime, submitted: datetime) -> int:
 
 
 def _end(time: datetime) -> datetime:
-    """Return the last moment at which a clock shows the local time ``time``.
+    """Return the last moment at which a clock shows this local time.
 
-    If the clocks skip this time, return the moment at which they would have shown it.
+    In autumn a clock shows some times twice. In spring it skips some, and for such a time we return
+    the moment at which it would have shown it.
     """
     return max(time.replace(fold=fold).astimezone(UTC) for fold in (0, 1))
 
 
 def deduction(policy: LatePolicy, days: int, possible: float) -> float:
-    """Return the points that a submission loses for ``days`` late days.
+    """Return how many points a submission loses if it is ``days`` days late.
 
-    ``possible`` is the number of points that the assignment can give.
+    ``possible`` is the number of points that the assignment is worth.
     """
     price = policy.per_day * days
     if policy.cap is not None:
@@ -60,10 +61,10 @@ def deduction(policy: LatePolicy, days: int, possible: float) -> float:
 def late_of(
     deadline: Deadline, names: Iterable[str], said: HandedIn | None, possible: float
 ) -> Late:
-    """Compute how late a submission is, and how many points it loses.
+    """Compute how late a submission is and how many points it loses, and explain that in words.
 
-    ``names`` are the names of its students. If several of them have an extension, the latest due
-    date applies.
+    ``names`` are the students who have handed it in together. If some of them have an extension,
+    the latest of their due dates counts for all.
     """
     granted = [deadline.extensions[name] for name in names if name in deadline.extensions]
     due = max([deadline.due, *granted], key=lambda time: time.astimezone(UTC))

@@ -8,11 +8,11 @@ HEADER = re.compile(r"\s*(\[\[?)([^\[\]]+)\]\]?\s*(#.*)?")
 KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
 PART = re.compile(r"""[\w-]+|"[^"]*"|'[^']*'""")
 
-Path = tuple[str | int, ...]  # the keys that lead to a value, such as ("assignment", 0, "due")
+Path = tuple[str | int, ...]  # the keys on the way to a value, such as ("assignment", 0, "due")
 
 
 class Lines:
-    """The line numbers of the keys and tables in a TOML file, counted from 1."""
+    """The line number of each key and each table in a TOML file, counted from 1."""
 
     def __init__(self, text: str) -> None:
         self._text = text.splitlines()
@@ -37,12 +37,10 @@ class Lines:
                     self._first.setdefault(path, number)
 
     def of(self, path: Path, word: str = "") -> int:
-        """Return the line of the value at ``path``.
+        """Return the line of the value at ``path``, so that a message can point to it.
 
-        If the value is missing, return the line of its table.
-
-        If the table is missing too, return 1. If the value spans several lines, return the first of
-        them that contains ``word`` in quotes.
+        If there is no such value, return the line of its table, or 1 if that is missing as well. If
+        the value spans several lines, return the first one that contains ``word`` in quotes.
         """
         while path and path not in self._first:
             path = path[:-1]
@@ -56,5 +54,5 @@ class Lines:
 
 
 def _parts(dotted: str) -> Path:
-    """Split a dotted key, such as assignment.late, into its parts. Remove the quotes."""
+    """Split a dotted key such as assignment.late into its parts, and remove quotes around them."""
     return tuple(part.strip("\"'") for part in PART.findall(dotted))

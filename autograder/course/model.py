@@ -1,4 +1,4 @@
-"""The contents of a course file. These objects are created only if the file has no mistakes."""
+"""What a course file contains. We create these objects only if the file has no mistakes."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from autograder.manifest import Chapter
 
 @dataclass(frozen=True)
 class LatePolicy:
-    """The points that a late submission loses per day, and the most that it can lose.
+    """How many points a late submission loses per day, and how many it can lose at most.
 
-    A day counts in full as soon as it has begun. A percentage is a percentage of the points that
-    the assignment can give.
+    A day counts in full once it has begun. If ``unit`` is "percent", the numbers are percentages of
+    the points that the assignment is worth.
     """
 
     per_day: float
@@ -25,7 +25,7 @@ class LatePolicy:
 
     @property
     def words(self) -> str:
-        """The policy, written as a sentence."""
+        """The policy as a sentence for students."""
         of = "percent of the points possible" if self.unit == "percent" else "points"
         cap = "" if self.cap is None else f", and at most {self.cap:g} {self.unit} in all"
         return f"Each day or part of a day costs {self.per_day:g} {of}{cap}."
@@ -33,9 +33,10 @@ class LatePolicy:
 
 @dataclass(frozen=True)
 class Deadline:
-    """The due date of an assignment, and the later due dates of students with an extension.
+    """When an assignment is due, and the later due dates of students who have an extension.
 
-    Every time has a time zone. Without a policy, lateness is reported but costs no points.
+    Every time has a time zone. Without a policy, the reports still say how late a submission is,
+    but it loses no points.
     """
 
     due: datetime
@@ -45,11 +46,11 @@ class Deadline:
 
 @dataclass(frozen=True)
 class Work:
-    """One assignment: what students have to do, and how it is graded.
+    """One assignment: what students have to do, and how we grade it.
 
-    ``chapters`` contain only the exercises of the assignment, with their points in the assignment.
-    ``given`` chapters are complete. ``earlier`` lists exercises of earlier assignments that the
-    assignment builds on. ``roster`` is the path of the class list.
+    ``chapters`` contain only the assigned exercises, with the points they have in this assignment.
+    The ``given`` chapters are handed out complete. ``earlier`` lists exercises of earlier
+    assignments on which this one builds. ``roster`` is the path of the class list.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""Apply a course file to the submissions of a class: compute lateness and rescale marks."""
+"""Use the course file for a whole class: find late submissions, and scale the marks."""
 
 from __future__ import annotations
 
@@ -23,12 +23,13 @@ from autograder.submissions.find import Submission
 def lateness(
     deadline: Deadline, chapters: list[Chapter], folder: Path, submissions: list[Submission]
 ) -> tuple[dict[str, Late], list[str]]:
-    """Compute how late each submission is.
+    """Compute how late each submission of a class is.
 
-    Return the lateness of each student, and notes for the instructor.
+    Return the result for each student, and notes that the instructor should read. One of them lists
+    the students for whom the time is unknown, for example.
 
     Raises:
-        ValueError: A file that contains submission times is not valid.
+        ValueError: A file with the times of the submissions is not valid.
     """
     said = times_of(folder, submissions, deadline.due.tzinfo or UTC)
     points = points_of(chapters)
@@ -69,9 +70,10 @@ def _some(names: list[str]) -> str:
 def late_on_gradescope(
     deadline: Deadline, chapters: list[Chapter], metadata: dict[str, Any]
 ) -> Late:
-    """Compute how late a submission is from Gradescope's ``metadata``.
+    """Compute how late a submission is, using the data that Gradescope provides about it.
 
-    If the name or the e-mail address of any submitter has an extension, the extension applies.
+    A submission can have several authors. If the name or e-mail address of one of them has an
+    extension, it counts for the whole group.
     """
     try:
         at: datetime | None = parse_time(metadata["created_at"], deadline.due.tzinfo or UTC)
@@ -85,15 +87,15 @@ def late_on_gradescope(
 
 
 def points_of(chapters: Iterable[Chapter]) -> float:
-    """Return the total points of ``chapters``, including the points for written answers."""
+    """Return how many points these chapters are worth, including their written answers."""
     return possible(exercise for chapter in chapters for exercise in chapter.exercises)
 
 
 def scaled_marks(marks: Marks, chapters: Iterable[Chapter], manifests: list[Chapter]) -> Marks:
-    """Rescale ``marks`` to the points of the assignment.
+    """Scale the marks for written answers to the points of the assignment.
 
-    Instructors give marks by the rubrics. A rubric's points can differ from the points that the
-    same exercise has in the assignment.
+    Instructors mark by our rubrics, which add up to the points in the manifest. In the assignment,
+    the same exercise may be worth more or less.
     """
     rubric = {e.id: e.points for chapter in manifests for e in chapter.exercises}
     assigned = {e.id: e.points for chapter in chapters for e in chapter.exercises}

@@ -1,4 +1,4 @@
-"""Compute the points of an assignment's exercises by rescaling the points in the manifest."""
+"""Scale the points of the exercises, so that an assignment adds up to the total it should have."""
 
 from __future__ import annotations
 
@@ -7,10 +7,11 @@ from fractions import Fraction
 
 
 def rescaled(points: Mapping[str, float], out_of: float, unit: str = "0.01") -> dict[str, float]:
-    """Rescale ``points`` in proportion, so that they add up to ``out_of``.
+    """Scale the points of all exercises by the same factor, so that they add up to ``out_of``.
 
-    The results are multiples of ``unit``. All points are first rounded down. The remaining units
-    then go to the exercises that lost the most by rounding.
+    Each result is a multiple of ``unit``. To make the sum come out exactly, we first round
+    everything down. We then hand out the units that are left, one each, to the exercises that have
+    lost most by rounding.
     """
     step = Fraction(unit)
     total = sum(map(Fraction, points.values()))
@@ -24,13 +25,17 @@ def rescaled(points: Mapping[str, float], out_of: float, unit: str = "0.01") -> 
 
 
 def scaled_alike(value: float, out_of: float, total: float) -> float:
-    """Rescale extra credit by the same factor as the regular points.
+    """Scale the points for extra credit by the same factor as all the other points.
 
-    ``value`` is the extra credit. The regular points were rescaled from ``total`` to ``out_of``.
+    ``value`` is the extra credit. The other points added up to ``total`` before, and to ``out_of``
+    now.
     """
     return _plain(Fraction(round(value * out_of / total, 2)).limit_denominator(100))
 
 
 def _plain(value: Fraction) -> float:
-    """Convert a whole number to an int, so that it is shown without a decimal point."""
+    """Turn a fraction into a number.
+
+    A whole number becomes an int, so that it is shown as 3, not 3.0.
+    """
     return int(value) if value.denominator == 1 else float(value)

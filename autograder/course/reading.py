@@ -1,4 +1,4 @@
-"""Read course.toml, and report all of its mistakes with line numbers and suggested corrections."""
+"""Read course.toml. If it has mistakes, report all of them with their lines and suggestions."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
 
 
 def read_course(path: Path, root: Path = ROOT) -> Course:
-    """Read the course file ``path``.
+    """Read the course file, in which an instructor describes the assignments of a term.
 
-    Relative paths in the file start from the folder that contains the file.
+    Relative paths in it start from the folder of the file.
 
     Raises:
         ValueError: The file contains mistakes. The message lists all of them with their lines.
@@ -49,7 +49,7 @@ def read_course(path: Path, root: Path = ROOT) -> Course:
 
 
 class Reader:
-    """Reads the tables of one course file."""
+    """Reads the tables of one course file, and notes the mistakes in them."""
 
     def __init__(
         self, data: dict[str, Any], folder: Path, chapters: list[Chapter], mistakes: Mistakes
@@ -58,10 +58,10 @@ class Reader:
         self.folder = folder
         self.chapters = chapters
         self.mistakes = mistakes
-        self.before: set[str] = set()  # exercises of the assignments that were read so far
+        self.before: set[str] = set()  # the exercises of all assignments that we have read so far
 
     def course(self) -> Course:
-        """Return the course. Raises ValueError if the file contains mistakes."""
+        """Return the whole course, or raise ValueError if the file contains mistakes."""
         mistakes, data = self.mistakes, self.data
         mistakes.check_keys(data, (), OF_COURSE)
         self.zone: tzinfo | None = None
@@ -135,10 +135,7 @@ class Reader:
         return Deadline(due, policy, times)
 
     def _policy(self, table: Mapping[str, Any], path: tuple[str | int, ...]) -> LatePolicy | None:
-        """Read the late policy of ``table``.
-
-        Return None if there is no policy, or if late days cost nothing.
-        """
+        """Read the policy for late work, or return None if late days cost nothing."""
         mistakes, at = self.mistakes, (*path, "late")
         late = mistakes.value(table, path, "late", dict)
         if late is None:
@@ -165,7 +162,7 @@ class Reader:
         return LatePolicy(per_day, "percent" if unit == "percent" else "points", cap)
 
     def _path(self, table: Mapping[str, Any], path: tuple[str | int, ...], key: str) -> Path | None:
-        """Return the path in the value of ``key``. Record a mistake if the path does not exist."""
+        """Return the path that a key contains. If it does not exist, note this as a mistake."""
         name = self.mistakes.value(table, path, key, str)
         if name is None:
             return None
@@ -183,7 +180,7 @@ class Reader:
     ) -> Path | None:
         """Return the folder of the hidden checks.
 
-        Record a mistake if the folder contains no subfolder for any assigned chapter.
+        If it contains nothing for any assigned chapter, note this as a mistake.
         """
         hidden = self._path(table, path, "hidden_checks")
         if hidden and chapters and not any((hidden / c.name).is_dir() for c in chapters):

@@ -1,7 +1,7 @@
 """Find out when each submission was handed in.
 
-The times come from files that accompany the submissions. The modification times of the submitted
-files are not used, because copying or unpacking a file changes them.
+We take the times from files that come with the submissions. The modification times of a student's
+files would be no help, because they change when somebody copies or unpacks the files.
 """
 
 from __future__ import annotations
@@ -22,18 +22,18 @@ from autograder.submissions.find import Submission
 
 TIMES = "times.csv"
 OF_GRADESCOPE = "submission_metadata.yml"
-OF_GITHUB = "grades.csv"  # the grades of GitHub Classroom, saved under this name
+OF_GITHUB = "grades.csv"  # instructors save the grades of GitHub Classroom under this name
 REPOSITORY, SUBMITTED = "student_repository_name", "submission_timestamp"
 
 
 def times_of(folder: Path, submissions: list[Submission], zone: tzinfo) -> dict[str, HandedIn]:
-    """Return when each submission was handed in, by student.
+    """Return when each student has handed in the work, as far as we know.
 
-    If several files contain a time for the same student, times.csv takes precedence. A time without
-    a time zone is interpreted in ``zone``.
+    If several files contain a time for the same student, times.csv wins. If a time does not name
+    its time zone, we assume that it is in ``zone``.
 
     Raises:
-        ValueError: A file is not valid. The message names the affected lines.
+        ValueError: A file is not valid. The message says which lines are wrong.
     """
     known: dict[str, HandedIn] = {}
     for name, said in [
@@ -52,7 +52,10 @@ def times_of(folder: Path, submissions: list[Submission], zone: tzinfo) -> dict[
 
 
 def _of_instructor(path: Path, zone: tzinfo) -> Iterator[tuple[str, HandedIn]]:
-    """Yield the times in times.csv, which has the columns student and submitted."""
+    """Yield the times that the instructor has written into times.csv.
+
+    This file has the columns student and submitted.
+    """
     if not path.exists():
         return
     try:
@@ -86,7 +89,7 @@ def _of_instructor(path: Path, zone: tzinfo) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_gradescope(folder: Path) -> Iterator[tuple[str, HandedIn]]:
-    """Yield the times from Gradescope's metadata. They are listed by submission folder."""
+    """Yield the times in Gradescope's metadata, each with the name of the submission's folder."""
     path = folder / OF_GRADESCOPE
     if not path.is_file():
         return
@@ -98,10 +101,7 @@ def _of_gradescope(folder: Path) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_github(folder: Path) -> Iterator[tuple[str, HandedIn]]:
-    """Yield the times from GitHub Classroom's grades.
-
-    They are listed by the student's repository.
-    """
+    """Yield the times in GitHub Classroom's grades, each with a student's repository."""
     path = folder / OF_GITHUB
     if not path.is_file():
         return
@@ -114,9 +114,9 @@ def _of_github(folder: Path) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_canvas(submissions: list[Submission]) -> Iterator[tuple[str, HandedIn]]:
-    """Yield whether each submission is late. Canvas marks late submissions in the file name.
+    """Yield for each submission from Canvas whether it was late.
 
-    The file name does not contain a time.
+    Canvas marks late submissions in the file name, but the name does not contain a time.
     """
     for submission in submissions:
         if submission.export and submission.export.platform == "canvas":
@@ -124,9 +124,9 @@ def _of_canvas(submissions: list[Submission]) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _time(value: Any) -> datetime | None:
-    """Parse a platform's time. Return None if ``value`` is not a time.
+    """Read a time as a platform writes it, or return None if the value is not a time.
 
-    A text without a time zone is interpreted as UTC.
+    If the text does not name a time zone, we assume UTC, which is what platforms use.
     """
     try:
         return parse_time(value.isoformat() if isinstance(value, datetime) else str(value), UTC)
@@ -136,7 +136,7 @@ def _time(value: Any) -> datetime | None:
 
 @contextmanager
 def _readable(path: Path) -> Iterator[None]:
-    """If ``path`` cannot be read as CSV or YAML, add its name to the error."""
+    """If a file is not valid CSV or YAML, add its name to the error."""
     try:
         yield
     except (csv.Error, yaml.YAMLError, ValueError, RecursionError) as error:
@@ -145,5 +145,5 @@ def _readable(path: Path) -> Iterator[None]:
 
 
 def _key(name: str) -> str:
-    """Normalize ``name``, so that two encodings of the same accented letter are equal."""
+    """Normalize accented letters, so that two encodings of the same name compare equal."""
     return unicodedata.normalize("NFC", name.strip())

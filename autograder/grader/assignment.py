@@ -1,4 +1,4 @@
-"""The assignment that a class is graded on, and the verdicts that all submissions share."""
+"""The assignment that a class is graded on, and the verdicts that all its submissions share."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ from autograder.submissions.stage import stage
 
 @dataclass(frozen=True)
 class Assignment:
-    """The assignment that a class is graded on. It is the same for every submission.
+    """What a class is graded on. This is the same for every submission.
 
-    ``chapters`` contain only the graded exercises, which may be fewer than the manifest lists.
-    ``given`` chapters are always taken from the reference, even if a student hands them in.
-    ``hidden`` is a folder of additional checks. ``level`` names the layers of the sandbox.
+    ``chapters`` contain only the graded exercises, which may be fewer than the manifest lists. The
+    ``given`` chapters come from the reference, even if a student has handed in files for them.
+    ``hidden`` is a folder of additional checks, and ``level`` says which layers the sandbox has.
     """
 
     chapters: list[Chapter]
@@ -47,10 +47,10 @@ class Assignment:
         compiled: Path | None = None,
         exercises: list[str] | None = None,
     ) -> list[Verdict]:
-        """Run the checks of the graded exercises in ``chapter`` and of their prerequisites.
+        """Run the checks of a chapter's graded exercises, and of the exercises they build on.
 
-        ``missing`` maps each rejected module to the reason for its rejection. ``compiled`` is a
-        folder in which the compiled code of a submission is kept between runs.
+        ``missing`` lists the modules that we have rejected, each with the reason. ``compiled`` is a
+        folder that keeps the compiled code of a submission from one run to the next.
 
         Raises:
             GraderError: The checks could not be run.
@@ -73,15 +73,15 @@ class Assignment:
         )
 
     def whole(self, chapter: Chapter) -> Chapter:
-        """Return ``chapter`` with all exercises of its manifest, even if they are not graded."""
+        """Return the chapter with all exercises of its manifest, whether they are graded or not."""
         return load_chapter(self.root / "chapters" / chapter.name)
 
 
 class OnceForAll:
-    """Verdicts that are the same for all submissions, so that they are computed only once.
+    """Verdicts that are the same for every submission, so that we have to find them only once.
 
-    All threads that grade a class share one instance. The first thread that needs a verdict
-    computes it, and the other threads wait for it.
+    All threads that grade the class share this object. The first thread that needs a verdict runs
+    the checks for it, while the others wait for the result.
     """
 
     def __init__(self) -> None:
@@ -90,7 +90,9 @@ class OnceForAll:
         self._of_reference: dict[str, list[Result]] = {}
 
     def of_nothing(self, assignment: Assignment, chapter: Chapter) -> list[Verdict]:
-        """Return the verdicts on an empty submission, with the earlier chapters of the reference.
+        """Return the verdicts on a student who has handed in nothing for this chapter.
+
+        The earlier chapters come from the reference.
 
         Raises:
             GraderError: The checks could not be run.
@@ -101,7 +103,11 @@ class OnceForAll:
             return self._of_nothing[chapter.name]
 
     def of_reference(self, assignment: Assignment, chapter: Chapter) -> list[Result]:
-        """Return the results of the reference. Only open exercises have verdicts."""
+        """Return the results of our own solution, whose cost and error the charts show.
+
+        For that purpose we have to run only the checks of open exercises. The others have no
+        verdicts.
+        """
         root = assignment.root
         with self._lock:
             if chapter.name not in self._of_reference:

@@ -1,4 +1,8 @@
-"""Manage the folder with the reports on a class: its lock, its state and its temporary files."""
+"""Look after the folder that holds the reports on a class.
+
+Only one run at a time may write to this folder. It also contains a file that says whether the last
+run has finished, so that an interrupted run can be resumed.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +19,7 @@ from autograder.submissions.find import file_name
 
 
 def seed_of(state: Path, seed: str | None) -> str:
-    """Choose the seed for a run. Use ``seed``, or the seed of an interrupted run, or a new one."""
+    """Choose the seed for a run: the one asked for, that of an interrupted run, or a new one."""
     if seed:
         return seed
     try:
@@ -28,10 +32,10 @@ def seed_of(state: Path, seed: str | None) -> str:
 
 
 def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
-    """Raise ValueError if only one of this run and the earlier run has a roster.
+    """Raise ValueError if this run has a roster and the earlier run had none, or vice versa.
 
-    Students have other names without the roster, so a student who is graded again would be listed
-    twice.
+    Without the roster a student has another name. If we graded somebody again like that, the same
+    student would be listed twice.
     """
     try:
         before = json.loads(state.read_text(encoding="utf-8"))["roster"]
@@ -48,7 +52,9 @@ def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
 
 @contextmanager
 def only_run(out: Path) -> Iterator[Path]:
-    """Create and lock the folder ``out``, and yield the path of the run's state file.
+    """Lock the folder ``out``, so that no other run can use it, and yield the run's state file.
+
+    If the folder does not exist yet, it is created.
 
     Raises:
         ValueError: The path is not a folder, or another run is using it.
@@ -66,10 +72,10 @@ def only_run(out: Path) -> Iterator[Path]:
 
 @contextmanager
 def temporary_files_in(out: Path) -> Iterator[None]:
-    """Create temporary files in the folder ``out`` until the context ends.
+    """Put all temporary files into the folder ``out`` until the context ends.
 
-    A run that is killed cannot remove its temporary files. The next run finds them in ``out`` and
-    removes them.
+    A run that is killed cannot delete its temporary files. In this folder the next run will find
+    and delete them.
     """
     own, before = out / ".temporary", tempfile.tempdir
     shutil.rmtree(own, ignore_errors=True)
@@ -83,9 +89,9 @@ def temporary_files_in(out: Path) -> Iterator[None]:
 
 
 def put_others_aside(out: Path, students: list[str]) -> int:
-    """Move away the reports of students who are not in ``students``, and return their number.
+    """Move away the reports of all students who are not in the list, and return their number.
 
-    Such a report belongs to another class or to a student who has left the class.
+    Such a report is from another class, or from a student who has left this one.
     """
     names = {file_name(student) for student in students}
     others = set()

@@ -27,7 +27,7 @@ from autograder.submissions.find import Submission, file_name
 
 
 class ClassRun:
-    """A run that grades a class, with the data that all submissions share."""
+    """Grades the submissions of a class. It holds everything that they have in common."""
 
     def __init__(
         self,
@@ -48,12 +48,12 @@ class ClassRun:
         self.console = console
         self.anonymous = anonymous
         self.reused: list[str] = []
-        self.keeps_reports = True  # whether to reuse reports of an earlier run
+        self.keeps_reports = True  # whether a valid report of an earlier run is kept
 
     def collect(
         self, submissions: list[Submission], arriving: Generator[StudentReport]
     ) -> list[StudentReport]:
-        """Show the progress as reports arrive. Return them in the order of ``submissions``."""
+        """Show the progress while reports arrive, and return them in the submissions' order."""
         columns = (
             TextColumn("{task.description}", markup=False),
             BarColumn(),
@@ -81,10 +81,7 @@ class ClassRun:
         return [reports[submission.student] for submission in submissions]
 
     def here(self, submissions: list[Submission], jobs: int) -> Generator[StudentReport]:
-        """Grade the submissions on this machine, and yield the reports.
-
-        ``jobs`` is the number of submissions that are graded at the same time.
-        """
+        """Grade the submissions on this machine, ``jobs`` at a time, and yield the reports."""
         with ThreadPoolExecutor(jobs) as pool:
             try:
                 futures = [pool.submit(self.one, submission) for submission in submissions]
@@ -100,7 +97,10 @@ class ClassRun:
         submissions: list[Submission],
         grade_over: Callable[[list[Submission]], Iterator[StudentReport]],
     ) -> Generator[StudentReport]:
-        """Grade the submissions on a cluster, and yield their reports."""
+        """Grade the submissions on a cluster, and yield the reports.
+
+        If a report of an earlier run is still valid, its submission is not sent to the cluster.
+        """
         left = []
         for submission in submissions:
             if report := self.earlier(submission):
@@ -111,10 +111,7 @@ class ClassRun:
             yield self.save(replace(report, run=self.key))
 
     def one(self, submission: Submission) -> StudentReport:
-        """Grade ``submission`` and return the report.
-
-        If an earlier report is still valid, reuse it.
-        """
+        """Grade a submission, or reuse the report of an earlier run if it is still valid."""
         report = self.earlier(submission)
         if report is None:
             report = replace(grade_submission(self.assignment, submission, self.once), run=self.key)
@@ -123,7 +120,7 @@ class ClassRun:
         return self.save(report)
 
     def save(self, report: StudentReport) -> StudentReport:
-        """Add marks and lateness to ``report``, write the report and its pages, and return it."""
+        """Add the marks and the lateness to a report, write it and its pages, and return it."""
         report = replace(apply_marks(report, self.marks), late=self.late.get(report.student))
         if self.anonymous:
             report = replace(report, notes=[without_names(note) for note in report.notes])
@@ -131,7 +128,7 @@ class ClassRun:
         return report
 
     def earlier(self, submission: Submission) -> StudentReport | None:
-        """Return the report of an earlier run. If it cannot be reused, return None."""
+        """Return the report of an earlier run, or None if we cannot reuse it."""
         path = self.out / "results" / f"{file_name(submission.student)}.json"
         report = read_result(path)
         if not self.keeps_reports or report is None or not self.is_valid(report, submission):
@@ -140,14 +137,14 @@ class ClassRun:
         return report
 
     def is_valid(self, report: StudentReport, submission: Submission) -> bool:
-        """Return whether grading the submission again would produce the same report."""
+        """Return whether we would get the same report if we graded the submission again."""
         if report.status != "graded" or report.run != self.key:
             return False
         return report.submission == digest_of(self.assignment, submission)
 
 
 def print_class(console: Console, reports: list[StudentReport]) -> None:
-    """Print a row for each student with the points, the checks, and the first problem."""
+    """Print a table of the class, with each student's points, checks and first problem."""
     table = Table("student", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("points", "on given", "checks"):
         table.add_column(heading, justify="right")

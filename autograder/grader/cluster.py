@@ -1,8 +1,8 @@
-"""Grade a class on a Dask cluster. Workers receive the submissions and return the reports.
+"""Grade a class on a Dask cluster, whose workers receive submissions and return reports.
 
-Dask schedules the work. If a worker dies, Dask gives its submission to another worker. A worker
-grades a submission exactly as the instructor's machine would, in the same kind of sandbox. If this
-is not possible, the worker refuses to grade.
+Dask distributes the submissions, and if a worker dies, it gives the submission to another one.
+Grades must not depend on where a submission was graded. So every worker uses the same kind of
+sandbox as the instructor's machine would, and refuses to grade if it cannot.
 """
 
 from __future__ import annotations
@@ -32,21 +32,22 @@ from autograder.submissions.stage import Staged, stage
 if TYPE_CHECKING:
     from distributed import Client
 
-CONNECTED_WITHIN = 10.0  # seconds for the scheduler to answer
-WORKERS_WITHIN = 60.0  # seconds for the first worker to appear
+CONNECTED_WITHIN = 10.0  # seconds in which the scheduler must answer
+WORKERS_WITHIN = 60.0  # seconds in which the first worker must appear
 START = "start it in a folder with this repository: .venv/bin/python -m dask worker ADDRESS"
 
-_GRADER = grader_digest()  # of the loaded code, because files may change meanwhile
+_GRADER = grader_digest()  # computed now, because the files of the loaded code may change later
 
-Tree = dict[str, bytes | None]  # the contents of a folder by path, None for a subfolder
+Tree = dict[str, bytes | None]  # the files in a folder by path, where None stands for a subfolder
 
 
 @dataclass(frozen=True)
 class Work:
-    """The data that every worker receives: the assignment, and facts about the sending machine.
+    """What every worker of the cluster receives: the assignment and facts about the sender.
 
-    ``key`` describes the conditions of grading, which must be the same on the worker. ``home`` is
-    the path of the repository on the sending machine. The data includes the hidden checks.
+    The worker compares its own machine with ``key``, since it must grade under the same conditions
+    as the sender would. ``hidden`` contains the hidden checks, and ``home`` is where the repository
+    is on the sending machine.
     """
 
     assignment: Assignment
@@ -56,14 +57,14 @@ class Work:
 
     @classmethod
     def of(cls, assignment: Assignment) -> Work:
-        """Return the data to send for an assignment."""
+        """Put together what the workers need for an assignment."""
         public = replace(assignment, hidden=None)
         return cls(public, run_key(public), _tree(assignment.hidden))
 
 
 @contextmanager
 def connect(address: str, assignment: Assignment, console: Console) -> Iterator[Client]:
-    """Connect to the scheduler at ``address``, and print how many workers can grade.
+    """Connect to the scheduler of a cluster, and print how many workers can grade.
 
     Raises:
         ValueError: Dask is not installed, the scheduler does not answer, there are no workers, or a
@@ -137,7 +138,7 @@ def grade_over(
 
 
 def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentReport:
-    """Grade a student's submission. This function runs on a worker.
+    """Grade a student's submission. Dask calls this function on a worker of the cluster.
 
     Raises:
         ValueError: The worker would not grade exactly as the sending machine does.
@@ -160,7 +161,10 @@ def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentR
 
 
 def check_worker(work: Work) -> None:
-    """Raise ValueError if this worker would not grade exactly as the sending machine does."""
+    """Raise ValueError if this worker would not grade exactly as the sending machine does.
+
+    Otherwise a student's grade could depend on which machine happened to grade it.
+    """
     wanted = work.assignment.level
     level = _level(unsafe=not wanted.is_sandbox)
     own = run_key(replace(_at_home(work), level=level))
@@ -187,12 +191,12 @@ _once: dict[str, OnceForAll] = {}
 
 
 def _shared(work: Work) -> OnceForAll:
-    """Return the verdicts that this worker computes only once for all submissions of a run."""
+    """Return the verdicts that this worker finds once and uses for all submissions of a run."""
     return _once.setdefault(repr((str(_at_home(work).root), work.key)), OnceForAll())
 
 
 def _at_home(work: Work) -> Assignment:
-    """Return the assignment of ``work``, with all paths changed to this machine's repository."""
+    """Return the assignment, with paths that lead to the repository on this machine."""
     if work.assignment.root == work.home:
         return replace(work.assignment, root=ROOT)
     return work.assignment
@@ -205,7 +209,7 @@ def _refusal(worker: str, error: Exception) -> str:
 
 
 class _Call:
-    """A function call that is made when its pickle is loaded."""
+    """A function call that takes place when its pickle is loaded, which happens on the worker."""
 
     def __init__(self, *parts: Any) -> None:
         self.parts = parts
@@ -216,16 +220,19 @@ class _Call:
 
 
 def _call(*parts: Any) -> tuple[Callable[[bytes], Any], bytes]:
-    """Return a function and an argument that Dask can send without importing the autograder.
+    """Return a call in a form that Dask can send without importing the autograder.
 
-    Otherwise the scheduler would need the autograder too, and a worker without the autograder would
-    stop answering.
+    If Dask had to import the autograder, the scheduler would need it as well, and a worker without
+    it would stop answering instead of reporting an error.
     """
     return pickle.loads, pickle.dumps(_Call(*parts))
 
 
 def _tree(folder: Path | None) -> Tree:
-    """Read the contents of ``folder`` into a dict. If ``folder`` is None, the dict is empty."""
+    """Read all files in a folder into a dict, so that they can be sent over the network.
+
+    If ``folder`` is None, the dict is empty.
+    """
     paths = sorted(folder.rglob("*")) if folder else []
     return {
         path.relative_to(folder or path).as_posix(): None if path.is_dir() else path.read_bytes()
@@ -234,9 +241,9 @@ def _tree(folder: Path | None) -> Tree:
 
 
 def _write_tree(tree: Tree, folder: Path) -> None:
-    """Write the files of ``tree`` into ``folder``.
+    """Write the files of a tree into a folder.
 
-    All users may read the files, because the code may run under another user's account.
+    We let all users read them, because the student's code may run under another account.
     """
     for name, content in tree.items():
         path = folder / name

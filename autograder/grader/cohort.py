@@ -41,21 +41,21 @@ from autograder.wrapping import plain_console
 
 @dataclass(frozen=True)
 class ClassOptions:
-    """The options for grading a class.
+    """The options with which an instructor grades a class.
 
-    - ``given`` chapters are taken from the reference, even if students hand them in.
-    - ``seed`` determines the numbers in the checks. Without it, an interrupted run resumes with its
-      own seed, and a new run draws a new one.
+    - ``given`` chapters come from the reference, even if students hand in files for them.
+    - ``seed`` determines the numbers in the checks. If there is none, a new run draws one, and an
+      interrupted run resumes with its own.
     - ``hidden`` is a folder of additional checks, chNN_name/test_*.py.
-    - ``unsafe`` permits grading on a machine without a sandbox.
-    - ``jobs`` is the number of submissions to grade at a time, by default one per core.
-    - ``cluster`` is the address of a scheduler whose workers grade instead of this machine.
-    - ``roster`` is a CSV file of the students. In an ``anonymous`` class, codes replace their
-      names.
+    - ``unsafe`` permits grading on a machine that has no sandbox.
+    - ``jobs`` says how many submissions to grade at a time. By default it is one per core.
+    - ``cluster`` is the address of a scheduler, whose workers then grade instead of this machine.
+    - ``roster`` is a CSV file of the students. In an ``anonymous`` class, the reports show codes
+      instead of names.
     - ``column`` describes the files for Canvas and Moodle.
-    - ``deadline`` is the due date. If there is one, lateness is reported.
-    - ``student`` is the only one to be graded again, in the folder of an earlier run. ``why`` is
-      the reason for the log of regrades.
+    - ``deadline`` says when the work was due. If there is one, the reports say who was late.
+    - ``student`` is the only one to grade again, after an earlier run has graded the whole class.
+      ``why`` is the reason that the log of regrades will contain.
     """
 
     given: Sequence[Chapter] = ()
@@ -85,8 +85,9 @@ class ClassOptions:
 def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOptions) -> int:
     """Grade every submission in ``folder``, and write the reports into ``out``.
 
-    Return the exit code, which is 1 after an error. If a submission has a complete report that was
-    made with the same checks, grader and seed, the submission is not graded again.
+    If a report is complete and comes from the same checks, grader and seed, we keep it and do not
+    grade the submission again. Return the exit code, which is 1 if the grader failed on a
+    submission.
 
     Raises:
         ValueError: The class cannot be graded with these options.
@@ -172,9 +173,9 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
 
 
 def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
-    """Return the submissions in ``folder``, and notes on its other entries.
+    """Find the submissions of a class, and write notes on everything else in its folder.
 
-    Reports may be written into a folder next to the submissions, but not into a submission.
+    The reports may go into a folder next to the submissions, but not into a submission.
 
     Raises:
         ValueError: The reports would be written into the class's folder or into a submission.
@@ -192,7 +193,10 @@ def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
 
 
 def check_hidden(assignment: Assignment) -> None:
-    """Raise ValueError if there are no hidden checks, or if the reference itself fails them."""
+    """Raise ValueError if the folder has no hidden checks, or if our own solution fails one.
+
+    A check that fails on the reference must be wrong, and it would cost every student points.
+    """
     hidden, root = assignment.hidden, assignment.root
     if hidden is None:
         return

@@ -1,4 +1,4 @@
-"""Grade one submission: copy its files, run its checks in the sandbox, and make its report."""
+"""Grade one submission: copy its files, run its checks in the sandbox, and write its report."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ from autograder.scores import Result, results_of, total
 from autograder.submissions.find import Submission
 from autograder.submissions.stage import Staged, stage
 
-SUBMISSION_LIMIT = 300.0  # seconds for all chapters of a submission; one usually takes about 2 s
+SUBMISSION_LIMIT = 300.0  # seconds for all chapters of a submission, which usually needs about 2 s
 
-LEAST_TIME = 10.0  # seconds that each chapter gets at least, so that its checks can begin
+LEAST_TIME = 10.0  # seconds; a chapter gets at least this many, or its checks could not begin
 
 
 def grade_submission(
@@ -33,8 +33,8 @@ def grade_submission(
 ) -> StudentReport:
     """Grade one submission and return the report. If the grader fails, the report says so.
 
-    ``once`` contains the verdicts that all submissions share. ``fill`` copies the submission's
-    files if the submission is on another machine. Without it, ``stage`` copies them.
+    ``once`` holds the verdicts that all submissions share. Normally ``stage`` copies the
+    submission's files. If they are on another machine, ``fill`` does that instead.
     """
     once = once or OnceForAll()
     start = time.monotonic()
@@ -57,13 +57,13 @@ def grade_submission(
 
 
 def report_of_failure(assignment: Assignment, student: str, reason: str) -> StudentReport:
-    """Create the report on a submission that the grader was unable to grade."""
+    """Build the report on a submission that the grader was unable to grade."""
     pairs = [(_errors(chapter, reason),) * 2 for chapter in assignment.chapters]
     return replace(_report(assignment, OnceForAll(), student, pairs, []), seconds=0.0)
 
 
 def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: Path) -> list[str]:
-    """Return the notes on a submission. One of them says if there is nothing to grade."""
+    """Return the notes on a submission, and add one if it has no file that we could grade."""
     files = [box / chapter.name / name for chapter in chapters for name in chapter.edited_files]
     if staged.missing or any(file.exists() for file in files):
         return staged.notes
@@ -72,7 +72,7 @@ def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: 
 
 
 def digest_of(assignment: Assignment, submission: Submission) -> str:
-    """Return the digest of the files that would be graded. Do not grade them."""
+    """Return a digest of the files that would be graded, without grading them."""
     with tempfile.TemporaryDirectory(prefix="submission-") as folder:
         chapters = load_chapters(assignment.root)
         return stage(submission.path, chapters, Path(folder), assignment.root).digest
@@ -86,11 +86,11 @@ def _all_results(
     box: Path,
     compiled: Path,
 ) -> list[tuple[list[Result], list[Result]]]:
-    """Run the checks of each chapter twice, and return both lists of results for each chapter.
+    """Run the checks of each chapter twice, and return both lists of results.
 
-    The first run uses the student's earlier chapters. The second run takes them from the reference.
-    Reports show only messages of the first run, because in the second run the student's code could
-    read the reference and reveal it in a message.
+    The first run uses the student's own earlier chapters, and the second one takes them from the
+    reference. The reports show only the messages of the first run. In the second run, the student's
+    code could read the reference and reveal it in a message.
     """
     deadline = time.monotonic() + SUBMISSION_LIMIT
 
@@ -123,7 +123,7 @@ def _all_results(
 
 
 def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
-    """Return whether a student handed in no files of ``chapter``. Rejected files count as files."""
+    """Return whether a student has handed in nothing for this chapter, not even a rejected file."""
     refused = any(module.startswith(f"{chapter.name}.") for module in staged.missing)
     taken = any((box / chapter.name / name).exists() for name in chapter.handed_in)
     return not (refused or taken)
@@ -132,11 +132,11 @@ def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
 def _chart(
     assignment: Assignment, once: OnceForAll, chapter: Chapter, result: Result
 ) -> Chart | None:
-    """Return the positions of the submission and the reference on the chart of an exercise.
+    """Return the cost and error of a submission, and those of the reference, for the chart.
 
-    Return None if there is no chart. A submission that fails because of an earlier chapter does not
-    appear on the chart, because the run with the reference's earlier chapters reports only which
-    checks pass.
+    Most exercises have no chart, and then the result is None. A submission that fails because of an
+    earlier chapter is not on the chart either, because we only learn from the second run which of
+    its checks pass.
     """
     if result.on_chart is None:
         return None
@@ -148,9 +148,9 @@ def _chart(
 
 
 def _errors(chapter: Chapter, reason: str) -> list[Result]:
-    """Create the results of ``chapter`` for checks that could not be run.
+    """Build the results of a chapter whose checks could not be run.
 
-    The checks count as grader errors, not as zeros.
+    They count as errors of the grader, so that the student does not get a zero for them.
     """
     why = presentable(Message(reason[:500]))
     ours = [Verdict("every check", e.id, 1, "error", why) for e in chapter.exercises]
@@ -189,7 +189,7 @@ def _report(
 
 
 def _own_earlier_chapters(assignment: Assignment) -> list[int]:
-    """Return the numbers of the earlier chapters that come from the student, not the reference."""
+    """Return the numbers of the earlier chapters that the student has written."""
     below = [
         other.number
         for chapter in assignment.chapters

@@ -1,4 +1,4 @@
-"""Load the people of a class: the roster, the codes of an anonymous class, and the marks."""
+"""Put together what we know about the people in a class: the roster, the codes and the marks."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from autograder.submissions.roster import read_roster
 def people_of(
     submissions: list[Submission], out: Path, roster: Path | None, *, anonymous: bool
 ) -> ClassList:
-    """Return the students of a class, with the names that appear in reports.
+    """Return the students of a class, with the names that the reports show.
 
     Raises:
         ValueError: The roster or the key file contains a mistake, or ``out`` contains reports with
@@ -31,7 +31,7 @@ def people_of(
 
 
 def marks_of(people: ClassList, path: Path, chapters: list[Chapter]) -> Marks:
-    """Read the marks of a class from ``path``. The file may use any known name of a student.
+    """Read the marks of a class, in which a student may appear under any known name.
 
     Raises:
         ValueError: A line is not valid, or a student has two marks for the same exercise.
@@ -42,13 +42,13 @@ def marks_of(people: ClassList, path: Path, chapters: list[Chapter]) -> Marks:
 def folder_with_names(out: Path, *, anonymous: bool) -> Path:
     """Return the folder for files that contain students' names.
 
-    For an anonymous class, this folder is outside ``out``.
+    For an anonymous class it is outside ``out``, so that ``out`` can be shown to others.
     """
     return out.resolve().with_name(f"{out.resolve().name}-named") if anonymous else out
 
 
 def differences(people: ClassList) -> list[str]:
-    """Return sentences that describe how the roster and the submissions differ."""
+    """Describe in sentences how the roster and the submissions differ."""
     lines = [
         f"{title}: {len(names)} ({'; '.join(names)})."
         for title, names in (
@@ -57,7 +57,7 @@ def differences(people: ClassList) -> list[str]:
         )
         if names
     ]
-    # Only names are compared, because codes resemble each other by chance.
+    # We compare only names, because two codes may be similar by chance.
     absent = {
         m.shown.lower(): m
         for m in people.members

@@ -1,4 +1,4 @@
-"""Grade one student again under the same conditions as the class, and log the changes."""
+"""Grade one student again under the same conditions as the class, and log what has changed."""
 
 from __future__ import annotations
 
@@ -19,7 +19,8 @@ from autograder.submissions.find import Submission, file_name
 
 LOG = "regrades.csv"
 COLUMNS = ["time", "student", "points before", "points after", "changed exercises", "why"]
-# These may differ from the class's run, for example because a check was corrected. A note says so.
+# These may have changed since the class was graded, for example because a check was wrong. If so,
+# the log contains a note.
 MAY_DIFFER = {
     "checks": "the checks or the reference",
     "grader": "the grader",
@@ -30,7 +31,9 @@ MAY_DIFFER = {
 
 
 class Regrade:
-    """Grades one student again after an earlier run has graded the class.
+    """Grades one student again, after an earlier run has graded the class.
+
+    Everything else must be as it was for the class, so that the grades can be compared.
 
     Raises:
         ValueError: The folder contains no earlier run, or the student did not hand anything in.
@@ -50,10 +53,10 @@ class Regrade:
 
     @property
     def before(self) -> StudentReport | None:
-        """The student's report before the regrade, or None if there was no report.
+        """The student's report before this regrade, or None if there is no report.
 
-        If an earlier regrade was killed before it wrote the log, this is the report from before the
-        earlier regrade.
+        If an earlier regrade was killed before it could write the log, this is the report from
+        before that regrade, so that no change is lost.
         """
         kept = read_result(self.kept)
         if kept and any(report.seed == kept.seed for report in self.reports):
@@ -64,7 +67,7 @@ class Regrade:
         """Return the seed with which the class was graded.
 
         Raises:
-            ValueError: A different seed was requested, or the class was graded with several seeds.
+            ValueError: Another seed was asked for, or the class was graded with several seeds.
         """
         seeds = sorted({report.seed for report in self.reports if report.student != self.student})
         seeds = seeds or [report.seed for report in self.reports]
@@ -76,7 +79,7 @@ class Regrade:
         return seeds[0]
 
     def prepare(self, run: ClassRun) -> list[Submission]:
-        """Set up ``run`` so that it grades the student again. Return the student's submission.
+        """Set up a run that grades the student again, and return the student's submission.
 
         Raises:
             ValueError: The exercises or the checks differ from those of the class.
@@ -109,7 +112,7 @@ class Regrade:
     def finish(
         self, graded: Sequence[StudentReport], why: str, console: Console
     ) -> list[StudentReport]:
-        """Log the changes, and return the reports of the whole class."""
+        """Log what has changed, and return the reports of the whole class."""
         (report,) = graded
         console.print(self._log(report, why), markup=False)
         self.kept.unlink(missing_ok=True)
@@ -117,13 +120,13 @@ class Regrade:
         return sorted([*others, report], key=lambda one: one.student)
 
     def _differing(self, key: RunKey) -> list[str]:
-        """Return the names of the conditions that differ between ``key`` and the class's run."""
+        """Return which conditions have changed since the class was graded."""
         others = [report.run for report in self.reports if report.run]
         names = [field.name for field in fields(RunKey) if field.name != "seed"]
         return [n for n in names if any(getattr(one, n) != getattr(key, n) for one in others)]
 
     def _log(self, report: StudentReport, why: str) -> str:
-        """Add a row to regrades.csv, and return a sentence that describes what has changed."""
+        """Add a row to regrades.csv, and return a sentence that says what has changed."""
         before, after = _points(self.before), _points(report)
         changes = "; ".join(_changes(self.before, report))
         path = self.out / LOG
@@ -140,7 +143,7 @@ class Regrade:
 
 
 def earlier_choice(out: Path) -> tuple[str, str]:
-    """Return the chapters and the given chapters of an earlier run as command-line arguments.
+    """Return the chapters and the given chapters of an earlier run, as options to type.
 
     Raises:
         ValueError: There is no earlier run.

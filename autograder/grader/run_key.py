@@ -1,6 +1,6 @@
-"""Describe the conditions that must not change if a report is to remain valid.
+"""Describe the conditions of grading, such as the checks and the seed.
 
-Examples are the checks and the seed.
+As long as they stay the same, a report remains valid and need not be made again.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from autograder.reports.report import RunKey
 
 
 def run_key(assignment: Assignment) -> RunKey:
-    """Return the conditions that must not change if a report is to remain valid.
+    """Return everything that a report depends on, except for the submission itself.
 
-    The submission itself is not one of them.
+    If one of these conditions changes, the report is no longer valid.
     """
     root = assignment.root
     names = [chapter.name for chapter in load_chapters(root)]

@@ -1,4 +1,4 @@
-"""Import modules from compiled code, so that the workers do not have to compile it again."""
+"""Import modules from compiled code, so that not every worker has to compile them again."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from types import CodeType, ModuleType
 
 
 class CompiledLoader(SourceFileLoader):
-    """Loads a module from compiled code in memory, in the same way as Python's own loader."""
+    """Loads a module from compiled code in memory, just as Python's own loader would."""
 
     def __init__(self, name: str, path: str, code: CodeType) -> None:
         super().__init__(name, path)
@@ -21,10 +21,10 @@ class CompiledLoader(SourceFileLoader):
 
 
 class CompiledFinder:
-    """Finds the modules of the engine and of the probes that have been compiled.
+    """Finds modules of the engine and the probes whose code we have already compiled.
 
-    ``compiled`` maps the name of each module to its marshaled code. The code runs only when a
-    worker imports the module, so unmarshaling it is safe.
+    ``compiled`` holds the marshaled code of each module. We can unmarshal it safely, because
+    nothing in it runs until a worker imports the module.
     """
 
     def __init__(self, compiled: Mapping[str, bytes]) -> None:

@@ -1,8 +1,9 @@
-"""Provide handles, through which checks use a student's objects in a worker process.
+"""A handle lets a check use a student's object that lives in a worker process.
 
-Using a handle sends a request to the worker. A handle cannot be compared, converted or tested for
-truth, because the result would come from the student's code. A check must read plain numbers and
-compare them itself. An object whose ``__eq__`` always returns True therefore has no advantage.
+Whatever a check does with a handle becomes a request to the worker. A check cannot compare a
+handle, convert it or use it as a truth value, because the student's code would then decide the
+result. It has to read plain numbers and compare them itself. That way an object whose ``__eq__``
+always returns True gains nothing.
 """
 
 from __future__ import annotations
@@ -24,13 +25,13 @@ BROKEN = "the code broke the protocol between its process and the checks"
 
 
 class WorkerFailure(CheckEnded):
-    """Raised when the worker has ended or has sent invalid data."""
+    """Raised when the worker has ended or has sent something invalid."""
 
 
 class Session:
-    """The communication with one worker, from its start to its end.
+    """The conversation with one worker process, from its start to its end.
 
-    ``broken`` maps each module that cannot be imported to the reason.
+    ``broken`` lists the modules that cannot be imported, each with the reason.
     """
 
     def __init__(
@@ -48,15 +49,15 @@ class Session:
         self.how_it_ended = how_it_ended
         self.broken = broken or {}
         self.patience = patience
-        self.dead = Message()  # once the worker is gone, this is the reason
+        self.dead = Message()  # once the worker is gone, this message says why
         self._last = 0
         self._callbacks: list[Callable[..., Any]] = []
 
     def ask(self, what: str, *operands: Any) -> Any:
-        """Send a request to the worker, and return its answer.
+        """Send a request to the worker process, and return its answer.
 
-        If the student's code raises an Exception, this method raises the nearest built-in
-        exception.
+        If the student's code raises an Exception, this method raises the nearest built-in one, so
+        that the check can handle it like any other error.
 
         Raises:
             StudentLeft: The student's code raised something that is not an Exception.
@@ -73,7 +74,7 @@ class Session:
             self._fail(Message(f"{BROKEN}: {error}"))
 
     def _exchange(self, message: dict[str, Any]) -> dict[str, Any]:
-        """Send a request, handle the callbacks that it causes, and return the reply."""
+        """Send a request, answer the callbacks that it causes, and return the reply."""
         try:
             self.wire.send(message, self.deadline)
             while "callback" in (reply := self._receive()):
@@ -88,7 +89,10 @@ class Session:
         return reply
 
     def _receive(self) -> dict[str, Any]:
-        """Return the worker's next message, and wait longer if the machine was busy.
+        """Return the next message from the worker process.
+
+        If the worker did not get enough processor time because the machine was busy, wait once
+        more.
 
         Raises:
             TimeoutError: There is no message in time.
@@ -113,7 +117,7 @@ class Session:
         raise exception_of(reply.get("raised"))
 
     def _explain_missing(self, data: Any) -> Message:
-        """Create the message for a check that uses a missing name."""
+        """Build the message for a check that uses a name which does not exist."""
         if type(data) is not list or len(data) != 4:
             raise BrokenProtocolError("a missing name in an unknown form")
         module, name, near = (text_of_worker(part, 100) for part in data[:3])
@@ -121,10 +125,10 @@ class Session:
         return why or MissingName(module, name, near, data[3] is True).explain()
 
     def _call_back(self, message: dict[str, Any]) -> dict[str, Any]:
-        """Call a function of the check on behalf of the worker.
+        """Call one of the check's functions, because the student's code wants to use it.
 
-        If the function raises an Exception, the exception is sent to the worker. Any other kind of
-        exception ends the session.
+        If the function raises an Exception, we send it to the worker. Anything else that it raises
+        ends the session.
         """
         number = message["callback"]
         if type(number) is not int or not 0 <= number < len(self._callbacks):
@@ -179,7 +183,7 @@ class Handle:
         return self._session().ask("get", self, name)
 
     def get_together(self, names: list[str]) -> tuple[Any, ...]:
-        """Return the values of several attributes with a single request."""
+        """Return the values of several attributes at once, since each request takes time."""
         values = self._session().ask("get_together", self, names)
         if type(values) is not tuple or len(values) != len(names):
             raise WorkerFailure(Message(f"{BROKEN}: attributes that are not valid"))
@@ -254,7 +258,7 @@ setattr(Handle, "__hash__", object.__hash__)  # noqa: B010
 
 
 class ObjectHandle(Handle):
-    """A handle for an object that the worker returned in this session."""
+    """A handle for an object that the worker has returned in this session."""
 
     __slots__ = ("_number", "_of", "_type_name")
 

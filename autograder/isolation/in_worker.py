@@ -1,8 +1,8 @@
-"""Run the checks in this process, and the student's code in a new worker for each check.
+"""Run the checks in this process, and the student's code in a new worker process for each check.
 
-When a check file imports a chapter, it receives placeholders for the names in the chapter. When a
-check uses such a name, the placeholder sends a request to the current worker. The check files
-therefore have to be imported only once, although every check has its own worker.
+When a check file imports a chapter, it gets placeholders instead of the student's functions and
+classes. As soon as a check uses one of them, the placeholder sends a request to the current worker.
+That is why we have to import the check files only once, although every check has its own worker.
 """
 
 from __future__ import annotations
@@ -33,12 +33,12 @@ from autograder.isolation.sandbox import Level
 from autograder.isolation.template import Template
 from autograder.message import Message
 
-LARGE = 50_000  # bytes; a larger file is compiled in a new worker, with that worker's full time
+LARGE = 50_000  # bytes; a larger file is compiled in a new worker, which has all of its time left
 CHAPTER_MODULE = re.compile(r"ch\d\d_\w+(\.\w+)?")
 
 
 class InWorker:
-    """The student's modules, which are imported separately in the worker of each check."""
+    """Runs the student's modules in workers, each of which imports them again."""
 
     session: Session | None = None
 
@@ -70,7 +70,7 @@ class InWorker:
         self.broken: dict[str, Message] = {}
 
     def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
-        """Provide placeholders for names when the checks import chapters.
+        """Give placeholders to the checks when they import chapters.
 
         The student's modules are imported later, in the workers.
         """
@@ -81,7 +81,7 @@ class InWorker:
         self.send = send
 
     def after_collection(self) -> None:
-        """Find out which modules can be imported, so that checks skip the broken modules."""
+        """Find out which modules can be imported, so that the checks do not use the others."""
         compiled: dict[str, bytes] = {}
         for module, file in self._files().items():
             if module not in self.broken and (code := self._code_of(module, file)):
@@ -94,7 +94,7 @@ class InWorker:
         self.stop()
 
     def _files(self) -> dict[str, Path]:
-        """Return the paths of the modules that the chapter's checks may need."""
+        """Return the paths of all modules that the checks of this chapter may need."""
         packages = {module.partition(".")[0] for module in self.modules}
         found: dict[str, Path] = {}
         for folder in [*self.engine, self.probes]:
@@ -104,7 +104,7 @@ class InWorker:
         return found
 
     def _code_of(self, module: str, file: Path) -> bytes | None:
-        """Return the compiled code of ``file``. An earlier run may have saved it."""
+        """Return the compiled code of a file, and compile the file only if no earlier run did."""
         text = f"{file}\n".encode() + file.read_bytes()
         kept = self.compiled / hashlib.sha256(text).hexdigest()
         if kept.exists():
@@ -117,10 +117,7 @@ class InWorker:
         return code
 
     def _compile(self, module: str, file: Path) -> bytes | None:
-        """Compile ``file`` once for all workers.
-
-        This is done by a worker that has run no student code.
-        """
+        """Compile a file once for all workers, in a worker that has not run any student's code."""
         if module in self.modules:
             self.send(Importing(module))
         code = None
@@ -148,7 +145,7 @@ class InWorker:
         self.stop()  # the next worker starts with this module marked as broken
 
     def definitions(self, file: Path) -> set[str] | None:
-        """Return the names that ``file`` defines, or None if the worker cannot determine them."""
+        """Return the names that a file defines, or None if the worker cannot tell us."""
         if self.session is None or self.session.dead:
             return None
         try:
@@ -159,9 +156,9 @@ class InWorker:
         return {name for name in names if type(name) is str} or None
 
     def _worker(self, new: bool = False) -> Session:
-        """Return the session of the current worker, with its full time limit.
+        """Return the session with the current worker, and give this worker its full time again.
 
-        If ``new`` is set or there is no usable worker, start a new worker.
+        If ``new`` is set, or if the current worker is gone, start another one first.
         """
         if new or self.session is None or self.session.dead:
             self.start()
@@ -170,7 +167,7 @@ class InWorker:
         return self.session
 
     def start(self) -> None:
-        """Start the worker for a check.
+        """Start a worker process for a check.
 
         Raises:
             TemplateError: The worker did not start.
@@ -180,7 +177,7 @@ class InWorker:
             self.session.ask("begin", list(self.broken))
 
     def stop(self) -> str:
-        """End the worker, and return what it has printed."""
+        """End the worker process, and return what the student's code has printed in it."""
         printed = self.template.printed() if self.session else ""
         self.session = None
         self.template.stop_worker()
@@ -215,7 +212,7 @@ class Name(Handle):
 
 
 class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
-    """Handles imports of chapters: chNN_name is a package, and its modules contain names."""
+    """Handles imports of chapters: chNN_name is a package, and its modules contain placeholders."""
 
     def __init__(self, workers: InWorker) -> None:
         self.workers = workers
@@ -240,7 +237,7 @@ class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
 
 
 class ChapterModule(ModuleType):
-    """A module that contains placeholders during collection, and the objects during a check."""
+    """A module with placeholders while the checks are collected, and real objects in a check."""
 
     def __init__(self, workers: InWorker, name: str) -> None:
         super().__init__(name)
@@ -255,7 +252,7 @@ class ChapterModule(ModuleType):
 
 
 def _exit_with_parent() -> None:
-    """Exit when standard input is closed, because this means that the runner has ended."""
+    """Exit as soon as standard input is closed, because that means the runner has ended."""
     while os.read(0, 1024):
         pass
     os._exit(1)

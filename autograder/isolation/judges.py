@@ -1,9 +1,9 @@
-"""Start check processes quickly, by forking them from a process that has already imported pytest.
+"""Start check processes quickly, by forking them from one that has already imported pytest.
 
-A process that runs checks is called a judge. One process imports pytest and then waits for orders.
-It forks a judge for each run of checks, so the judges do not have to import pytest themselves. The
-waiting process never runs a check and never sees a submission. It ends when the grader ends. A
-forked judge behaves like a judge that was started as a new Python process.
+We call a process that runs checks a judge. Importing pytest takes a while, so we do not want every
+judge to do it. Instead, one process imports pytest and then waits for orders. For each run of
+checks it forks a judge, which behaves like one that was started as a new Python process. The
+waiting process itself never runs a check and never sees a submission. It ends when the grader ends.
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ from pathlib import Path
 from typing import IO, Any
 
 _lock = threading.Lock()
-_waiting: dict[int, Judges] = {}  # keyed by the process number of the grader that uses it
+_waiting: dict[int, Judges] = {}  # the key is the process number of the grader that uses it
 
 Order = dict[str, Any]
 
 
 class Judges:
-    """The process that waits for orders and forks a judge for each of them."""
+    """The process that waits for orders, and that forks a judge for each of them."""
 
     def __init__(self, environment: dict[str, str]) -> None:
         self._control, theirs = socket.socketpair()
@@ -42,10 +42,10 @@ class Judges:
             )
 
     def ask(self, order: Order, descriptors: list[int]) -> int:
-        """Send ``order`` and the open files in ``descriptors``. Return the number in the answer.
+        """Send an order to the waiting process, together with some open files.
 
-        The number is the process number of a new judge. If the order was to wait for a judge, it is
-        the judge's exit code.
+        The answer is a number, which is normally the process number of the new judge. If the order
+        was to wait for a judge, it is the judge's exit code.
         """
         data = json.dumps(order).encode() + b"\n"
         sent = socket.send_fds(self._control, [data], descriptors)
@@ -60,7 +60,7 @@ class Judges:
 
 
 class ForkedJudge:
-    """A forked judge. It has the part of Popen's interface that the runner needs.
+    """A forked judge, which the runner can use like a Popen object.
 
     Raises:
         OSError: The waiting process cannot start a judge.
@@ -86,7 +86,7 @@ class ForkedJudge:
 
 
 def _ask(order: Order, descriptors: list[int]) -> int:
-    """Send ``order`` to the waiting process. If this process does not exist, start it first."""
+    """Send an order to the waiting process, and start this process first if there is none."""
     own = os.getpid()
     with _lock:
         if own not in _waiting:
@@ -136,9 +136,10 @@ def main() -> None:
 
 
 def _become(order: Order, descriptors: list[int]) -> None:
-    """Change this process, so that it looks as if it had been started for ``order``.
+    """Turn this forked process into one that looks as if it had been started for ``order``.
 
-    It gets the folder in ``order`` and the streams in ``descriptors``.
+    It gets the folder and the environment of the order, and ``descriptors`` become its input, its
+    output and its error stream.
     """
     os.setpgid(0, 0)
     for new, old in enumerate(descriptors):

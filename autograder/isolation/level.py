@@ -1,4 +1,4 @@
-"""Choose the sandbox for this machine, and refuse to grade a class if there is none."""
+"""Choose the sandbox for this machine. If there is none, refuse to grade a class."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ SAMPLE_CLASS = ROOT / "sample_class"
 
 
 def choose_level(folder: Path, *, unsafe: bool) -> Level:
-    """Return the strongest sandbox level that works on this machine.
+    """Return the strongest sandbox that works on this machine.
 
     Raises:
         ValueError: No sandbox works, and ``unsafe`` does not permit grading without a sandbox.

@@ -1,4 +1,4 @@
-"""Find out which layers of the sandbox work on this machine, by trying forbidden operations."""
+"""Find out which layers of the sandbox work on this machine, by trying what they should prevent."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ HELD_BY_BUBBLEWRAP = ("reading a file", "writing a file", "reaching the network"
 
 
 def best_level() -> Level:
-    """Return the strongest sandbox level that prevents every forbidden operation."""
+    """Return the strongest sandbox that prevents all of the forbidden operations."""
     return next((level for level in candidates() if not what_fails(level)), Level())
 
 
 def candidates() -> list[Level]:
-    """Return the levels that may work on this machine, beginning with the strongest."""
+    """Return the kinds of sandbox that may work on this machine, beginning with the strongest."""
     inside = Level(landlock=landlock_version() > 0, seccomp=seccomp_works_here())
     around = Level(inside.landlock, inside.seccomp, bubblewrap=True)
     found = [around, inside] if shutil.which("bwrap") else [inside]
@@ -31,10 +31,10 @@ def candidates() -> list[Level]:
 
 
 def what_fails(level: Level) -> str:
-    """Try ``level``, and return the forbidden operations that it does not prevent.
+    """Try a sandbox, and say which forbidden operations it fails to prevent.
 
-    If the level cannot be tried, return the reason. If the level prevents every forbidden
-    operation, return an empty string.
+    If it cannot even be started, return the reason. If it prevents everything that it should,
+    return an empty string.
     """
     attempts = [
         *(HELD_BY_LANDLOCK if level.landlock else ()),

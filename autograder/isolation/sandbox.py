@@ -1,9 +1,10 @@
-"""Restrict a worker: Landlock and seccomp act from the inside, bubblewrap from the outside.
+"""Restrict what a worker can do, because it runs a student's code that we do not trust.
 
-Landlock lets the worker read a few folders and write nothing. The seccomp filter allows only the
-system calls that computations need, so the worker cannot create processes, open sockets, or send
-signals to other processes. Resource limits restrict its memory, its processor time and its files.
-All restrictions are in place before any of the student's code is loaded.
+Several mechanisms of Linux work together. Landlock lets the worker read a few folders and write
+nothing. A seccomp filter allows only those system calls that a computation needs, so the worker
+cannot create processes, open sockets, or send signals to other processes. Where bubblewrap is
+available, it adds a wall around the whole process. Resource limits restrict memory, processor time
+and files. All of this is in place before any of the student's code is loaded.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ class SandboxError(Exception):
 
 @dataclass(frozen=True)
 class Level:
-    """The layers of a sandbox around a worker."""
+    """The layers of the sandbox in which a student's code runs."""
 
     landlock: bool = False
     seccomp: bool = False
@@ -40,7 +41,7 @@ class Level:
 
     @property
     def is_sandbox(self) -> bool:
-        """Whether these layers are enough to confine a hostile submission."""
+        """Whether these layers are enough to hold even a hostile submission."""
         return (self.landlock and self.seccomp) or self.bubblewrap
 
     def __str__(self) -> str:
@@ -67,16 +68,16 @@ _RIGHTS_NOW = 16
 
 
 def landlock_version() -> int:
-    """Return the version of Landlock that the kernel supports, or 0 if it supports none."""
+    """Return the version of Landlock that the kernel supports, or 0 if it has no Landlock."""
     if sys.platform != "linux":
         return 0
     return max(0, int(_libc.syscall(_CREATE_RULESET, None, ctypes.c_size_t(0), 1)))
 
 
 def landlock_rules(readable: Sequence[str]) -> int:
-    """Create Landlock rules that allow reading only the files and folders in ``readable``.
+    """Create rules for Landlock that let a worker read these files and folders, and nothing else.
 
-    Return the file descriptor of the rules.
+    The result is the file descriptor of the rules.
 
     Raises:
         SandboxError: The kernel does not accept the rules.
@@ -108,8 +109,8 @@ _ARCH_X86_64 = 0xC000003E
 _LOAD, _EQUAL, _AT_LEAST, _RETURN = 0x20, 0x15, 0x35, 0x06
 _ALLOW, _KILL, _REFUSE = 0x7FFF0000, 0x80000000, 0x00050000 | errno.EPERM
 _FIRST_X32 = 0x40000000
-# The system calls of x86-64 that Python needs to compute, import and read its files. The most
-# frequent ones come first, since the kernel searches the list at each call.
+# Python needs these system calls of x86-64 to compute, to import and to read its files. The kernel
+# searches the list at each call, so the most frequent ones come first.
 _ALLOWED = {
     "read write mmap munmap brk mprotect madvise mremap": (0, 1, 9, 11, 12, 10, 28, 25),
     "newfstatat openat close fstat lseek stat lstat": (262, 257, 3, 5, 8, 4, 6),
@@ -126,7 +127,7 @@ _ALLOWED = {
 
 
 def seccomp_filter() -> bytes:
-    """Create a filter that allows only listed system calls. All others fail with EPERM."""
+    """Create a filter that allows only the listed system calls. All others fail with EPERM."""
     numbers = [number for group in _ALLOWED.values() for number in group]
     program = [
         (_LOAD, 0, 0, 4),  # the architecture
@@ -142,7 +143,7 @@ def seccomp_filter() -> bytes:
 
 
 class Filter:
-    """The filter program in the form that the kernel expects. All workers share one object."""
+    """The seccomp filter in the form that the kernel expects. All workers share one object."""
 
     def __init__(self) -> None:
         code = seccomp_filter()
@@ -152,7 +153,7 @@ class Filter:
 
 
 def seccomp_works_here() -> bool:
-    """Return whether the filter was written for this machine's architecture."""
+    """Return whether this machine has the processor architecture that our filter is written for."""
     return sys.platform == "linux" and os.uname().machine == "x86_64" and sys.maxsize > 1 << 32
 
 
@@ -171,7 +172,7 @@ _LIMITS = {
 
 
 def confine(level: Level, rules: int | None) -> None:
-    """Restrict a template permanently. Its workers inherit the restrictions.
+    """Restrict a template process for good. All of its workers inherit the restrictions.
 
     ``rules`` is the descriptor from ``landlock_rules``.
 
@@ -193,10 +194,10 @@ def confine(level: Level, rules: int | None) -> None:
 
 
 def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
-    """Permanently remove the rights of a worker to fork and to send signals.
+    """Take away a worker's right to fork and to send signals, and never give it back.
 
-    Only the template needs these rights. ``seconds`` limits the processor time that the worker may
-    use from now on.
+    Only the template needs these rights. ``seconds`` is how much processor time the worker may use
+    from now on.
 
     Raises:
         SandboxError: A layer cannot be set up.
@@ -218,7 +219,7 @@ def _apply(rules: int) -> None:
 
 
 def _lower(kind: int, soft: int, hard: int) -> None:
-    """Set a resource limit, unless the current limit is already lower."""
+    """Set a resource limit, unless it is already lower than that."""
     _, there = resource.getrlimit(kind)
     if there != resource.RLIM_INFINITY:
         soft, hard = min(soft, there), min(hard, there)
@@ -226,10 +227,11 @@ def _lower(kind: int, soft: int, hard: int) -> None:
 
 
 def drop_privileges() -> None:
-    """Switch to an unprivileged user if this process runs as root.
+    """If this process runs as root, switch to a user without privileges.
 
-    Python may be installed in a folder that only root can read, such as /root. For this reason, the
-    process keeps the capability to read any file. Landlock still limits it to the listed folders.
+    One of root's rights must stay. Python may be installed in a folder that only root can read,
+    such as /root, so the process may still read any file. Landlock then limits that to the listed
+    folders.
     """
     if os.geteuid() != 0:
         return

@@ -34,7 +34,7 @@ _KNOWN = {getattr(builtins, name): name for name in KNOWN_ERRORS}
 
 
 class Server:
-    """Answers requests about the student's objects, which it identifies by numbers."""
+    """Answers the checks' requests about the student's objects, each of which has a number."""
 
     def __init__(self, wire: Wire, engine: list[Path]) -> None:
         self.wire = wire
@@ -43,13 +43,13 @@ class Server:
         self.numbers: dict[int, int] = {}
 
     def serve(self) -> None:
-        """Answer requests until the wire is closed."""
+        """Answer requests until the checks close the wire."""
         with contextlib.suppress(EOFError, BrokenPipeError):
             while True:
                 self.answer(self.wire.receive())
 
     def answer(self, request: dict[str, Any]) -> None:
-        """Carry out one request, and send its result."""
+        """Carry out one request, and send the result back."""
         reply: dict[str, Any] = {"id": request["id"]}
         try:
             operands = [unpack(operand, self.find) for operand in request["with"]]
@@ -64,8 +64,8 @@ class Server:
         self.wire.send(reply)
 
     def describe(self, error: BaseException) -> dict[str, Any]:
-        """Return a description of an exception as plain data."""
-        # Compare the classes: a student's class may have the name of a built-in one.
+        """Describe an exception as plain data, so that the checks can recreate it."""
+        # We compare classes and not names, since a student's class may be called ValueError.
         known = (_KNOWN.get(base) for base in type(error).__mro__)
         fault = fault_of(error, self.engine)
         return {
@@ -79,10 +79,10 @@ class Server:
         }
 
     def refer(self, value: Any) -> dict[str, Any]:
-        """Return a reference to ``value``. A new object gets a new number.
+        """Return a reference to an object, with a new number if we have not seen the object yet.
 
-        The server's list keeps the object alive, so that Python does not reuse its id for another
-        object.
+        The list of objects also keeps them alive. Otherwise Python could give the same id to
+        another object later.
         """
         number = self.numbers.setdefault(id(value), len(self.objects))
         if number == len(self.objects):
@@ -90,7 +90,7 @@ class Server:
         return {"object": number, "type": type(value).__name__[:100]}
 
     def find(self, data: dict[str, Any]) -> Any:
-        """Return the object that ``data`` identifies by a number, by a name, or as a callback."""
+        """Return the object that a reference stands for, or the function if it is a callback."""
         if "object" in data:
             return self.objects[data["object"]]
         if "callback" in data:
@@ -98,7 +98,7 @@ class Server:
         return self.do_name(*data["name"])
 
     def callback(self, number: int) -> Callable[..., Any]:
-        """Return a function that asks the process of the checks to call the function ``number``."""
+        """Return a function that asks the process of the checks to call its function ``number``."""
 
         def call(*arguments: Any) -> Any:
             packed = [pack(argument, self.refer) for argument in arguments]
@@ -117,14 +117,14 @@ class Server:
     # The requests. Each method's name is "do_" and the name of its request.
 
     def do_begin(self, broken: list[str]) -> None:
-        """Mark these modules as broken. The checks know the reasons."""
+        """Mark these modules as broken. Only the checks know why they are."""
         for module in broken:
             sys.modules[module] = broken_module(module, Message())
 
     def do_compile(self, file: str) -> str | None:
-        """Compile ``file`` and return the bytecode as text.
+        """Compile a file, and return its bytecode as text.
 
-        Return None if the file is not valid Python, or if the text would be too long.
+        If the file is not valid Python, or if the text would be too long to send, return None.
         """
         try:
             code = marshal.dumps(compile(Path(file).read_bytes(), file, "exec", dont_inherit=True))
@@ -133,7 +133,7 @@ class Server:
         return base64.b64encode(code).decode() if len(code) < LONGEST_LINE // 2 else None
 
     def do_definitions(self, file: str) -> list[str] | None:
-        """Return the names that ``file`` defines, or None if the file cannot be read."""
+        """Return the names that a file defines, or None if the file cannot be read."""
         found = read_definitions(Path(file))
         return None if found is None else sorted(found)
 
@@ -167,7 +167,7 @@ class Server:
         return iter(value)
 
     def do_next(self, iterator: Any) -> list[Any]:
-        """Return the next item of ``iterator`` in a list. At the end, return an empty list."""
+        """Return a list with the next item of an iterator, or an empty list at its end."""
         for item in iterator:
             return [item]
         return []
@@ -179,9 +179,9 @@ class Server:
         return str(repr(value))[:1000]
 
     def do_test_walls(self, what: list[str], forbidden: str) -> list[str]:
-        """Try the forbidden operations in ``what``, and return those that succeed.
+        """Try some forbidden operations, and return those that the sandbox did not prevent.
 
-        No student code has been loaded at this point.
+        At this point the worker has not loaded any student's code.
         """
         through = []
         for name in what:
@@ -192,7 +192,7 @@ class Server:
 
 
 def _imported(name: str) -> ModuleType:
-    """Import a module, and discard its output because it does not belong to any check."""
+    """Import a module, and discard its output, because it does not belong to any check."""
     if name in sys.modules:
         return sys.modules[name]
     nowhere = CappedText(lambda _: None)
@@ -220,6 +220,6 @@ ATTEMPTS: dict[str, Callable[[str], Any]] = {
 
 
 def _error(name: str, text: str) -> Exception:
-    """Create a built-in exception of type ``name``, which the student's code can catch."""
+    """Create a built-in exception with this name, so that the student's code can catch it."""
     kind = getattr(builtins, name) if name in KNOWN_ERRORS else Exception
     return kind(text)

@@ -33,7 +33,7 @@ SYSTEM_LIBRARIES = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/etc/ld.so.cach
 
 
 class TemplateError(GraderFault):
-    """Raised when a worker did not start for a reason outside the student's code."""
+    """Raised when a worker did not start, although the student's code is not to blame."""
 
 
 @dataclass
@@ -50,13 +50,12 @@ class _Worker:
 
 
 class Template:
-    """A process without student code that forks a worker for each check.
+    """A process without any student's code, which forks a worker for each check.
 
-    ``engine`` lists folders of chapters. A worker searches for a module in the standard library,
-    then in these folders, and then in the folder of the probes. ``folder`` is for temporary files.
-    ``seconds`` is the time that a worker has to answer. If ``fresh`` is set, each worker gets a new
-    template. This is slower, but without seccomp only a new template keeps one worker from
-    affecting the next.
+    A worker looks for a module in the standard library, then in the folders of ``engine``, and then
+    in the folder of the probes. ``folder`` is for temporary files, and ``seconds`` is how long a
+    worker may take to answer. If ``fresh`` is set, each worker gets a template of its own. That is
+    slower, but without seccomp it is the only way to keep one worker from affecting the next.
     """
 
     def __init__(
@@ -86,9 +85,9 @@ class Template:
     def start_worker(
         self, on_hang: Callable[[], NoReturn], broken: Mapping[str, Message] | None = None
     ) -> Session:
-        """Return a session with an unused worker. Then order the next worker in advance.
+        """Return a session with a worker that has not run anything, and order the next one.
 
-        ``broken`` maps each module that cannot be imported to the reason.
+        ``broken`` lists the modules that cannot be imported, each with the reason.
 
         Raises:
             TemplateError: The worker did not start.
@@ -116,7 +115,7 @@ class Template:
             self._next = self._order()
 
     def _order(self) -> _Worker:
-        """Order a worker. The template answers later with the worker's process number."""
+        """Ask the template for a worker. It will answer with the worker's process number."""
         assert self._control is not None
         own, theirs = socket.socketpair()
         worker = _Worker(own, self._new_file(), self._new_file())
@@ -126,7 +125,7 @@ class Template:
         return worker
 
     def _new_file(self) -> int:
-        """Return the descriptor of a new unnamed file, which is kept in memory if possible."""
+        """Create a file without a name, in memory if possible, and return its descriptor."""
         if hasattr(os, "memfd_create"):  # saves a tenth of the cost of a worker
             return os.memfd_create("output")
         descriptor, path = tempfile.mkstemp(dir=self._own)
@@ -134,7 +133,7 @@ class Template:
         return descriptor
 
     def _numbered_next(self) -> _Worker:
-        """Return the worker that was ordered in advance. Wait until its process number is known."""
+        """Return the worker that was ordered in advance, once we know its process number."""
         assert self._next is not None
         if not self._next.number:
             self._next.number = int(self._answer())
@@ -145,9 +144,9 @@ class Template:
         return self._answers.readline().strip()
 
     def hand_over(self, compiled: Mapping[str, bytes]) -> None:
-        """Give the compiled code of these modules to all workers that are started later.
+        """Give the compiled code of some modules to all workers that start from now on.
 
-        The code was marshaled by a worker.
+        A worker has compiled and marshaled this code.
         """
         self._compiled = dict(compiled)
         if self._process is not None:
@@ -173,13 +172,13 @@ class Template:
             self._control.send(b"stop %d\n" % worker.number)
 
     def printed(self) -> str:
-        """Return the worker's output. If there is no worker, return the template's output."""
+        """Return what the worker has printed. Without a worker, return the template's output."""
         log = self._log if self._worker is None else self._worker.log
         printed = os.pread(log, 8000, 0).replace(b"\0", b"")  # NUL fills gaps in the file
         return printed.decode("utf-8", errors="replace").strip()
 
     def stack(self) -> str:
-        """Return the worker's stack trace, in the format of Python's faulthandler."""
+        """Return the worker's stack trace, as Python's faulthandler writes it."""
         assert self._control is not None
         assert self._worker is not None
         self._control.send(b"stack %d\n" % self._worker.number)
@@ -191,7 +190,7 @@ class Template:
         return os.pread(self._worker.stack, 8000, 0).decode("utf-8", errors="replace")
 
     def how_it_ended(self) -> str:
-        """Return a sentence about how a worker ended, after the worker has closed its wire.
+        """Say in a sentence how a worker ended, after it has closed its wire.
 
         Raises:
             TemplateError: The worker was killed from outside, for example because the machine ran
@@ -216,7 +215,7 @@ class Template:
         return how_it_ended(code)
 
     def stop_worker(self) -> None:
-        """End the worker, if there is one."""
+        """End the current worker process, if there is one."""
         if self._worker is None:
             return
         worker, self._worker = self._worker, None
@@ -225,7 +224,7 @@ class Template:
             self._end()
 
     def close(self) -> None:
-        """End the worker and the template."""
+        """End the template process and its worker."""
         self.stop_worker()
         self._end()
         os.close(self._log)
@@ -283,7 +282,7 @@ class Template:
 
 
 def _python_folders() -> list[str]:
-    """Return the folders of the standard library and of the libraries that Python itself needs."""
+    """Return the folders of the standard library and the libraries that Python itself needs."""
     paths = {sysconfig.get_path("stdlib"), sysconfig.get_path("platstdlib")}
     if library := sysconfig.get_config_var("LIBDIR"):
         paths |= {str(path) for path in Path(library).glob("libpython*")}
@@ -291,7 +290,7 @@ def _python_folders() -> list[str]:
 
 
 def _bubblewrap(visible: Sequence[str]) -> list[str]:
-    """Return a command prefix that runs a program so that it sees only these paths, read-only."""
+    """Return the bubblewrap command for a program that may read these paths and nothing else."""
     program = shutil.which("bwrap") or "bwrap"
     command = [program, "--unshare-all", "--uid", "65534", "--gid", "65534", "--die-with-parent"]
     command += ["--cap-drop", "ALL", "--dev", "/dev", "--chdir", "/"]

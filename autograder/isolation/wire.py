@@ -1,8 +1,8 @@
-"""The wire between trusted checks and a worker. Each message is a JSON object on one line.
+"""The wire between the checks, which we trust, and a worker. Each message is one line of JSON.
 
-Values whose type is exactly None, bool, int, float, str, list, tuple or dict are sent unchanged.
-Any other object is replaced by a reference. Each end chooses the references to its own objects, and
-looks up the references that it receives.
+Plain data is sent as it is: a value whose type is exactly None, bool, int, float, str, list, tuple
+or dict. For any other object we send a reference instead. Each end makes up the references to its
+own objects, and looks them up again when the other end uses them.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from typing import Any
 
 LONGEST_LINE = 1_000_000  # bytes
 LONGEST_INT = 4096  # bits
-MOST_ITEMS = 20_000  # in one message
+MOST_ITEMS = 20_000  # a message may contain at most this many items
 DEEPEST = 20
-LARGEST_DICT = 1_000  # entries, because keys that were chosen to collide make a dict slow
+LARGEST_DICT = 1_000  # entries; keys that were chosen to collide could make a larger dict slow
 
-# Exceptions that are sent by name. For any other, its nearest base class in this list is sent.
+# We send these exceptions by name. For any other, we send its nearest base class in this list.
 _ERRORS = (
     "ArithmeticError AssertionError AttributeError BufferError EOFError Exception "
     "FloatingPointError ImportError IndexError KeyError LookupError MemoryError "
@@ -39,7 +39,7 @@ class BrokenProtocolError(Exception):
 
 
 class UnsendableError(Exception):
-    """Raised when a value is too large, or too deeply nested, to be sent."""
+    """Raised when a value is too large, or nested too deeply, to be sent."""
 
 
 COPIED = {float, bool, str, type(None)}  # types of values that are packed as they are
@@ -49,10 +49,10 @@ _DECODER = json.JSONDecoder()
 
 
 class Wire:
-    """One end of a socket pair.
+    """One end of the connection between the checks and a worker, which is a socket.
 
-    If ``patient`` is set, this end waits for the other end without a time limit. Otherwise it obeys
-    deadlines.
+    A worker's end is ``patient``, so it waits for the next request as long as it takes. The end of
+    the checks obeys deadlines, because the student's code may never answer.
     """
 
     def __init__(self, descriptor: int, *, patient: bool = False) -> None:
@@ -65,7 +65,7 @@ class Wire:
         self._writable.register(descriptor, select.POLLOUT)
 
     def send(self, message: dict[str, Any], deadline: float | None = None) -> None:
-        """Send a message.
+        """Send a message to the other end.
 
         Raises:
             TimeoutError: The deadline has passed.
@@ -79,7 +79,7 @@ class Wire:
                 self._wait(self._writable, deadline)
 
     def receive(self, deadline: float | None = None) -> dict[str, Any]:
-        """Return the next message.
+        """Return the next message from the other end.
 
         Raises:
             TimeoutError: The deadline has passed.
@@ -113,7 +113,7 @@ class Wire:
 
 
 def _message(line: bytes) -> dict[str, Any]:
-    """Return the message that a line contains."""
+    """Decode the message in a line that the other end has sent."""
     try:
         text = line.decode()
         message, end = _DECODER.raw_decode(text)
@@ -127,9 +127,9 @@ def _message(line: bytes) -> dict[str, Any]:
 
 
 def pack(value: Any, refer: Refer) -> Any:
-    """Convert ``value`` to the form that it has in a message.
+    """Convert a value to the form in which it can be sent.
 
-    ``refer`` is called for an object that is not plain data, and returns a reference to it.
+    For every object that is not plain data, ``refer`` is called to get a reference to it.
 
     Raises:
         UnsendableError: The value is too large or too deeply nested.
@@ -162,9 +162,9 @@ def _pack(value: Any, refer: Refer, left: list[int], depth: int) -> Any:
 
 
 def unpack(data: Any, find: Find) -> Any:
-    """Convert ``data`` from a message back to a value.
+    """Convert the data in a message back to the value that was sent.
 
-    ``find`` is called with a reference, and returns the object.
+    For every reference in the data, ``find`` is called to get the object.
 
     Raises:
         BrokenProtocolError: The data does not have the form that ``pack`` produces.

@@ -1,15 +1,15 @@
 """Run the student's code in worker processes.
 
-The program starts as a template, a process without student code. The template waits for orders on a
-control socket:
+The program starts as a template, which does not contain any student's code. It waits for orders on
+a control socket:
 
-- "code" provides the compiled code of modules. The template loads the code but never runs it.
+- "code" brings the compiled code of some modules. The template loads it but never runs it.
 - "start" forks a worker, which enters the sandbox before it imports the submission.
 - "stack" makes a worker write a stack trace.
 - "status" asks how a worker ended.
 - "stop" ends a worker.
 
-The template is trusted. A worker is no longer trusted once it has imported student code.
+We trust the template. We no longer trust a worker once it has imported the student's code.
 """
 
 from __future__ import annotations
@@ -39,19 +39,19 @@ from autograder.isolation.compiled import CompiledFinder
 from autograder.isolation.server import Server
 from autograder.isolation.wire import Wire
 
-# Modules that engines often import. The template imports them once for all workers.
+# Engines often import these modules, so the template imports them once for all workers.
 PRELOADED = "__future__ math random dataclasses typing collections.abc functools itertools enum "
 PRELOADED += "copy heapq"
 
-# The descriptors of each worker, besides 1 and 2 for its output. They are below the limit of 32.
+# A worker has these descriptors, besides 1 and 2 for its output. The limit is 32.
 RULES, WIRE, STACK = 29, 30, 31
 
 
 def main(text: str) -> None:
-    """Run the template: fork a worker for each "start" until the control socket is closed."""
+    """Run the template, which forks workers on request until the control socket is closed."""
     config = json.loads(text)
-    # Its number depends on the runner's open files. A low one is none of the numbers above, and
-    # workers close it.
+    # The number of this descriptor depends on the files that the runner has open. We replace it by
+    # a low one, because that cannot be one of the numbers above, and because workers close it.
     control = socket.socket(fileno=os.dup(config["control"]))
     os.close(config["control"])
     sys.argv[:], sys.orig_argv[:] = [""], []  # these reveal where files are
@@ -63,7 +63,7 @@ def main(text: str) -> None:
     for name in PRELOADED.split() if config["preload"] else ():
         importlib.import_module(name)
     for folder in sorted({path.name for f in config["folders"] for path in Path(f).glob("ch??_*")}):
-        importlib.import_module(folder)  # has no code; Python then knows its place
+        importlib.import_module(folder)  # it has no code, but Python then remembers where it is
         importlib.util.find_spec(f"{folder}.nothing")
     if level.landlock:
         os.dup2(sandbox.landlock_rules(config["readable"]), RULES)
@@ -86,9 +86,9 @@ def main(text: str) -> None:
 def _obey(
     control: socket.socket, work: Callable[..., None], seconds: float, workers: set[int]
 ) -> None:
-    """Carry out the orders from ``control`` until the socket is closed.
+    """Carry out the orders that arrive, such as "start", until the control socket is closed.
 
-    ``workers`` contains the process numbers of the running workers and is kept up to date.
+    ``workers`` always contains the process numbers of the workers that are running.
     """
     while True:
         orders, descriptors, _, _ = socket.recv_fds(control, 1024, 3)
@@ -120,9 +120,9 @@ def _obey(
 
 
 def _kill(worker: int) -> None:
-    """Kill ``worker``.
+    """Kill a worker, together with any processes that it has started.
 
-    Without a sandbox, the worker may have started other processes. These are killed too.
+    It can only have started some if there is no sandbox.
     """
     for kill in (os.killpg, os.kill):
         with contextlib.suppress(ProcessLookupError):  # it may not have its own group yet
@@ -131,9 +131,9 @@ def _kill(worker: int) -> None:
 
 
 def _exit_code(worker: int, seconds: float) -> int | None:
-    """Return the exit code of ``worker``, which has closed its wire. It is negative for a signal.
+    """Return the exit code of a worker that has closed its wire, or minus the signal that ended it.
 
-    If the worker does not end within ``seconds``, kill it and return None.
+    If the worker does not end within a second, kill it and return None.
     """
     for _ in range(100):
         ended, status, used = os.wait4(worker, os.WNOHANG)
@@ -155,10 +155,10 @@ def _work(
     log: int,
     stack: int,
 ) -> None:
-    """Run a worker: enter the sandbox, report that it is ready, and serve until the wire is closed.
+    """Run a worker: enter the sandbox, say that it is ready, and serve until the wire is closed.
 
-    Printed output goes to ``log``, and a requested stack trace goes to ``stack``. Every worker has
-    two files of its own, so its output cannot be mistaken for that of another worker.
+    What the student's code prints goes to ``log``, and a stack trace goes to ``stack``. Every
+    worker has its own two files, so that nobody can mistake its output for that of another one.
     """
     try:
         os.setsid()

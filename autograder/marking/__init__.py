@@ -1,1 +1,1 @@
-"""Mark written answers on a local page, one question at a time."""
+"""Mark written answers on a web page on your own machine, one question at a time."""

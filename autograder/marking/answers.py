@@ -1,6 +1,6 @@
-"""Extract the written answers from the submissions of a class.
+"""Take the written answers out of a class's submissions, so that somebody can mark them.
 
-The submissions are copied and checked in the same way as for grading.
+We copy and check the submissions just as we do for grading.
 """
 
 from __future__ import annotations
@@ -18,15 +18,15 @@ from autograder.student.written import flowing
 from autograder.submissions.find import Submission
 from autograder.submissions.stage import stage
 
-LONGEST = 20_000  # characters of one answer on the page
+LONGEST = 20_000  # the page shows at most this many characters of an answer
 
 
 @dataclass(frozen=True)
 class Answer:
-    """A student's answer to a question.
+    """One student's answer to a question.
 
-    ``code`` identifies the student on the page without revealing the name. ``note`` describes a
-    problem with the student's file. If there is a problem, ``text`` contains the whole file.
+    The page shows ``code`` instead of the student's name. If something is wrong with the student's
+    file, ``note`` says what, and ``text`` then contains the whole file.
     """
 
     student: str
@@ -37,7 +37,7 @@ class Answer:
 
 @dataclass(frozen=True)
 class Task:
-    """A written exercise with its question, model answer and rubric, and the students' answers."""
+    """A written exercise to mark, with its model answer and rubric and the students' answers."""
 
     exercise: Exercise
     question: str
@@ -49,10 +49,10 @@ class Task:
 def collect_tasks(
     submissions: list[Submission], chapters: list[Chapter], root: Path = ROOT
 ) -> list[Task]:
-    """Return the written exercises of ``chapters`` with the answers of all students.
+    """Return the written exercises of some chapters, with the answers of all students.
 
-    The order of the answers does not change between calls and does not depend on the students'
-    names. Missing answers come last.
+    Nobody should be able to guess from the order who wrote an answer, so it does not depend on the
+    names. It is the same at every call, and missing answers come last.
     """
     answers: dict[str, list[Answer]] = {}
     for submission in submissions:
@@ -73,7 +73,7 @@ def collect_tasks(
 def _answers_of(
     submission: Submission, chapters: list[Chapter], root: Path
 ) -> Iterator[tuple[str, Answer]]:
-    """Yield the student's answer to each question. If an answer is missing, its text is empty."""
+    """Yield the student's answer to each question. If it is missing, its text is empty."""
     wanted = [_answers_alone(chapter) for chapter in chapters if _written(chapter)]
     with tempfile.TemporaryDirectory(prefix="marking-") as folder:
         staged = stage(submission.path, wanted, Path(folder), root)
@@ -87,9 +87,10 @@ def _answers_of(
 
 
 def _text_of(question: Question, file: Path) -> tuple[str, str]:
-    """Return the text of an answer, and a note about any problem with the file.
+    """Return the text of an answer, and a note if something is wrong with the student's file.
 
-    If the answer is not in its section, the text is the whole file.
+    If we do not find the answer in its section, we return the whole file, since the answer may be
+    somewhere else in it.
     """
     if not file.exists():
         return "", ""
@@ -108,7 +109,7 @@ def _written(chapter: Chapter) -> list[Exercise]:
 
 
 def _answers_alone(chapter: Chapter) -> Chapter:
-    """Return a copy of ``chapter`` in which students hand in only the file with the answers."""
+    """Return a copy of the chapter in which answers.md is the only file that students hand in."""
     exercises = [replace(exercise, files=[]) for exercise in _written(chapter)]
     exercises[0] = replace(exercises[0], files=[FILE])
     return replace(chapter, complete=[], exercises=exercises)

@@ -1,4 +1,4 @@
-"""Change single marks in marks.csv, and keep everything else in the file unchanged."""
+"""Change single marks in marks.csv, and leave everything else in the file as it is."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from autograder.reports.texts import replace_file
 
 
 class ChangedError(Exception):
-    """Raised when a mark has been changed by somebody else since the page showed it."""
+    """Raised when somebody else has changed a mark since the page showed it."""
 
 
 class MarksFile:
-    """The marks.csv of a class. Several pages and several people may change it at the same time."""
+    """The marks.csv of a class, which several people may change at the same time."""
 
     def __init__(self, path: Path, chapters: list[Chapter], students: list[str]) -> None:
         self.path = path.resolve()  # the file itself, if the path is a link
@@ -27,13 +27,14 @@ class MarksFile:
         self.students = students
 
     def read(self) -> Marks:
-        """Read all marks. If a line is invalid, raise ValueError with the number of the line."""
+        """Read all marks. If a line is not valid, raise a ValueError that gives its number."""
         return read_marks(self.path, self.chapters, self.students)
 
     def change(self, student: str, exercise: str, mark: Mark | None, seen: Mark | None) -> None:
-        """Write ``mark`` into the file. If ``mark`` is None, remove the old mark.
+        """Write a mark into the file, or remove the old one if ``mark`` is None.
 
-        ``seen`` is the old mark that the page showed.
+        ``seen`` is the old mark that the page has shown. We compare it with the file, so that
+        nobody overwrites a mark without having seen it.
 
         Raises:
             ChangedError: The old mark in the file differs from ``seen``.
@@ -58,10 +59,7 @@ class MarksFile:
             replace_file(self.path, "".join(lines))
 
     def _lines(self) -> list[str]:
-        """Return the lines of the file with their line endings.
-
-        The line numbers are the same as those that ``read_rows`` reports.
-        """
+        """Return the lines of the file with their line endings, numbered as in ``read_rows``."""
         if not self.path.exists():
             return [",".join(HEADER) + "\n"]
         with self.path.open(encoding="utf-8", newline="") as file:

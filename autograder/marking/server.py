@@ -1,4 +1,4 @@
-"""Run the server of the marking page. It sends the questions and answers and stores the marks."""
+"""Run the server behind the marking page, which sends the answers and stores the marks."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ LOOK = Path(__file__).parent.parent / "reports" / "templates"
 
 
 class Marking(Site):
-    """The data that all request handlers share: the answers and the marks of the class."""
+    """The answers and the marks of a class, which all request handlers share."""
 
     def __init__(self, tasks: list[Task], marks: MarksFile) -> None:
         super().__init__()
@@ -36,7 +36,7 @@ class Marking(Site):
         }
 
     def application(self) -> Application:
-        """Return the tornado application."""
+        """Return the tornado application, with a handler for each address."""
         below, shared = f"/{self.token}", {"site": self}
         return Application(
             [
@@ -58,7 +58,7 @@ class Marking(Site):
 
 
 class Questions(Handler):
-    """Serves the questions with their answers, which do not change while the server runs."""
+    """Sends the questions with their answers, which do not change while the server runs."""
 
     site: Marking
 
@@ -82,10 +82,10 @@ class Questions(Handler):
 
 
 class Marks(Handler):
-    """Serves and changes the marks.
+    """Sends the marks to the page, and changes them when the page asks for it.
 
-    A request to change a mark includes the old mark that the page showed. If the mark in the file
-    is different, it is not overwritten, because the user has not seen it.
+    Such a request contains the old mark that the page has shown. If the file contains another one
+    by now, we do not overwrite it, because the user has not seen it.
     """
 
     site: Marking
@@ -123,7 +123,7 @@ class Marks(Handler):
         self.answer()
 
     def answer(self, status: int = 200, **more: str) -> None:
-        """Send all marks to the page, so that it also shows changes from other pages."""
+        """Send all marks to the page, so that it also shows those changed on other pages."""
         try:
             known = self.site.known()
         except (ValueError, OSError) as error:
@@ -133,15 +133,15 @@ class Marks(Handler):
         self.write({"marks": known, **more})
 
     def refuse(self, status: int, why: str) -> None:
-        """Send the reason why a change was refused."""
+        """Tell the page why a change was refused."""
         self.set_status(status)
         self.write({"why": why})
 
 
 def mark_of(value: Any, most: float) -> Mark | None:
-    """Convert data from the page to a mark. If the page removes a mark, return None.
+    """Turn data from the page into a mark, or into None if the page wants to remove the mark.
 
-    ``most`` is the maximum number of points.
+    ``most`` is the largest number of points that the mark may have.
 
     Raises:
         ValueError: The data is not a valid mark.

@@ -1,4 +1,4 @@
-"""Write canvas.csv, which can be imported into the gradebook of Canvas."""
+"""Write canvas.csv, which an instructor can import into the gradebook of Canvas."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from autograder.reports.texts import number, replace_file
 from autograder.submissions.class_list import ClassList, Member
 
 HEADER = ["Student", "ID", "SIS User ID", "SIS Login ID", "Section"]
-# Canvas ignores columns whose titles contain one of these words.
+# If the title of a column contains one of these words, Canvas ignores the column.
 NOT_IMPORTED = re.compile(r"(Current|Final) (Score|Points|Grade)|Override (Score|Grade|Status)")
 OTHER_COLUMNS = (*HEADER, "LastName", "FirstName", "Integration ID", "Root Account")
 
@@ -24,9 +24,9 @@ def write_canvas(
 ) -> None:
     """Write the file that Canvas imports, with a row for each student of the roster.
 
-    Canvas identifies a student by the ID. If the ID is missing, it uses the SIS user ID, the login
-    or the name. An empty cell means that there is no grade. ``title`` is the name of an existing
-    assignment, such as "Lab 1 (12345)", or of a new one.
+    Canvas recognizes a student by the ID or, if this is empty, by the SIS user ID, the login or the
+    name. A student without a grade has an empty cell. ``title`` names an existing assignment, as in
+    "Lab 1 (12345)", or a new one.
     """
     rows = [[*HEADER, title], ["    Points Possible", "", "", "", "", number(points)]]
     for member in people.members:
@@ -41,10 +41,7 @@ def write_canvas(
 
 
 def check_title(title: str) -> str:
-    """Return ``title`` if Canvas can import a column with this title.
-
-    Otherwise raise ValueError.
-    """
+    """Return the title if it suits a column that Canvas imports, or else raise ValueError."""
     if not title.strip() or clean_line(title) != title or FORMULA.search(title):
         raise ValueError(
             f"--title must be one line of text, and not begin like a formula, got {title!r}"
@@ -55,11 +52,11 @@ def check_title(title: str) -> str:
 
 
 def _canvas_id(member: Member) -> str:
-    """Return the student's id in Canvas.
+    """Return the number by which Canvas knows a student, or "" if we do not know it.
 
-    The id comes from the name of the submission if there is one, and otherwise from the roster.
-    Canvas reads a number at the beginning of this cell as an id, so the cell must not contain
-    anything else.
+    If the student has handed in through Canvas, the name of the submission contains this number.
+    Otherwise we try the student's id in the roster, but only if it is a number. Anything else must
+    not be in this cell, because Canvas reads a number at its beginning as one of its own ids.
     """
     export = member.submission.export if member.submission else None
     if export and export.platform == "canvas" and export.number.isdecimal():

@@ -1,4 +1,4 @@
-"""Make a hand-out for GitHub Classroom. Its workflow grades each push."""
+"""Make a hand-out for GitHub Classroom, which grades the student's work at every push."""
 
 from __future__ import annotations
 
@@ -16,16 +16,17 @@ from autograder.scores import possible
 WORKFLOW = ".github/workflows/classroom.yml"  # where GitHub Classroom looks for it
 GRADER = "classroom-resources/autograding-command-grader@v1"
 REPORTER = "classroom-resources/autograding-grading-reporter@v1"
-MINUTES = 10  # at most; the set-up takes a minute, and each exercise takes seconds
+MINUTES = 10  # a generous limit, since the set-up takes a minute and each exercise only seconds
 
 
 def make_classroom(
     chapters: list[Chapter], given: list[Chapter], out: Path, root: Path = ROOT, *, about: str = ""
 ) -> None:
-    """Write a hand-out with a workflow into the new folder ``out``, and print a summary.
+    """Write a hand-out for GitHub Classroom into the new folder ``out``, and print a summary.
 
-    ``about`` is the README section about the assignment. GitHub Classroom accepts only whole
-    points, so the points of each exercise are rounded in a way that preserves their sum.
+    GitHub Classroom accepts only whole points. We therefore round the points of the exercises, but
+    in such a way that their sum stays the same. ``about`` is the README section about the
+    assignment.
 
     Raises:
         ValueError: ``make_handout`` refuses the chapters or the folder.
@@ -42,7 +43,7 @@ def make_classroom(
 
 
 def workflow(chapters: list[Chapter]) -> dict[str, Any]:
-    """Create the workflow. It has a step for each exercise that has checks, and a final report."""
+    """Create the workflow that GitHub runs, with a step per exercise and a report at the end."""
     exercises = _checked(chapters)
     steps: list[dict[str, Any]] = [
         {"uses": "actions/checkout@v4"},
@@ -84,10 +85,7 @@ def workflow(chapters: list[Chapter]) -> dict[str, Any]:
 
 
 def in_whole_points(chapters: list[Chapter]) -> list[Chapter]:
-    """Return the chapters with points rounded to whole numbers.
-
-    Every exercise gets at least one point.
-    """
+    """Round the points of all exercises to whole numbers, with at least one point for each."""
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     counted = {e.id: e.points for e in exercises if not e.extra}
     whole = rescaled(counted, round(possible(exercises)), unit="1")
@@ -99,7 +97,7 @@ def in_whole_points(chapters: list[Chapter]) -> list[Chapter]:
 
 
 def step_id(exercise: Exercise) -> str:
-    """Return an id such as exerciseB2dot1. The reporter accepts only letters and digits."""
+    """Return an id such as exerciseB2dot1, because the reporter accepts only letters and digits."""
     return f"exercise{exercise.id.replace('.', 'dot')}"
 
 

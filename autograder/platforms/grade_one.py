@@ -1,6 +1,6 @@
-"""Grade the submission from Gradescope, and print the results as JSON.
+"""Grade a single submission on Gradescope, and print the results as JSON.
 
-The zip file from gradescope.py contains the script run_autograder, which runs this module.
+Gradescope starts the script run_autograder from our zip file, and this script runs the module.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from autograder.submissions.find import Submission, printable
 
 
 def main(folder: Path, root: Path = ROOT) -> None:
-    """Grade ``folder``/submission and print the results. If grading fails, the results say so."""
+    """Grade the submission and print the results. If that fails, the results say why."""
     try:
         results = gradescope_results(grade_one(folder, root))
     except ValueError as error:  # its text is written for people to read
@@ -42,10 +42,10 @@ def main(folder: Path, root: Path = ROOT) -> None:
 
 
 def grade_one(folder: Path, root: Path) -> StudentReport:
-    """Grade ``folder``/submission and return the report.
+    """Grade the submission in ``folder``, and return the report.
 
-    The file assignment.json in the zip describes the assignment. If the assignment has no seed,
-    each run uses new random numbers in the checks.
+    The file assignment.json in the zip says what to grade. If it contains no seed, every run uses
+    new random numbers in its checks.
 
     Raises:
         ValueError: There is nothing to grade, or there is no sandbox in which to grade it.
@@ -73,7 +73,7 @@ def grade_one(folder: Path, root: Path) -> StudentReport:
 
 
 def students(metadata: Path) -> str:
-    """Read the names of the submitters from Gradescope's metadata.
+    """Return the names of the students who have handed this in, according to Gradescope.
 
     If there are no names, return "submission".
     """
@@ -85,7 +85,7 @@ def students(metadata: Path) -> str:
 
 
 def _metadata(path: Path) -> dict[str, Any]:
-    """Return Gradescope's metadata, or an empty dict if they cannot be read."""
+    """Return what Gradescope says about the submission, or an empty dict if we cannot read it."""
     try:
         metadata = json.loads(path.read_text(encoding="utf-8"))
         return metadata if isinstance(metadata, dict) else {}
@@ -94,10 +94,7 @@ def _metadata(path: Path) -> dict[str, Any]:
 
 
 def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> Chapter:
-    """Return a copy of ``chapter`` that contains only the assigned exercises.
-
-    The exercises have the points of the assignment.
-    """
+    """Return a copy of the chapter that has only the assigned exercises, with their new points."""
     exercises = [
         replace(exercise, points=points[exercise.id], extra=exercise.id in extra)
         for exercise in chapter.exercises
@@ -107,10 +104,10 @@ def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> C
 
 
 def _level(submission: Path, *, unsafe: bool) -> Level:
-    """Return the sandbox level that the command `grade` would choose on this machine.
+    """Return the sandbox that the command `grade` would choose on this machine.
 
-    If there is no sandbox and ``unsafe`` permits this, a root process first switches to an
-    unprivileged user.
+    If there is none and ``unsafe`` allows that, a process that runs as root first switches to a
+    user without privileges.
     """
     if unsafe and os.geteuid() == 0 and not best_level().is_sandbox:
         drop_privileges()

@@ -1,4 +1,4 @@
-"""Make the zip file for Gradescope. It contains scripts, the grader, checks and the reference."""
+"""Make the zip file that Gradescope needs, with scripts, the grader, checks and the reference."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from autograder.scores import possible, shown
 
 HIDDEN = "hidden"  # the folder of the hidden checks in the zip
 SCRIPTS = ("setup.sh", "run_autograder")
-FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # of every file, so that equal contents give equal bytes
+FIRST_DATE = (1980, 1, 1, 0, 0, 0)  # with the same date, equal files give equal bytes in the zip
 
 
 def make_gradescope(
@@ -27,10 +27,10 @@ def make_gradescope(
     unsafe: bool = False,
     root: Path = ROOT,
 ) -> None:
-    """Write the zip file ``out`` for Gradescope, and print a summary of its contents.
+    """Write the zip file for Gradescope, and print a summary of its contents.
 
-    Given chapters are taken from the reference, even if students hand them in. ``unsafe`` permits
-    grading on a machine without a sandbox.
+    The given chapters come from the reference, even if students hand in files for them. ``unsafe``
+    permits grading on a machine that has no sandbox.
 
     Raises:
         ValueError: ``out`` does not name a .zip file, or hidden checks would be unprotected.
@@ -42,8 +42,8 @@ def make_gradescope(
     chapters, given = work.chapters, work.given
     below = {other.name: other for graded in chapters for other in chapters_below(graded, root)}
     own = [other for other in below.values() if other not in given]
-    # Grading a chapter does not need the reference of that chapter, but the second run needs the
-    # reference of earlier ones. Without a sandbox, student code could read it, so it is left out.
+    # To grade a chapter we do not need its own reference, but the second run needs that of earlier
+    # chapters. Without a sandbox the student's code could read it, so then we leave it out.
     reference = [*given] if unsafe else [*given, *own]
     there = {chapter.name: chapter for chapter in [*chapters, *given, *own]}
     files = [*_files(root, chapters, reference, list(there.values()))]
@@ -72,7 +72,7 @@ def make_gradescope(
 def _files(
     root: Path, chapters: list[Chapter], reference: list[Chapter], there: list[Chapter]
 ) -> Iterator[Path]:
-    """Yield the files of this repository that the zip file contains."""
+    """Yield the files of this repository that belong in the zip."""
     yield root / "pyproject.toml"
     yield root / "requirements.lock"
     yield root / "LICENSE"
@@ -90,7 +90,7 @@ def _files(
 
 
 def _hidden(work: Work) -> dict[str, bytes]:
-    """Return the hidden checks of the graded chapters, by their paths in the zip file."""
+    """Return the hidden checks of the graded chapters, by their paths in the zip."""
     return {
         f"{HIDDEN}/{chapter.name}/{file.name}": file.read_bytes()
         for chapter in work.chapters
@@ -99,9 +99,9 @@ def _hidden(work: Work) -> dict[str, bytes]:
 
 
 def _zipped(contents: dict[str, bytes]) -> bytes:
-    """Create a zip file from ``contents``, and return its bytes.
+    """Create a zip file, and return its bytes.
 
-    The files are sorted by name, and the scripts are executable.
+    Its files are sorted by name, and the scripts are executable.
     """
     memory = io.BytesIO()
     with zipfile.ZipFile(memory, "w") as file:

@@ -1,4 +1,4 @@
-"""Write moodle.csv for Moodle's gradebook, and the grading worksheet of an assignment."""
+"""Write grades for Moodle: moodle.csv for the gradebook, and the worksheet of an assignment."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from autograder.reports.gradebook import as_cell
 from autograder.reports.texts import number, replace_file
 from autograder.submissions.class_list import ClassList
 
-MOST = 100.0  # largest grade that Moodle imports, unless the site allows more
+MOST = 100.0  # Moodle does not import larger grades, unless the site allows it
 NO_GRADE = "-"  # Moodle reads an empty cell as 0 if the column becomes a new grade item
 WORKSHEET = [
     *("Identifier", "Full name", "Grade", "Maximum Grade", "Grade can be changed"),
@@ -22,9 +22,9 @@ WORKSHEET = [
 def write_moodle(path: Path, people: ClassList, grades: Mapping[str, float], title: str) -> None:
     """Write moodle.csv, with a row for each student of the roster.
 
-    Moodle stops the import at a student whom it does not know. If the cell that identifies a
-    student is empty, Moodle gives the grade to the student in the row above. The columns for logins
-    and emails are therefore written only if every student has a login or an email.
+    Moodle stops the import at a student whom it does not know. If the cell that should identify a
+    student is empty, it even gives the grade to the student in the row above. That is why we write
+    the columns for logins and e-mail addresses only if every student has one.
     """
     students = [(member, member.student) for member in people.members if member.student]
     columns = {"ID number": [who.id for _, who in students]}
@@ -40,11 +40,11 @@ def write_moodle(path: Path, people: ClassList, grades: Mapping[str, float], tit
 def write_worksheet(
     path: Path, people: ClassList, grades: Mapping[str, float], points: float
 ) -> bool:
-    """Write the grading worksheet of the assignment. Return whether it contains any students.
+    """Write the grading worksheet of an assignment, and return whether it contains any students.
 
-    The worksheet does not need a roster, because Moodle's folder names identify the participants.
-    If no submission comes from Moodle, no worksheet is written. The worksheet has no column for
-    comments, because empty cells in this column would delete the comments in Moodle.
+    This does not need a roster, because Moodle's folder names say who the participants are. If none
+    of the submissions comes from Moodle, we write nothing. We also leave out the column for
+    comments, since empty cells in it would delete the comments that are in Moodle.
     """
     rows = []
     for member in people.members:

@@ -1,4 +1,4 @@
-"""Write the grades of a class in the formats that Canvas and Moodle import."""
+"""Write the grades of a class into files that Canvas and Moodle can import."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from autograder.reports.report import StudentReport
 from autograder.scores import possible, shown
 from autograder.submissions.class_list import ClassList
 
-CANVAS_ID = re.compile(r" \([0-9]+\)$")  # the id at the end of an assignment's title
+CANVAS_ID = re.compile(r" \([0-9]+\)$")  # in Canvas, the title of an assignment ends with its id
 
 
 @dataclass(frozen=True)
 class Column:
-    """The column with the grades on a platform.
+    """The column in a platform's gradebook that will contain the grades.
 
-    ``title`` may end with the id of an assignment, as in "Lab 1 (12345)". ``points`` is the maximum
-    score of the assignment on the platform. The grades are rescaled to this maximum.
+    ``title`` may end with the id of an assignment, as in "Lab 1 (12345)". ``points`` is how much
+    the assignment is worth on the platform, and we scale the grades accordingly.
     """
 
     title: str = ""
@@ -42,7 +42,10 @@ def write_uploads(
     reports: Sequence[StudentReport],
     column: Column,
 ) -> tuple[list[Path], list[str]]:
-    """Write canvas.csv and moodle.csv for a class with a roster, and Moodle's worksheet.
+    """Write the files that an instructor can upload to Canvas or Moodle.
+
+    These are canvas.csv and moodle.csv for a class with a roster, and Moodle's worksheet if
+    submissions come from there.
 
     Returns:
         The paths of the files, and sentences for the instructor.

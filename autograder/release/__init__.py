@@ -1,1 +1,1 @@
-"""Release the reference after the deadline, and show students their own solutions beside it."""
+"""Release the reference after the deadline, so that students can compare it with their own code."""

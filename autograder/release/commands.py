@@ -1,4 +1,4 @@
-"""The command `release`, which gives students the reference after the deadline."""
+"""The command `release`, which makes the reference available to students after the deadline."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from autograder.manifest import load_chapters
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add the command `release` to the command line."""
+    """Define the command `release` and its options."""
     command = commands.add_parser("release", help="release the reference after the deadline")
     what = "chapters to release, such as 2-3 (not needed with an assignment)"
     command.add_argument("chapters", nargs="?", default="", help=what)
@@ -31,7 +31,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_release(arguments: argparse.Namespace) -> int:
-    """Write the reference and the students' pages, and print what was released."""
+    """Write the reference and the students' pages, and print what has been released."""
     from autograder.release.run import release
     from autograder.submissions.unpack import class_folder
 
@@ -49,7 +49,10 @@ def run_release(arguments: argparse.Namespace) -> int:
 
 
 def refuse_early(work: Work, now: datetime) -> None:
-    """Raise ValueError if any student may still hand in work for the assignment at ``now``."""
+    """Raise ValueError if some student may still hand in work for this assignment.
+
+    Nobody should be able to copy from the reference before the deadline.
+    """
     if work.deadline is None:
         return
     dues = [work.deadline.due, *work.deadline.extensions.values()]

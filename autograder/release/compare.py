@@ -1,6 +1,6 @@
-"""Compare a student's solutions with the reference, function by function.
+"""Put a student's functions and ours side by side.
 
-Only exercises that the student has passed are compared.
+We do that only for exercises that the student has passed.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ from autograder.similarity.code import Function, read_functions
 from autograder.similarity.compare import Passage
 from autograder.similarity.pages import pieces_of
 
-Texts = Mapping[str, str]  # the texts of one chapter's modules, keyed by file name
+Texts = Mapping[str, str]  # the text of each module in a chapter, by file name
 OUTSIDE = ""  # stands for code outside of functions
 
 
 @dataclass(frozen=True)
 class Code:
-    """The body of a function, without the outer indentation, and its counts."""
+    """The body of a function, without its indentation, and how many lines and calls it has."""
 
     text: str
     counts: Counts
@@ -29,10 +29,7 @@ class Code:
 
 @dataclass(frozen=True)
 class Pair:
-    """A student's function and the reference's function.
-
-    If either of them has no such function, its side is None.
-    """
+    """A student's function and ours. If one side has no such function, it is None."""
 
     name: str
     own: Code | None
@@ -41,14 +38,14 @@ class Pair:
 
 @dataclass(frozen=True)
 class Compared:
-    """The pairs of functions of an exercise, or of functions in a module outside the exercises."""
+    """The pairs of functions that belong to one exercise, or to no exercise at all."""
 
     title: str
     pairs: list[Pair]
 
 
 def compare_exercise(exercise: Exercise, own: Texts, reference: Texts) -> Compared:
-    """Compare the functions that belong to one exercise."""
+    """Compare the student's functions with ours for one exercise."""
     pairs = []
     for edit in exercise.edit:
         module, name = edit.split(".", 1)
@@ -60,10 +57,10 @@ def compare_exercise(exercise: Exercise, own: Texts, reference: Texts) -> Compar
 def compare_others(
     chapter: Chapter, files: Iterable[str], own: Texts, reference: Texts
 ) -> list[Compared]:
-    """Compare the functions in ``files`` that do not belong to an exercise, such as helpers.
+    """Compare the functions that do not belong to any exercise, such as helpers.
 
-    Functions that are equal on both sides, such as given functions, are left out. Code outside of
-    functions is also left out.
+    If a function is the same on both sides, for example because it was given, we leave it out. We
+    also leave out any code outside of functions.
     """
     edited = {name for exercise in chapter.exercises for name in exercise.edit}
     found = []
@@ -84,7 +81,7 @@ def compare_others(
 
 
 def _codes(file: str, texts: Texts) -> dict[str, Code]:
-    """Return the functions of the module ``file``. Functions that cannot be read are left out."""
+    """Return the functions of a module, without those that cannot be read."""
     text = texts.get(file, "")
     return {one.name: _code(file, text, one) for one in read_functions(text)[0]}
 

@@ -1,7 +1,6 @@
-"""Count the lines, the calls and the constructed objects in the source of a function.
+"""Count the lines, the calls and the new objects in a function, to show how it compares to ours.
 
-The counts come from the tokens of the source. The code is not compiled or run, so a call inside a
-loop counts once.
+We count in the source text and never run the code, so a call inside a loop counts only once.
 """
 
 from __future__ import annotations
@@ -17,11 +16,11 @@ END_OF_LINE = ";"
 
 @dataclass(frozen=True)
 class Counts:
-    """The number of lines, calls and constructed objects in the body of a function.
+    """How many lines, calls and new objects the body of a function contains.
 
-    ``lines`` counts lines with code. Blank lines, comments and docstrings do not count. ``calls``
-    counts calls such as v.dot(w). ``objects`` counts calls that construct an object, such as
-    Vector3(...). An error in a raise statement does not count as a call or an object.
+    ``lines`` leaves out blank lines, comments and docstrings. ``calls`` are calls such as v.dot(w),
+    and ``objects`` are those that create an object, such as Vector3(...). An error that a raise
+    statement creates does not count as either.
     """
 
     lines: int
@@ -30,7 +29,7 @@ class Counts:
 
 
 def count(function: Function) -> Counts:
-    """Count the lines, calls and objects in the body of a function."""
+    """Count the lines, calls and new objects in the body of a function."""
     words = [token.word.removeprefix(LOCAL) for token in function.tokens]
     called = [words[i - 1] for i, word in enumerate(words) if word == "(" and _is_call(words, i)]
     lines = {token.start[0] for token in function.tokens if token.word != END_OF_LINE}
@@ -41,7 +40,7 @@ def count(function: Function) -> Counts:
 def _is_call(words: Sequence[str], i: int) -> bool:
     """Return whether the bracket at index ``i`` belongs to a call.
 
-    Brackets in expressions do not count, nor do brackets after def, class and raise.
+    A bracket in an expression does not, and neither does one after def, class or raise.
     """
     before = words[i - 1] if i else ""
     first = i - 1

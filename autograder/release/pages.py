@@ -1,4 +1,4 @@
-"""Write the page that shows a student's own solutions beside the reference."""
+"""Write the page that shows a student's solutions next to ours."""
 
 from __future__ import annotations
 

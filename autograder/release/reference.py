@@ -1,4 +1,4 @@
-"""Release files of the reference. Exercises that are not released yet are replaced by stubs."""
+"""Release parts of the reference, with stubs in place of exercises that are not released yet."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from autograder.stubs import messages_of, stub_module
 
 
 def chosen(chapters: Sequence[Chapter], exercises: Sequence[str]) -> list[Chapter]:
-    """Return copies of ``chapters`` that contain only ``exercises``.
+    """Return copies of the chapters that contain only the exercises that were asked for.
 
-    If ``exercises`` is empty, the chapters contain all of their exercises.
+    If ``exercises`` is empty, the copies contain all of them.
 
     Raises:
         ValueError: An exercise does not exist in any of the chapters.
@@ -33,7 +33,7 @@ def chosen(chapters: Sequence[Chapter], exercises: Sequence[str]) -> list[Chapte
 
 
 def released_module(chapter: Chapter, whole: Chapter, file: str, root: Path = ROOT) -> str:
-    """Return the text of the module ``file``. Exercises that are not released yet are stubs."""
+    """Return the text of our module, in which exercises that are not released yet are stubs."""
     kept = {exercise.id for exercise in chapter.exercises}
     held_back = replace(whole, exercises=[e for e in whole.exercises if e.id not in kept])
     text = (root / "solutions" / whole.name / file).read_text(encoding="utf-8")
@@ -44,7 +44,7 @@ def released_module(chapter: Chapter, whole: Chapter, file: str, root: Path = RO
 def write_reference(
     out: Path, chapter: Chapter, whole: Chapter, root: Path = ROOT
 ) -> dict[str, str]:
-    """Write the files of ``chapter`` into ``out``. Return the text of each module by file name."""
+    """Write the released files of a chapter into ``out``, and return the text of each module."""
     folder = out / "reference" / whole.name
     folder.mkdir(parents=True)
     modules = {name: released_module(chapter, whole, name, root) for name in chapter.edited_files}
@@ -58,9 +58,9 @@ def write_reference(
 
 
 def _model_answers(chapter: Chapter, root: Path) -> str:
-    """Return the released model answers without their rubrics.
+    """Return the released model answers, but without their rubrics.
 
-    If there are no released model answers, return an empty string.
+    If no written exercise is released, return an empty string.
     """
     file = root / "solutions" / chapter.name / FILE
     written = {exercise.id for exercise in chapter.exercises if exercise.kind == "written"}

@@ -1,4 +1,4 @@
-"""Release the reference of chapters or exercises. Write a page for each successful student."""
+"""Release the reference for some exercises, and write a page for each student who solved them."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from autograder.submissions.find import Submission, find_submissions
 from autograder.submissions.stage import stage
 from autograder.wrapping import plain_console
 
-RECORD = "released.txt"  # what was released; it also marks the folder as a release
+RECORD = "released.txt"  # lists what was released, and shows that the folder is a release
 UNFINISHED = "This release was interrupted. Run the same command again.\n"
 
 
@@ -37,12 +37,11 @@ def release(
     *,
     roster: Path | None = None,
 ) -> int:
-    """Write the reference of ``chapters`` into the folder ``out``. Return 0.
+    """Write the reference of some chapters into a folder, and return the exit code 0.
 
-    If ``exercises`` is not empty, write only these exercises. If ``submissions`` and ``grades`` are
-    given, also write a page for each student that compares the student's own solutions with the
-    reference. ``roster`` is the roster with which the class was graded, because the results have
-    its names.
+    If ``exercises`` is not empty, only these exercises are written. If ``submissions`` and
+    ``grades`` are given, each student also gets a page that compares the student's own code with
+    ours. Use the same ``roster`` as for grading, because the results contain its names.
 
     Raises:
         ValueError: The folder cannot be used, or an exercise, the reference or the class is
@@ -85,7 +84,7 @@ def release(
 
 
 def _prepare(out: Path, submissions: Path | None, root: Path) -> None:
-    """Create the folder ``out``. If it contains an earlier release, empty it.
+    """Create the folder ``out``, or empty it if it holds an earlier release.
 
     Raises:
         ValueError: The folder contains other files, or hand-outs are made from its contents.
@@ -113,7 +112,10 @@ def _compare(
     reference: dict[str, dict[str, str]],
     root: Path,
 ) -> tuple[list[Compared], list[str], str]:
-    """Return the compared exercises of a submission, the others, and why if none is compared."""
+    """Compare the exercises that the student has solved, and list those that are left out.
+
+    If nothing can be compared, the text at the end says why.
+    """
     if report is None:
         return [], [], "the work was not graded"
     own = _own_texts(submission, report, root)
@@ -136,9 +138,9 @@ def _compare(
 def _own_texts(
     submission: Submission, report: StudentReport, root: Path
 ) -> dict[str, Texts] | None:
-    """Return the texts of the student's modules by chapter.
+    """Return the text of each of the student's modules, by chapter.
 
-    Return None if the submission has changed since it was graded.
+    If the submission has changed since it was graded, we no longer know what works, so return None.
     """
     chapters = load_chapters(root)
     with tempfile.TemporaryDirectory(prefix="release-") as folder:

@@ -1,4 +1,4 @@
-"""Statistics of a graded class: pass rates of the exercises, and a histogram of the scores."""
+"""Statistics of a graded class: how many students pass each exercise, and how scores are spread."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ BINS = 10
 
 @dataclass(frozen=True)
 class ExerciseRate:
-    """The pass rate of an exercise in a class.
+    """How many students of a class pass an exercise, and what they earn on average.
 
-    ``counted`` is the number of students with a score for the exercise. A student has no score if
-    the answer is not marked yet, or if the grader failed on the submission.
+    ``counted`` is the number of students who have a score. A student has no score yet if nobody has
+    marked the answer, or if the grader failed on the submission.
     """
 
     exercise: Exercise
     counted: int
     passed: int
     mean: float | None
-    first_lost: str  # the check that fails for most students
+    first_lost: str  # the check that most students fail
 
     @property
     def share(self) -> float | None:
-        """The fraction of counted students who pass. It is None for a written exercise."""
+        """The fraction of the counted students who pass, or None for a written exercise."""
         if self.exercise.kind == "written" or not self.counted:
             return None
         return self.passed / self.counted
@@ -38,7 +38,7 @@ class ExerciseRate:
 
 @dataclass(frozen=True)
 class Bin:
-    """The number of students whose score is at least ``low`` and below ``high`` percent."""
+    """How many students have a score from ``low`` up to, but not including, ``high`` percent."""
 
     low: int
     high: int
@@ -56,16 +56,16 @@ def exercise_rates(chapters: list[Chapter], reports: Sequence[StudentReport]) ->
 
 
 def most_missed(rates: list[ExerciseRate]) -> list[ExerciseRate]:
-    """Return the exercises with the lowest pass rates. The lowest rate comes first.
+    """Return the exercises that fewest students pass, beginning with the hardest.
 
-    The result is empty if every student passes every exercise.
+    If every student passes every exercise, the list is empty.
     """
     missed = [rate for rate in rates if rate.share is not None and rate.share < 1]
     return sorted(missed, key=_pass_share_then_points)[:MOST_MISSED]
 
 
 def histogram(reports: Sequence[StudentReport]) -> list[Bin]:
-    """Return a histogram of the scores with bins of 10 %. A full score is in the last bin."""
+    """Count the scores in bins of 10 percent. A full score belongs to the last bin."""
     counts: Counter[int] = Counter()
     for report in reports:
         if report.score is not None and report.points:

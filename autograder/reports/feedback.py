@@ -1,7 +1,7 @@
-"""Write the pages of a graded class: one page for each student, and an index for the instructor.
+"""Write the web pages of a graded class: one for each student, and an index for the instructor.
 
-The pages work without a network connection and without scripts. Content that comes from students
-appears only as text.
+The pages work without a network connection and contain no scripts. Whatever comes from a student
+appears on them as text only.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from autograder.reports.texts import check_title, clean_all, replace_file
 from autograder.scores import PHYSICS_SHARE, place_on_chart, possible
 from autograder.submissions.find import file_name
 
-SYMBOLS = {  # shown beside the word, so that no status depends on color alone
+SYMBOLS = {  # these stand beside the words, so that nobody has to tell a status by its color
     "passed": "✓",
     "failed": "✗",
     "blocked": "⊘",
@@ -43,12 +43,15 @@ MEANINGS = {
     "waiting": "a person will read it",
     "marked": "a person has given the points",
 }
-TO_FIX = ("failed", "inherited", "blocked")  # in the order in which to fix them
+TO_FIX = ("failed", "inherited", "blocked")  # students should fix these first to last
 
 
 @dataclass
 class LostChecks:
-    """Failed checks that have the same message. The titles of hidden checks are not shown."""
+    """Failed checks with the same message, so that the page has to show this message only once.
+
+    The titles of hidden checks are left out.
+    """
 
     status: Status
     message: str
@@ -60,10 +63,10 @@ class LostChecks:
 
 @dataclass(frozen=True, kw_only=True)
 class ShownExercise(ExerciseReport):
-    """An exercise as it appears on the page. Only its failed checks are shown in full.
+    """An exercise as a student's page shows it. Only its failed checks appear in full.
 
-    ``gains`` is true if the exercise earns more points with the reference's earlier chapters.
-    ``uneven`` is true if the checks of a tier have different weights.
+    ``gains`` is true if the exercise earns more points when the earlier chapters come from the
+    reference. ``uneven`` is true if some physics or robust checks weigh more than others.
     """
 
     anchor: str
@@ -107,7 +110,7 @@ def write_index(
     missing: Sequence[str] = (),
     unmatched: Sequence[str] = (),
 ) -> Path:
-    """Write index.html, which shows the instructor the whole class. Return the path of the page."""
+    """Write index.html, on which the instructor sees the whole class, and return its path."""
     path = out / "index.html"
     links = [f"feedback/{quote(file_name(report.student))}.html" for report in reports]
     clean = [clean_all(report) for report in reports]
@@ -160,7 +163,7 @@ def _shown(number_on_page: int, exercise: ExerciseReport) -> ShownExercise:
 
 
 def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
-    """Return the exercise to fix first. An exercise that fails physics checks comes first."""
+    """Return the exercise to fix first. Physics that fails comes before robust checks."""
 
     def urgency(exercise: ShownExercise) -> tuple[bool, int]:
         works = all(passed == of for tier, passed, of in exercise.tiers if tier == "physics")
@@ -170,7 +173,7 @@ def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
 
 
 def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
-    """Return a chart for each open exercise if at least one submission has a position on it."""
+    """Return a chart for each open exercise on which at least one submission has a point."""
     found: dict[str, tuple[ExerciseReport, Chart]] = {}
     named: dict[str, list[tuple[str, Sequence[float]]]] = {}
     for report in reports:
@@ -182,12 +185,12 @@ def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
 
 
 def _possible(exercises: Sequence[ExerciseReport]) -> float:
-    """Return the points that these exercises can earn, without extra credit."""
+    """Add up how many points these exercises are worth, without extra credit."""
     return round(sum(e.points for e in exercises if not e.extra), 2)
 
 
 def _groups(checks: list[CheckReport]) -> list[LostChecks]:
-    """Group failed checks by message. One unreadable file can cause many equal failures."""
+    """Group failed checks by message, because one unreadable file can make many checks fail."""
     groups: dict[tuple[Status, str, bool, bool], LostChecks] = {}
     for check in checks:
         shared = check.status, str(check.message), check.hidden, check.robust

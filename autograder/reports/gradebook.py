@@ -1,4 +1,4 @@
-"""Write gradebook.csv. It has a row for each student and a column for each exercise."""
+"""Write gradebook.csv, which has a row for each student and a column for each exercise."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ MISSING = "nothing handed in"
 UNMATCHED = "not in the roster"
 COLUMNS = "student,status,score,score on given chapters,by hand,waiting"
 WITH_DUE_DATE = ["points", "late days", "penalty"]  # columns for an assignment with a due date
-# A character that begins a formula, even in full width, at the start of a cell or after spaces. If
-# a spreadsheet separates columns by semicolons, a cell also begins after each semicolon.
+# If a cell begins with one of these characters, even in full width or after spaces, a spreadsheet
+# takes it for a formula. In some countries a new cell also begins after each semicolon.
 FORMULA = re.compile(r"(^|;)(\s*)(?=[=+\-@＝＋－＠])")  # noqa: RUF001
 
 
@@ -30,12 +30,12 @@ def write_gradebook(
     missing: Sequence[str] = (),
     unmatched: Sequence[str] = (),
 ) -> Path:
-    """Write gradebook.csv and return its path. Its second row contains the possible points.
+    """Write gradebook.csv and return its path. The second row says how many points are possible.
 
-    A cell is empty if there is no grade yet, because an answer is not marked, the grader failed, or
-    the student has not handed in anything. ``missing`` lists the students who have not handed in
-    anything. ``unmatched`` lists the students who are not in the roster. If there is a due date,
-    the gradebook has columns for the points, the late days and the penalty. The total is then the
+    A cell is empty if there is no grade yet. This happens if nobody has marked the answer, if the
+    grader failed, or if the student has not handed anything in. ``missing`` lists such students,
+    and ``unmatched`` lists those who are not in the roster. If there is a due date, the gradebook
+    has three more columns, for the points, the late days and the penalty. The total is then the
     points minus the penalty.
     """
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
@@ -73,14 +73,11 @@ def write_gradebook(
 
 
 def _late(report: StudentReport) -> list[float | None]:
-    """Return the points, the late days and the penalty.
-
-    If the late days are unknown, they are None.
-    """
+    """Return the points, the late days and the penalty, with None for whatever is unknown."""
     days = report.late.days if report.late else None
     return [report.earned, days, None if report.earned is None else report.penalty]
 
 
 def as_cell(text: str) -> str:
-    """Put ``text`` on one line, and make sure that a spreadsheet does not read it as a formula."""
+    """Put a text on one line, and keep a spreadsheet from reading it as a formula."""
     return FORMULA.sub(r"\1\2'", clean_line(text))

@@ -1,4 +1,4 @@
-"""Write the report on a student as a results.json file for Gradescope."""
+"""Write the report on a student as results.json, the file that Gradescope reads."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ OURS = "error of the grader, retry: this is not the submission's fault and does 
 
 @dataclass(frozen=True)
 class ExerciseResult:
-    """The result of an exercise. Gradescope calls it a test. It may have no score."""
+    """The result of one exercise, which Gradescope calls a test. It need not have a score."""
 
     number: str
     name: str
@@ -46,21 +46,22 @@ class GradescopeResults:
 
 
 def write_gradescope(out: Path, report: StudentReport) -> Path:
-    """Write gradescope/<student>/results.json and return its path."""
+    """Write gradescope/<student>/results.json, and return its path."""
     path = out / "gradescope" / file_name(report.student) / "results.json"
     replace_file(path, as_text(gradescope_results(report)))
     return path
 
 
 def as_text(results: GradescopeResults) -> str:
-    """Return the content of a results.json."""
+    """Return the results as JSON, in the form in which Gradescope reads them."""
     return json.dumps(to_json(results), indent=1, allow_nan=False) + "\n"
 
 
 def gradescope_results(report: StudentReport) -> GradescopeResults:
     """Convert a report to Gradescope's format, with one test for each exercise.
 
-    If the grader failed, there is no score, because zero and full marks would both be wrong.
+    If the grader failed, the results contain no score at all, since neither zero nor full marks
+    would be right.
     """
     report = clean_all(report)
     failed = report.status != "graded" or report.score is None
@@ -73,7 +74,7 @@ def gradescope_results(report: StudentReport) -> GradescopeResults:
 
 
 def ungraded_results(reason: str) -> GradescopeResults:
-    """Create results in Gradescope's format for a submission that could not be graded."""
+    """Create Gradescope's results for a submission that we could not grade, with the reason."""
     return _results(f"{OURS}\n{clean_all(reason)}", [])
 
 
@@ -135,7 +136,7 @@ def _exercise_result(exercise: ExerciseReport) -> ExerciseResult:
 
 
 def _output(exercise: ExerciseReport) -> str:
-    """Return the messages of the failed checks of ``exercise``, which the student sees."""
+    """Return what the student reads about an exercise, which is mainly why its checks failed."""
     status, checks = exercise.status, exercise.checks
     if status == "waiting":
         return f"waits for a person, who can give up to {number(exercise.points)} points"

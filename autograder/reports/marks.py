@@ -1,4 +1,4 @@
-"""Read the marks for written answers from marks.csv, and add them to reports."""
+"""Read the marks for written answers from marks.csv, and add them to the reports."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from autograder.scores import shown
 from autograder.submissions.csv_rows import read_csv
 
 HEADER = ["student", "exercise", "points", "comment"]
-# A spreadsheet would read such a comment as a formula, so it is stored with an apostrophe in front.
+# A spreadsheet would take such a comment for a formula, so we store it with an apostrophe in front.
 FORMULA_START = re.compile(r"^(?='*[=+\-@＝＋－＠])")  # noqa: RUF001
 GUARDED = re.compile(r"^'(?='*[=+\-@＝＋－＠])")  # noqa: RUF001
 
 
 @dataclass(frozen=True)
 class Mark:
-    """The points and the comment that a person gave for a student's written answer."""
+    """How many points a person has given for a written answer, and the comment about it."""
 
     points: float
     comment: str
@@ -34,7 +34,7 @@ Marks = dict[tuple[str, str], Mark]  # keyed by student and exercise
 
 @dataclass(frozen=True)
 class Row:
-    """A mark in marks.csv, with the numbers of its first and last line. Lines count from 1."""
+    """A mark in marks.csv, with the numbers of its first and its last line. The first line is 1."""
 
     student: str
     exercise: str
@@ -44,10 +44,11 @@ class Row:
 
 
 def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> Marks:
-    """Read marks.csv, which has the columns student, exercise, points and comment.
+    """Read marks.csv, in which an instructor has entered points and comments for written answers.
 
-    If the file does not exist, there are no marks. Columns may be separated by semicolons, as in
-    European spreadsheets. Numbers may then have a decimal comma.
+    Its columns are student, exercise, points and comment. If there is no such file, there are no
+    marks. A European spreadsheet may separate the columns by semicolons, and then numbers may have
+    a decimal comma.
 
     Raises:
         ValueError: A line is not valid. The message names the line and the expected form.
@@ -93,7 +94,7 @@ def read_rows(
 
 
 def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> list[str]:
-    """Create a row of marks.csv. A spreadsheet will not read its cells as formulas."""
+    """Create a row of marks.csv in which a spreadsheet cannot take any cell for a formula."""
     harmless = as_cell(student)
     name = harmless if _names(students).get(harmless) == student else student
     comment = clean(mark.comment).strip()
@@ -103,7 +104,8 @@ def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> 
 def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
     """Return the marks under the names that the reports show.
 
-    ``names`` maps each other name of a student to the name in the reports.
+    A student may appear in marks.csv under another name, such as the one in the roster. ``names``
+    maps all of these names to the one in the reports.
     """
     found: Marks = {}
     for (student, exercise), mark in marks.items():
@@ -117,9 +119,9 @@ def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
 
 
 def apply_marks(report: StudentReport, marks: Marks) -> StudentReport:
-    """Replace all marks in ``report`` with ``marks``, and return the new report.
+    """Replace all marks in a report, and return the new report.
 
-    If a written exercise has no mark, the report shows that it is waiting for one.
+    If there is no mark for a written exercise, the report says that the answer is waiting for one.
     """
     exercises = []
     given: list[float] = []
@@ -147,7 +149,7 @@ def _marked(exercise: ExerciseReport, mark: Mark | None) -> ExerciseReport:
 
 
 def _rows(path: Path) -> tuple[str, Iterator[tuple[int, int, list[str]]]]:
-    """Return the separator and the rows below the header. Each row has its first and last line."""
+    """Return the separator, and each row below the header with its first and last line number."""
     table = read_csv(path)
     if table.header != HEADER:
         wanted = ",".join(HEADER)
@@ -166,7 +168,7 @@ def _written(where: str, given: str, exercises: dict[str, Exercise]) -> Exercise
 
 
 def _names(students: Iterable[str]) -> dict[str, str]:
-    """Map each spelling of a student's name to the student. Ambiguous spellings are left out."""
+    """Map each spelling of a student's name to the student, unless two students share it."""
     forms: dict[str, set[str]] = {}
     for name in students:
         for form in (name, _key(name), _key(as_cell(name))):
@@ -176,5 +178,5 @@ def _names(students: Iterable[str]) -> dict[str, str]:
 
 
 def _key(name: str) -> str:
-    """Normalize ``name``, so that two encodings of the same accented letter are equal."""
+    """Normalize accented letters, so that two encodings of the same name compare equal."""
     return unicodedata.normalize("NFC", name.strip())

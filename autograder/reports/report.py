@@ -1,4 +1,4 @@
-"""The report on one student's submission, which is stored in results/<student>.json."""
+"""The report on one student's submission, as it is stored in results/<student>.json."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ ReportStatus = Literal["graded", "error, retry"]
 
 @dataclass(frozen=True)
 class CheckReport:
-    """The outcome of one check."""
+    """How one check went for one student."""
 
     name: str
     status: Status
@@ -27,9 +27,10 @@ class CheckReport:
 
 @dataclass(frozen=True)
 class Chart:
-    """The positions of a submission and of the reference on the chart of an open exercise.
+    """Where a student's solution and ours are on the chart of an open exercise.
 
-    ``axes`` names the two coordinates, which are cost and error.
+    Such a chart compares what a solution costs with how large its error is. ``axes`` names these
+    two quantities.
     """
 
     axes: list[str]
@@ -39,10 +40,10 @@ class Chart:
 
 @dataclass(frozen=True)
 class ExerciseReport:
-    """The outcome of an exercise. A score is None if it is not known yet.
+    """How a student did in one exercise. A score is None as long as it is unknown.
 
-    ``score_on_given`` is the score with the earlier chapters of the reference. The points of
-    ``extra`` credit do not count toward the possible points.
+    ``score_on_given`` is the score that the student gets if the earlier chapters come from the
+    reference. An exercise that is ``extra`` credit does not add to the possible points.
     """
 
     chapter: int
@@ -61,9 +62,9 @@ class ExerciseReport:
 
 @dataclass(frozen=True)
 class Late:
-    """How late a submission is under the rules of the course, and how many points it loses.
+    """How late a submission is by the rules of the course, and how many points that costs.
 
-    ``days`` is None if it is unknown. ``words`` contains sentences with further explanations.
+    ``days`` is None if we do not know. ``words`` explains the decision in sentences.
     """
 
     days: int | None
@@ -73,10 +74,10 @@ class Late:
 
 @dataclass(frozen=True)
 class RunKey:
-    """The conditions that must not change if a report is to remain valid.
+    """Everything that a report depends on, except for the submission itself.
 
-    ``points`` maps each graded exercise to its points. ``extra`` lists the extra-credit exercises.
-    The submission itself is not one of the conditions.
+    If one of these conditions has changed, the report is no longer valid. ``points`` holds the
+    points of each graded exercise, and ``extra`` lists those that give extra credit.
     """
 
     seed: str
@@ -93,13 +94,18 @@ class RunKey:
 
 @dataclass(frozen=True)
 class StudentReport:
-    """The results of one student.
+    """All results of one student.
 
-    ``points`` is the number of points that checks can give. ``by_hand`` is the number of points
-    that people have given, and ``waiting`` is the number that they can still give. ``earlier``
-    lists the student's own earlier chapters that the graded chapters use. ``submission`` is the
-    digest of the graded files. ``seconds`` is the time that grading took. ``late`` is None if the
-    work has no due date.
+    Attributes:
+        score: The points from checks. It is None if the grader failed.
+        score_on_given: The points from checks if the earlier chapters come from the reference.
+        points: How many points the checks can give.
+        by_hand: The points that people have given for written answers.
+        waiting: How many points people can still give.
+        earlier: The numbers of the student's own earlier chapters that the graded ones use.
+        submission: A digest of the graded files.
+        seconds: How long grading took.
+        late: How late the submission is. It is None if the work has no due date.
     """
 
     student: str
@@ -121,12 +127,12 @@ class StudentReport:
 
     @property
     def earned(self) -> float | None:
-        """The points that checks and people have given. It is None if the grader failed."""
+        """The points from checks and from people, or None if the grader failed."""
         return None if self.score is None else self.score + (self.by_hand or 0)
 
     @property
     def penalty(self) -> float:
-        """The points deducted for lateness, which never exceed the points earned."""
+        """How many points lateness costs. It is never more than the student has earned."""
         return min(self.late.deduction if self.late else 0.0, self.earned or 0.0)
 
     @property
@@ -136,9 +142,10 @@ class StudentReport:
 
 
 def tiers(checks: Sequence[CheckReport]) -> list[tuple[str, int, int]]:
-    """Return the tiers that have checks, physics or robust.
+    """Count the passed checks among the physics checks, and among the robust ones.
 
-    For each tier, return its name, the number of passed checks, and the number of checks.
+    For each of the two kinds that has checks, return its name, how many of its checks pass, and how
+    many checks it has.
     """
     found = []
     for name, robust in (("physics", False), ("robust", True)):

@@ -1,4 +1,4 @@
-"""Store the results of a graded class, and write all files that contain these results."""
+"""Store the results of a graded class, and write all the files that show them."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ def write_result(out: Path, report: StudentReport) -> Path:
 
 
 def keep_report(path: Path, report: StudentReport) -> None:
-    """Write a report to a file atomically."""
+    """Write a report to a file atomically, so that the file is never half written."""
     text = json.dumps(to_json(report), indent=1, ensure_ascii=False, allow_nan=False)
     replace_file(path, text + "\n")
 
 
 def read_result(path: Path) -> StudentReport | None:
-    """Read a report from ``path``. If the file is missing, incomplete or no report, return None."""
+    """Read a report from a file, or return None if the file does not contain a complete one."""
     try:
         data = json.loads(path.read_text(encoding="utf-8"), parse_constant=_refuse)
         return from_json(StudentReport, data)
@@ -58,7 +58,7 @@ def read_results(out: Path) -> list[StudentReport]:
 def write_student(out: Path, report: StudentReport) -> None:
     """Write all files about one student.
 
-    The results are written last, because they show that the other files are complete.
+    The results come last. If they are there, we know that the other files are complete as well.
     """
     write_feedback(out, report)
     write_gradescope(out, report)
@@ -72,10 +72,10 @@ def write_class(
     missing: Sequence[str] = (),
     unmatched: Sequence[str] = (),
 ) -> list[Path]:
-    """Write the files about the whole class. Return the paths that the instructor needs.
+    """Write the files about the whole class, and return those that the instructor needs to know.
 
-    ``missing`` lists the students of the roster who have not handed anything in. ``unmatched``
-    lists the students who have handed something in but are not in the roster.
+    ``missing`` lists the students of the roster who have not handed in anything. ``unmatched``
+    lists those who have handed in something but are not in the roster.
     """
     index = write_index(out, chapters, reports, missing, unmatched)
     gradebook = write_gradebook(out, chapters, reports, missing, unmatched)

@@ -1,6 +1,7 @@
 """Lay out the chart of an open exercise, which shows the cost and the error of each submission.
 
-Both axes are logarithmic. The template scatter.svg draws the layout.
+Both axes are logarithmic. This module only computes where everything goes, and the template
+scatter.svg then draws it.
 """
 
 from __future__ import annotations
@@ -18,21 +19,21 @@ Point = Sequence[float]  # cost and error
 
 @dataclass(frozen=True)
 class Dot:
-    """A point on the chart, with its owner, its cost, its error and its position in the drawing."""
+    """One student's point on the chart: the cost, the error, and where to draw it."""
 
     name: str
     cost: float
     error: float
     x: float
     y: float
-    best: bool  # whether nothing at the same or a lower cost has a smaller error
+    best: bool  # whether no solution that costs the same or less has a smaller error
 
 
 @dataclass(frozen=True)
 class Scatter:
-    """A chart: two axes with ticks, a dot for each student and for the reference, and the front.
+    """The layout of a chart: two axes, a dot for each student and our own, and the front.
 
-    Each tick consists of a position and a label.
+    The front is the line through the best solutions. A tick on an axis has a position and a label.
     """
 
     exercise: ExerciseReport
@@ -45,7 +46,7 @@ class Scatter:
 
 
 def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, Point]]) -> Scatter:
-    """Lay out the chart of ``exercise``. ``named`` contains the points of the students."""
+    """Lay out the chart of an exercise. ``named`` contains each student's cost and error."""
     reference = chart.reference
     points = [point for _, point in named] + ([reference] if reference else [])
     costs, errors = _ticks([cost for cost, _ in points]), _ticks([error for _, error in points])
@@ -72,7 +73,7 @@ def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, P
 
 
 def front(points: Sequence[Point]) -> list[list[float]]:
-    """Return the points that are more accurate than every cheaper point, sorted by cost."""
+    """Return the points that are more accurate than all cheaper ones, sorted by their cost."""
     kept: list[list[float]] = []
     for cost, error in sorted([*point] for point in points):
         if not kept or error < kept[-1][1]:
@@ -81,9 +82,9 @@ def front(points: Sequence[Point]) -> list[list[float]]:
 
 
 def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return the corners of a front drawn as stairs.
+    """Return the corners of the front if we draw it as stairs.
 
-    The error stays the same up to the next cost.
+    It is drawn like this because the best possible error stays the same up to the next cost.
     """
     corners = line[:1]
     for x, y in line[1:]:
@@ -92,7 +93,7 @@ def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
 
 
 def _ticks(values: Sequence[float]) -> list[float]:
-    """Return ticks at 1, 2 and 5 times the powers of ten. Return fewer if there are too many."""
+    """Return ticks at 1, 2 and 5 times the powers of ten, or fewer if these are too many."""
     low, high = 0.8 * min(values), 1.25 * max(values)
     powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
     fine = [float(f"{digit}e{power}") for power in powers for digit in (1, 2, 5)]

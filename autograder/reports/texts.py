@@ -1,4 +1,4 @@
-"""Handle text in reports: clean untrusted text, format numbers, and write files atomically."""
+"""Prepare texts for reports: clean what students have written, and format numbers."""
 
 from __future__ import annotations
 
@@ -12,14 +12,11 @@ from autograder.scores import shown
 
 T = TypeVar("T")
 
-LONGEST = 4000  # characters of a text in a report; a check's message has a few hundred
+LONGEST = 4000  # characters of a text in a report; the message of a check has only a few hundred
 
 
 def clean_all(value: T) -> T:
-    """Return a copy of ``value`` in which every text is cleaned and shortened.
-
-    ``value`` is a report or a part of a report.
-    """
+    """Return a copy of a report, or of a part of it, in which every text is cleaned and cut."""
     return cast(T, _cleaned(value))
 
 
@@ -35,7 +32,7 @@ def _cleaned(value: Any) -> Any:
 
 
 def _clean_and_cut(text: str) -> str:
-    """Clean ``text``, and cut it to a length that is suitable for a report."""
+    """Clean a text, and cut it to a length that suits a report."""
     if len(text) > LONGEST:
         text = f"{text[:LONGEST]}\n... and {len(text) - LONGEST} more characters"
     return clean(text)
@@ -52,6 +49,6 @@ def check_title(name: str) -> str:
 
 
 def replace_file(path: Path, text: str) -> None:
-    """Write a text to a file atomically, so that no file is ever half written."""
+    """Write a text to a file atomically, so that the file is never half written."""
     # Characters in a student's message or name that cannot be encoded are escaped.
     replace_bytes(path, text.encode("utf-8", errors="backslashreplace"))

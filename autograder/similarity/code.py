@@ -1,4 +1,4 @@
-"""Read the functions in a student's file as tokens. The code is not compiled, imported or run."""
+"""Read the functions in a student's file as tokens, without compiling or running any of it."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ import tokenize
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-LONGEST = 100_000  # characters; a chapter's longest module has about ten thousand
-WIDEST = 2_000  # characters, since the time of Python 3.12 grows with the square of the length
+LONGEST = 100_000  # characters; the longest module of a chapter has about ten thousand
+WIDEST = 2_000  # characters; in Python 3.12 the time grows with the square of a line's length
 LOCAL = "~"  # marks a name that the student has chosen
 ALWAYS_KNOWN = frozenset({"self", *keyword.kwlist})
 _IN_NO_LINE = (tokenize.COMMENT, tokenize.NL, tokenize.INDENT, tokenize.DEDENT)
@@ -20,7 +20,10 @@ _Line = list[tokenize.TokenInfo]
 
 @dataclass(frozen=True)
 class Token:
-    """A token in the form in which it is compared, with its (line, column) in the file."""
+    """A token in the form in which we compare it.
+
+    ``start`` and ``end`` are its (line, column) in the student's file.
+    """
 
     word: str
     start: tuple[int, int]
@@ -29,9 +32,9 @@ class Token:
 
 @dataclass(frozen=True)
 class Function:
-    """A function or method, with the tokens of its body.
+    """A function or method in a student's file, with the tokens of its body.
 
-    Code outside functions has the name "".
+    Code outside of functions is stored like a function with the name "".
     """
 
     name: str
@@ -43,12 +46,13 @@ class Function:
 
 
 def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list[Function], int]:
-    """Return the functions in the file ``text``, and the line at which reading stopped.
+    """Return the functions in a student's file, and the line at which we had to stop reading.
 
-    The line is 0 if the whole file is readable. Methods have names such as Particle.mass, and
-    setters have names such as Particle.mass.setter. Signatures, comments and docstrings are left
-    out, because they are given or do not change what the code does. All strings count as equal, and
-    so do 2 and 2.0. ``known`` contains the names in the engine, which all students use.
+    If the whole file is readable, this line is 0. A method has a name such as Particle.mass, and
+    its setter is called Particle.mass.setter. We leave out signatures, comments and docstrings,
+    because they are given or do not change what the code does. For the same reason all strings
+    count as equal, and so do 2 and 2.0. ``known`` contains the names in the engine, which all
+    students use.
     """
     text, stopped = _without_the_excessive(text)
     found: dict[str, list[Token]] = {}
@@ -80,7 +84,7 @@ def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list
 
 
 def names_in(text: str) -> Iterator[str]:
-    """Yield Python's own names and the public names in ``text``, which is not a student's file."""
+    """Yield Python's own names and the public names in a file that is not a student's."""
     yield from (*dir(builtins), *dir(math))
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
         if token.type == tokenize.NAME and not (
@@ -90,9 +94,9 @@ def names_in(text: str) -> Iterator[str]:
 
 
 def _without_the_excessive(text: str) -> tuple[str, int]:
-    """Cut ``text`` before the first line that is too long. Return the text and the line's number.
+    """Cut a text before the first line that is too long, and return this line's number.
 
-    The number is 0 if no line is too long.
+    If no line is too long, the number is 0.
     """
     size = 0
     for number, line in enumerate(io.StringIO(text), start=1):
@@ -103,7 +107,7 @@ def _without_the_excessive(text: str) -> tuple[str, int]:
 
 
 def _lines(text: str) -> Iterator[tuple[int, _Line]]:
-    """Yield each logical line of the code with the depth of its indentation."""
+    """Yield each logical line of the code, with the depth of its indentation."""
     depth, nested = 0, 0
     line: _Line = []
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
@@ -123,7 +127,7 @@ def _lines(text: str) -> Iterator[tuple[int, _Line]]:
 
 
 def _tokens(line: _Line, known: frozenset[str]) -> Iterator[Token]:
-    """Yield the tokens of a logical line that are compared. A docstring has no such tokens."""
+    """Yield those tokens of a logical line that we compare. A docstring has no such tokens."""
     if all(token.type in (tokenize.STRING, tokenize.NEWLINE) for token in line):
         return
     for before, token, after in zip([None, *line], line, [*line[1:], None], strict=False):
@@ -150,7 +154,7 @@ def _number(text: str) -> str:
 
 
 def _after_colon(line: _Line) -> _Line:
-    """Return the tokens after the colon of a signature. They form a body on the same line."""
+    """Return the tokens after the colon of a signature, which form a body on the same line."""
     open_brackets = 0
     for i, token in enumerate(line):
         if token.type == tokenize.OP:
@@ -162,7 +166,7 @@ def _after_colon(line: _Line) -> _Line:
 
 
 def _line_of(error: Exception) -> int:
-    """Return the line in the tokenizer's error. If the error has no line, return the first line."""
+    """Return the line that the tokenizer's error names, or 1 if it does not name any."""
     place = error.args[1] if len(error.args) > 1 else ()
     numbers: Iterable[object] = place if isinstance(place, tuple) else ()
     return next((number for number in numbers if isinstance(number, int)), 1)

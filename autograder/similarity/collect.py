@@ -1,6 +1,6 @@
-"""Extract the code to compare from the submissions of a class.
+"""Take the code that we want to compare out of the submissions of a class.
 
-The submissions are copied and checked in the same way as for grading.
+We copy and check the submissions just as we do for grading.
 """
 
 from __future__ import annotations
@@ -17,17 +17,19 @@ from autograder.similarity.winnow import fingerprints, hashes
 from autograder.submissions.find import Submission
 from autograder.submissions.stage import stage
 
-SMALLEST = 30  # tokens in the reference of an exercise that allows different solutions
+SMALLEST = 30  # tokens; if our solution is shorter, all students' solutions must look alike
 
 
 @dataclass(frozen=True)
 class Ground:
-    """What a comparison needs to know about the chapters.
+    """What we have to know about the chapters before we can compare any code.
 
-    ``parts`` maps each function that students edit, such as ch02_vectors/vector.py Vector3.dot, to
-    its exercise. ``known`` contains the names in the engine. ``given`` contains the hashes of
-    stubs, given modules and the reference. ``small`` lists the exercises that are too short to
-    compare.
+    Attributes:
+        parts: The exercise of each function that students edit, such as the function Vector3.dot in
+            ch02_vectors/vector.py.
+        known: The names in the engine, which all students use.
+        given: The hashes of code that is ours, in stubs, given modules and the reference.
+        small: The exercises that are too short to compare.
     """
 
     chapters: list[Chapter]
@@ -38,7 +40,7 @@ class Ground:
 
 
 def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
-    """Collect what a comparison needs for ``chapters``: exercises, known names and given code."""
+    """Collect what a comparison needs for some chapters: exercises, known names and given code."""
     names = [chapter.name for chapter in load_chapters(root)]
     known = frozenset(name for text in _our_files(root, names) for name in names_in(text))
     given: set[int] = set()
@@ -62,7 +64,7 @@ def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
 def collect(
     submissions: Iterable[Submission], ground: Ground, root: Path = ROOT
 ) -> Iterator[tuple[Work, list[str]]]:
-    """Yield the work of each student, and notes on files that cannot be read."""
+    """Yield what each student has written, and notes on files that we cannot read."""
     for submission in submissions:
         with tempfile.TemporaryDirectory(prefix="similarity-") as folder:
             staged = stage(submission.path, ground.chapters, Path(folder), root)
@@ -77,9 +79,9 @@ def collect(
 
 
 def work_of(student: str, files: dict[str, str], ground: Ground) -> tuple[Work, list[str]]:
-    """Return the work of ``student`` in ``files``, and notes on problems.
+    """Return what a student has written in these files, and notes on problems with them.
 
-    Given code is left out, and so are exercises that are too short.
+    We leave out code that was given to students, and exercises that are too short to compare.
     """
     parts: dict[str, Part] = {}
     notes = []
@@ -108,7 +110,10 @@ def _our_files(root: Path, chapters: list[str]) -> Iterator[str]:
 def _reference_sizes(
     chapter: Chapter, known: frozenset[str], root: Path
 ) -> dict[tuple[str, str], int]:
-    """Return the number of tokens in each function of the reference."""
+    """Return how many tokens each function of the reference has.
+
+    From that we see which exercises are too short to compare.
+    """
     sizes = {}
     for name in chapter.edited_files:
         text = (root / "solutions" / chapter.name / name).read_text(encoding="utf-8")

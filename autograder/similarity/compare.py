@@ -1,12 +1,12 @@
 """Compare the code of a class pair by pair, and rate how unusual the similarity of each pair is.
 
-Code is compared by its fingerprints. A fingerprint has more weight if fewer students share it in
-the same exercise. The similarity of a pair is its mean over the exercises, which are weighted so
-that no single exercise dominates.
+We compare code by its fingerprints. If few students share a fingerprint in the same exercise, it
+has more weight, because it is less likely to be a coincidence. The similarity of a pair is its mean
+over the exercises, and these are weighted so that a long exercise cannot dominate the result.
 
-Some students write code that resembles the code of many others. For this reason, the usual
-similarity of both students to others is subtracted. The result is divided by its spread over the
-class, and is called the surprise of the pair.
+Some students write code that resembles the code of many others. To correct for that, we subtract
+how similar each of the two students usually is to the rest of the class. We then divide the result
+by its spread over the class, and call it the surprise of the pair.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ from itertools import combinations
 
 from autograder.similarity.code import Token
 
-FEWEST = 12  # students, who form 66 pairs; statistics on fewer would be misleading
+FEWEST = 12  # students; they form 66 pairs, and statistics on fewer pairs would be misleading
 UPPER_DECILE = statistics.NormalDist().inv_cdf(0.9)
-FALSE_ALARMS = 0.002  # pairs beyond the line without copies, if pairs vary as a bell curve does
+FALSE_ALARMS = 0.002  # pairs expected above the line by chance, if pairs vary as a bell curve does
 
 
 @dataclass(frozen=True)
 class Passage:
-    """A function that a student has written: its position, its tokens, and the text of its file."""
+    """A function that a student has written, with its tokens and the text of its file."""
 
     file: str
     name: str
@@ -37,7 +37,7 @@ class Passage:
 
 @dataclass
 class Part:
-    """A student's code for an exercise, or the code of a file outside all exercises."""
+    """What a student has written for one exercise, or in one file outside of all exercises."""
 
     passages: list[Passage] = field(default_factory=list)
     fingerprints: set[int] = field(default_factory=set)
@@ -45,7 +45,7 @@ class Part:
 
 @dataclass(frozen=True)
 class Work:
-    """All code of one student, divided into parts."""
+    """All code that one student has handed in, divided into parts such as exercises."""
 
     student: str
     parts: Mapping[str, Part]
@@ -53,7 +53,10 @@ class Work:
 
 @dataclass(frozen=True)
 class Pair:
-    """Two students. The similarity of their code is from 0 to 1, and has a surprise."""
+    """Two students and how similar their code is, from 0 to 1.
+
+    ``surprise`` says how unusual this similarity is in their class.
+    """
 
     one: Work
     other: Work
@@ -63,7 +66,10 @@ class Pair:
 
 @dataclass(frozen=True)
 class Shared:
-    """The code that a pair shares in a part. ``rarest`` students use its rarest piece."""
+    """The code of one part that two students share.
+
+    ``rarest`` says how many students in the class have its rarest piece.
+    """
 
     name: str
     similarity: float
@@ -72,10 +78,10 @@ class Shared:
 
 
 class Comparison:
-    """All pairs of a class. The most surprising pair comes first.
+    """All pairs of a class, beginning with the most surprising one.
 
-    A pair stands out if its surprise is greater than ``line``. A small class has neither surprises
-    nor a line.
+    A pair stands out if its surprise is at least ``line``. In a small class we cannot compute
+    surprises, so there is no line either.
     """
 
     def __init__(self, pairs: list[Pair], line: float | None, measure: Measure) -> None:
@@ -84,18 +90,18 @@ class Comparison:
         self.measure = measure
 
     def stands_out(self, pair: Pair) -> bool:
-        """Return whether ``pair`` is too similar to be explained by chance in this class."""
+        """Return whether two students are too similar to be explained by chance in this class."""
         if self.line is None or pair.surprise is None:
             return False
         return pair.surprise >= self.line
 
     @property
     def outstanding(self) -> int:
-        """The number of pairs that stand out. They are the first pairs in the list."""
+        """How many pairs stand out. They come first in the list of pairs."""
         return sum(map(self.stands_out, self.pairs))
 
     def shared(self, pair: Pair) -> list[Shared]:
-        """Return the code that a pair shares. Parts with the most rare code come first."""
+        """Return the code that two students share. The part with most rare code comes first."""
         found = []
         for name in pair.one.parts.keys() & pair.other.parts.keys():
             both = pair.one.parts[name].fingerprints & pair.other.parts[name].fingerprints
@@ -106,7 +112,7 @@ class Comparison:
 
 
 def compare(works: list[Work]) -> Comparison:
-    """Compare every pair of students in a class."""
+    """Compare every pair of students in a class, and rate how unusual their similarity is."""
     measure = Measure(works)
     pairs = [Pair(a, b, measure.similarity(a, b)) for a, b in combinations(works, 2)]
     if len(works) < FEWEST or (spread := _spread(_excesses(pairs))) is None:
@@ -140,9 +146,9 @@ class Measure:
         self.usual = {name: statistics.median(values) for name, values in totals.items()}
 
     def similarity(self, one: Work, other: Work) -> float:
-        """Return the mean similarity of two students over the exercises.
+        """Return the mean similarity of two students over the exercises, from 0 to 1.
 
-        If one student lacks an exercise, its similarity is 0.
+        If one of them has not written anything for an exercise, its similarity is 0.
         """
         found = sum(
             self.size(name) * self.similarity_in(name, one, other)
@@ -156,7 +162,7 @@ class Measure:
         return math.sqrt(self.usual[name])
 
     def similarity_in(self, name: str, one: Work, other: Work) -> float:
-        """Return the similarity of two students in the part ``name``, from 0 to 1."""
+        """Return how similar two students are in one part, from 0 to 1."""
         both = one.parts[name].fingerprints & other.parts[name].fingerprints
         # A student who has written less has less to share, and must not stand out for that.
         sizes = [max(self.own[w.student, name], self.usual[name]) for w in (one, other)]
@@ -164,15 +170,15 @@ class Measure:
         return shared / math.sqrt(math.prod(sizes)) if shared else 0.0
 
     def weight(self, name: str, values: set[int]) -> float:
-        """Return the total weight of the fingerprints ``values`` in the part ``name``.
+        """Return the total weight of some fingerprints in one part.
 
-        A fingerprint that few students have has more weight.
+        The fewer students share a fingerprint, the more weight it has.
         """
         return sum(math.log(self.students / self.holders[name, value]) for value in values)
 
 
 def _excesses(pairs: list[Pair]) -> Iterator[float]:
-    """For each pair, yield the similarity minus the usual similarity of its students to others."""
+    """Yield by how much the similarity of each pair exceeds what is usual for its two students."""
     of: dict[str, list[float]] = {}
     for pair in pairs:
         for work in (pair.one, pair.other):
@@ -183,10 +189,10 @@ def _excesses(pairs: list[Pair]) -> Iterator[float]:
 
 
 def _spread(values: Iterator[float]) -> tuple[float, float] | None:
-    """Return the median and a robust standard deviation, or None if there are no values.
+    """Return the median and a robust standard deviation, or None if the values do not vary.
 
-    The standard deviation is computed from the upper half of the values, which has the longer tail.
-    A few copies hardly change it.
+    We compute the standard deviation from the upper half of the values, which has the longer tail.
+    It barely changes if a few students have copied.
     """
     found = [*values]
     deciles = statistics.quantiles(found, n=10, method="inclusive")

@@ -1,6 +1,6 @@
 """Write the pages of a comparison: an index of pairs, and a page with the code of each pair.
 
-Names and code are inserted only as text, and the pages load nothing from other hosts.
+Names and code are inserted as text only, and the pages load nothing from other hosts.
 """
 
 from __future__ import annotations
@@ -21,15 +21,18 @@ from autograder.similarity.compare import FEWEST, Comparison, Pair, Passage, Sha
 from autograder.similarity.winnow import covered
 
 TEMPLATES = Path(__file__).parent / "templates"
-FEWEST_ROWS = 30  # pairs on the index, or more if more pairs stand out
-MOST_LINES = 200  # of one function
-WIDEST = 500  # characters of a line
-RARE = 0.1  # fraction of the class
+FEWEST_ROWS = 30  # the index lists this many pairs, or more if more of them stand out
+MOST_LINES = 200  # a page shows at most this many lines of one function
+WIDEST = 500  # a page shows at most this many characters of one line
+RARE = 0.1  # code is rare if at most this fraction of the class has it
 
 
 @dataclass(frozen=True)
 class Piece:
-    """A piece of code. Its kind is "rare" or "common" if it is shared, and "" if it is not."""
+    """A piece of code on the page.
+
+    If both students have it, its kind is "rare" or "common". Otherwise its kind is "".
+    """
 
     text: str
     kind: str
@@ -37,7 +40,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Side:
-    """A student's function, divided into pieces. It also has the line at which it begins."""
+    """One student's function, divided into pieces, with the line at which it begins."""
 
     name: str
     file: str
@@ -48,7 +51,7 @@ class Side:
 def write_pages(
     out: Path, comparison: Comparison, chapters: list[Chapter], small: list[str], notes: list[str]
 ) -> Path:
-    """Write index.html and a page for each listed pair. Return the path of the index."""
+    """Write index.html and a page for each listed pair, and return the path of the index."""
     shown = comparison.pairs[: max(FEWEST_ROWS, comparison.outstanding)]
     rows = [
         (f"pairs/pair-{number:03}.html", pair, comparison.shared(pair))
@@ -79,9 +82,9 @@ def write_pages(
 
 
 def pieces_of(passage: Passage, kinds: dict[int, str]) -> list[Piece]:
-    """Divide the lines of a function into pieces.
+    """Divide the lines of a function into pieces, so that shared code can be highlighted.
 
-    ``kinds`` maps the numbers of tokens to kinds of pieces.
+    ``kinds`` says for the number of each shared token whether it is "rare" or "common".
     """
     first, last = passage.tokens[0].start[0], passage.tokens[-1].end[0]
     lines = passage.text.split("\n")[first - 1 : min(last, first - 1 + MOST_LINES)]
@@ -137,7 +140,7 @@ def _works(pair: Pair) -> tuple[Any, Any]:
 
 
 def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
-    """Return those functions of one student that contain shared code."""
+    """Return those of a student's functions that contain shared code."""
     sides = []
     for passage in passages:
         kinds = dict.fromkeys(covered(passage.tokens, part.fingerprints), "common")
@@ -150,6 +153,6 @@ def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
 
 
 def _histogram(pairs: Sequence[Pair]) -> list[tuple[int, int]]:
-    """Return a histogram of the surprise of all pairs, in bins that are 1 wide."""
+    """Count the pairs by their surprise, in bins that are 1 wide."""
     counts = Counter(math.floor(p.surprise) for p in pairs if p.surprise is not None)
     return [(n, counts[n]) for n in range(min(counts), max(counts) + 1)] if counts else []

@@ -1,12 +1,12 @@
 """Compute fingerprints of code by winnowing (Schleimer, Wilkerson and Aiken, 2003).
 
-Every sequence of GRAM consecutive tokens is hashed. Out of every WINDOW neighboring hashes, the
-smallest is kept as a fingerprint. Two texts that share GRAM + WINDOW - 1 tokens in a row therefore
-share at least one fingerprint.
+We hash every sequence of GRAM tokens in a row. Out of every WINDOW neighboring hashes, we keep the
+smallest one as a fingerprint. So if two texts have GRAM + WINDOW - 1 tokens in a row in common,
+they share at least one fingerprint.
 
-Within a sequence, the names that a student has chosen are numbered in the order in which they
-appear, so code matches even if its variables were renamed. A sequence is no longer than a short
-statement, so code shares most fingerprints even if its statements were reordered.
+Renaming the variables does not help to hide a copy, because within a sequence we replace the
+student's own names by numbers, in the order in which they appear. Moving statements around does not
+help much either. A sequence is no longer than a short statement, so most fingerprints stay.
 """
 
 from __future__ import annotations
@@ -23,19 +23,19 @@ WINDOW = 4
 
 @cache
 def hashes(words: tuple[str, ...]) -> tuple[int, ...]:
-    """Return the hash of each sequence of GRAM tokens, in the order of the sequences."""
+    """Return the hash of each sequence of GRAM tokens, from the first sequence to the last."""
     return tuple(_hash(words[i : i + GRAM]) for i in range(len(words) - GRAM + 1))
 
 
 def fingerprints(words: tuple[str, ...]) -> set[int]:
-    """Return the hashes that winnowing keeps."""
+    """Return those hashes that winnowing keeps."""
     found = hashes(words)
     windows = range(max(1, len(found) - WINDOW + 1)) if found else ()
     return {min(found[i : i + WINDOW]) for i in windows}
 
 
 def covered(tokens: list[Token], shared: Collection[int]) -> set[int]:
-    """Return the numbers of the tokens in sequences whose hash is in ``shared``."""
+    """Return the numbers of the tokens that are part of a sequence whose hash is shared."""
     found = hashes(tuple(token.word for token in tokens))
     starts: Iterable[int] = (i for i, value in enumerate(found) if value in shared)
     return {i for start in starts for i in range(start, start + GRAM)}

@@ -1,1 +1,1 @@
-"""The student's commands: check, watch, hint and reset."""
+"""The commands that students use: check, watch, hint and reset."""

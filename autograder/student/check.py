@@ -1,4 +1,4 @@
-"""Run the checks for a student, and separate the student's own failures from inherited failures."""
+"""Run the checks for a student, and tell the student's own failures from inherited ones."""
 
 from __future__ import annotations
 
@@ -32,13 +32,12 @@ def check(
     *,
     only: bool = False,
 ) -> bool:
-    """Check chapters or an exercise, print the results, and return whether everything passes.
+    """Check chapters or a single exercise, print the results, and return whether all checks pass.
 
-    If ``exercise`` is given, check only this exercise and its prerequisites. If ``only`` is set,
-    only the physics checks of the exercise are shown and affect the result. Its robust checks and
-    its prerequisites are run but not shown. ``given`` chapters are taken from the reference. A
-    written exercise has no checks, so it is shown and counts as a success. An unanswered question
-    does not prevent success either.
+    With ``exercise``, only this exercise and what it builds on are checked. With ``only``, we show
+    and count nothing but the physics checks of this exercise. Everything else still runs, but
+    silently. The ``given`` chapters come from the reference. A written exercise has no checks, so
+    we only show it. Whether a question has been answered does not change the result.
     """
     if exercise and exercise.kind == "written":
         print_written(ProgressBar().console, chapters[0], exercise, engine)
@@ -66,11 +65,10 @@ def report_on(
     run: Callable[..., list[Verdict]],
     progress: ProgressBar,
 ) -> Report:
-    """Check ``chapter`` and return the report.
+    """Check a chapter, or one of its exercises with everything it builds on, and return the report.
 
-    If ``exercise`` is given, check only this exercise and its prerequisites. ``run`` is the
-    function that runs the checks. A check that fails only because of an earlier chapter is marked
-    as inherited.
+    ``run`` is the function that runs the checks. A check that fails only because of an earlier
+    chapter is marked as inherited.
     """
     progress.title = f"chapter {chapter.number}"
     wanted = with_needs(chapter, [exercise.id] if exercise else None)

@@ -1,4 +1,4 @@
-"""Find out which functions a student has edited since the last time."""
+"""Find out which functions a student has edited since we last looked."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from autograder.manifest import Chapter, Exercise
 
 
 class Edits:
-    """Remembers the functions and data in chapters, and finds what has changed."""
+    """Remembers what a student's functions and data look like, and notices when they change."""
 
     def __init__(self, engine: Path, chapters: list[Chapter]) -> None:
         self.engine = engine
@@ -20,10 +20,10 @@ class Edits:
         self.look()
 
     def look(self) -> list[tuple[Chapter, Exercise, list[str]]]:
-        """Return the exercises that were edited since the last call, and their changed parts.
+        """Return the exercises that were edited since the last call, with their changed parts.
 
-        Changes to the layout or to comments do not count. If a module cannot be read, any function
-        may have changed, so all of its functions count as edited.
+        A change in the layout or in a comment does not count. If a module cannot be read at the
+        moment, any of its functions may have changed, so all of them count as edited.
         """
         edited = []
         for chapter in self.chapters:
@@ -35,7 +35,7 @@ class Edits:
         return edited
 
     def _look_at(self, chapter: Chapter, name: str) -> set[str]:
-        """Return the parts of the file ``name`` that have changed, and remember its contents."""
+        """Return the parts of a file that have changed, and remember its contents."""
         path = self.engine / chapter.name / name
         try:
             text = path.read_bytes()
@@ -55,9 +55,10 @@ class Edits:
 
 
 def _bodies(module: str, text: bytes) -> dict[str, str] | None:
-    """Return the code of each function, or None if a module cannot be read or has no functions.
+    """Return the code of each function in a module, or None if there is no code to compare.
 
-    A file may be empty for a moment, because some editors empty it before they write to it.
+    This happens if the module cannot be read or is empty. Some editors empty a file for a moment
+    before they write to it.
     """
     try:
         found = functions(ast.parse(text))
@@ -67,5 +68,5 @@ def _bodies(module: str, text: bytes) -> dict[str, str] | None:
 
 
 def _is_in(name: str, edited: set[str]) -> bool:
-    """Return whether ``name`` is in ``edited``, or belongs to a module in ``edited``."""
+    """Return whether a function was edited, or belongs to a module that could not be read."""
     return name in edited or f"{name.partition('.')[0]}.*" in edited

@@ -1,4 +1,4 @@
-"""Describe a failed check in full, with the next steps. The commands check and watch show it."""
+"""Describe a failed check in full, and what to do next. The commands check and watch show it."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Failure:
-    """A failed check, with its diagnosis, the output of the student's code, and the next steps.
+    """A failed check, with everything that helps the student to fix it.
 
-    ``place`` is the position to open in an editor. ``hints`` is the exercise whose hints may help.
-    Both are empty if an earlier chapter must be fixed first.
+    ``place`` is the line that an editor should open, and ``hints`` is the exercise whose hints may
+    help. If an earlier chapter has to be fixed first, both are empty.
     """
 
     heading: str
@@ -44,10 +44,10 @@ def failure_of(
     title: str = "",
     edited: Collection[str] = (),
 ) -> Failure | None:
-    """Return the first failure to show for an exercise, or None if no check fails.
+    """Return the failure of an exercise that the student should see first, or None.
 
-    Checks that call a function in ``edited`` come first. After them, failures of finished code come
-    before functions that are not written yet.
+    Checks of a function in ``edited`` come first, because the student has just worked on it. After
+    that, we prefer a mistake in finished code to a function that is not written yet.
     """
     exercise = result.exercise
     candidates = [check for check in result.checks if check.status == result.status]
@@ -79,7 +79,7 @@ def failure_of(
 
 
 def print_failure(console: Console, chapter: Chapter, result: Result, engine: list[Path]) -> None:
-    """Print one failed check in full, with the next steps."""
+    """Print one failed check in full, and what to do next."""
     failure = failure_of(chapter, result, engine)
     if failure is None:
         words = f"No check was found for exercise {result.exercise.id}."
@@ -93,7 +93,7 @@ def print_failure(console: Console, chapter: Chapter, result: Result, engine: li
 
 
 def few_printed(printed: str, lines: int, characters: int) -> list[Row]:
-    """Return a row with the first lines of the output. If there is no output, return []."""
+    """Return a row with the beginning of what the code has printed, or [] if it printed nothing."""
     return _printed(few_lines(printed, lines, characters)) if printed else []
 
 
@@ -102,7 +102,7 @@ def _printed(printed: str) -> list[Row]:
 
 
 def _is_about(check: Verdict, edited: Collection[str]) -> bool:
-    """Return whether ``check`` calls a function in ``edited`` or fails inside such a function."""
+    """Return whether a check calls one of the edited functions, or fails inside one of them."""
     called, where = check.message.called, check.message.where
     return any(
         calls(called, name) or (where and where.function == own_name(name).removesuffix(".setter"))

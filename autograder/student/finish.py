@@ -1,7 +1,7 @@
-"""Show the screen at the end of a chapter, and name the scenes that have become playable.
+"""Show what a student has achieved at the end of a chapter, and which scenes can be played now.
 
-A chapter is finished when the physics of its exercises works. Robust checks, questions, projects
-and going-further exercises may still be open. The screen lists them.
+A chapter is finished as soon as the physics of its exercises works. Robust checks, questions,
+projects and going-further exercises may still be open, and the screen lists these.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from autograder.student.screen import Report
 
 WIDTH = 79
-LABEL = 10  # width of the label column
-DRAWN_WITH = "engine.txt"  # a file beside the pictures that names the engine's folder
+LABEL = 10  # width of the column with the labels
+DRAWN_WITH = "engine.txt"  # this file beside the pictures says whose engine has drawn them
 
 
 def print_finish(
@@ -33,7 +33,7 @@ def print_finish(
     engine: list[Path],
     given: list[Chapter],
 ) -> None:
-    """Print the lines that ``end_of`` returns, after an empty line."""
+    """Print an empty line and the lines of ``end_of``, if there are any."""
     lines = end_of(reports, exercise, engine, given)
     for words, style in [("", ""), *lines] if lines else []:
         console.print(words, style=style, markup=False, soft_wrap=True)
@@ -42,11 +42,11 @@ def print_finish(
 def end_of(
     reports: list[Report], exercise: Exercise | None, engine: list[Path], given: list[Chapter]
 ) -> list[tuple[str, str]]:
-    """Return the closing screen of a finished chapter, or a line about playable scenes.
+    """Return the closing screen of a finished chapter, or a line about scenes that can be played.
 
-    Each line comes with its style. If the student has not begun any unfinished chapter, return the
-    closing screen of the last finished chapter. Otherwise, return a line with the scenes that
-    ``exercise`` makes playable. If ``exercise`` is None, use the last exercise that works.
+    Each line comes with its style. We show the screen of the last finished chapter unless the
+    student has already begun another one. In that case we only name the scenes that work because of
+    ``exercise`` or, if this is None, because of the last exercise that works.
     """
     unfinished = [report for report in reports if not is_finished(report)]
     begun = [report for report in unfinished if any(result.works for result in report.results)]
@@ -64,14 +64,14 @@ def end_of(
 
 
 def is_finished(report: Report) -> bool:
-    """Return whether the physics works. Projects and extra exercises do not count."""
+    """Return whether the physics of a chapter works, apart from projects and extra exercises."""
     working = {result.exercise.id for result in report.results if result.works}
     wanted = [e for e in report.chapter.exercises if e.kind != "written" and not _is_extra(e)]
     return all(exercise.id in working for exercise in wanted)
 
 
 def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> list[str]:
-    """Return the lines of the closing screen. It has at most 20 lines of 80 columns."""
+    """Return the closing screen of a chapter, which has at most 20 lines of 80 columns."""
     chapter = report.chapter
     lines = [f"Well done! Chapter {chapter.number} works: {chapter.title}.", ""]
     lines += [*textwrap.wrap(" ".join(chapter.you_can), WIDTH, break_on_hyphens=False), ""]
@@ -93,10 +93,10 @@ def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> li
 
 
 def play_words(report: Report, result: Result, engine: list[Path], given: list[Chapter]) -> str:
-    """Return a sentence that names the scenes that an exercise makes playable.
+    """Return a sentence that names the scenes which an exercise makes playable.
 
-    The sentence is empty if this exercise or an earlier exercise does not work yet, or if an
-    earlier chapter has failures.
+    If this exercise or one before it does not work yet, or if an earlier chapter has failures, the
+    scenes would not work either, so the sentence is empty.
     """
     exercise = result.exercise
     if not (exercise.play and result.works):
@@ -114,12 +114,12 @@ def play_words(report: Report, result: Result, engine: list[Path], given: list[C
 
 
 def _is_extra(exercise: Exercise) -> bool:
-    """Return whether a chapter can be finished without this exercise."""
+    """Return whether a chapter can be finished without this exercise, as with a project."""
     return exercise.kind == "project" or exercise.id.startswith("G")
 
 
 def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
-    """Return whether a function of ``exercise`` is still a stub, or its file is missing."""
+    """Return whether one of the exercise's functions is still a stub, or its file is missing."""
     stub = re.compile(rf"raise NotImplementedError\(\s*[\"']Exercise {re.escape(exercise.id)}:")
     for file in {f"{name.partition('.')[0]}.py" for name in exercise.edit}:
         paths = [folder / chapter.name / file for folder in engine]
@@ -130,7 +130,7 @@ def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
 
 
 def _open(report: Report, engine: list[Path]) -> list[str]:
-    """Return the parts of a finished chapter that the student can still work on."""
+    """Return what the student can still work on after finishing the chapter."""
     words = []
     robust = [
         (result.exercise, check)
@@ -186,7 +186,7 @@ def _variables(engine: list[Path], given: list[Chapter]) -> dict[str, str]:
 
 
 def _labeled(label: str, words: str) -> list[str]:
-    """Wrap ``words`` into lines. Put ``label`` in front of the first line."""
+    """Wrap a text into lines, with a label in front of the first one."""
     width = WIDTH - LABEL
     lines = textwrap.wrap(words, width, break_long_words=False, break_on_hyphens=False)
     return [f"{label if i == 0 else '':{LABEL}}{line}" for i, line in enumerate(lines)]

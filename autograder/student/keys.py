@@ -1,6 +1,6 @@
-"""Read single keys from the terminal without waiting for Enter.
+"""Read single keys from the terminal, so that a user does not have to press Enter.
 
-The module uses termios, or msvcrt on Windows.
+On Windows we use msvcrt for that, and termios everywhere else.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ END = "\x04"  # Ctrl-D, which also means the end of the input
 
 
 def available() -> bool:
-    """Return whether single keys can be read. This requires that the input is a terminal."""
+    """Return whether we can read single keys, which is only possible in a terminal."""
     return sys.stdin is not None and sys.stdin.isatty()
 
 
@@ -39,10 +39,10 @@ def single_keys() -> Iterator[None]:
 
 
 def pressed() -> str:
-    """Return the keys pressed since the last call, without special keys. Do not wait for a key.
+    """Return the keys that were pressed since the last call, without arrows and the like.
 
-    If the terminal has been closed, return END. Call this function only if ``available`` has
-    returned True.
+    The function does not wait for a key. If the terminal has been closed, it returns END. Call it
+    only if ``available`` has returned True.
     """
     keys = ""
     if sys.platform == "win32":

@@ -1,6 +1,6 @@
-"""Reuse verdicts as long as the checked files stay the same, so that checks run faster.
+"""Remember verdicts as long as the student's files stay the same, so that checks run faster.
 
-Verdicts are kept only in memory. If they were read from a file, a student could edit them.
+We keep them in memory only. If they were in a file, a student could edit them.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from autograder.manifest import Chapter
 
 
 class Memory:
-    """Runs checks, and remembers the verdicts on each state of the files.
+    """Runs checks, and remembers what they said about each state of the files.
 
     ``run`` is a function with the same parameters as ``run_checks``.
     """
@@ -33,7 +33,7 @@ class Memory:
         exercises: list[str] | None = None,
         on_verdict: Callable[[int, int], None] | None = None,
     ) -> list[Verdict]:
-        """Return the verdicts as ``run_checks`` does."""
+        """Return the same verdicts as ``run_checks``, but run the checks only if necessary."""
         wanted = with_needs(chapter, exercises)
         state = state_of(engine, chapter)
         for ids in (with_needs(chapter, None), wanted):
@@ -48,7 +48,7 @@ class Memory:
 
 
 def state_of(engine: list[Path], chapter: Chapter) -> str:
-    """Compute a hash of all files that can affect the checks of ``chapter``."""
+    """Compute a hash of all files that can affect the checks of a chapter."""
     state = hashlib.sha256()
     for number, folder in enumerate(engine):
         for file in sorted(folder.glob("ch??_*/*.*")):

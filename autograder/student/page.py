@@ -1,4 +1,4 @@
-"""Lay out the page of the command watch, so that its heading and keys fit on the terminal."""
+"""Lay out the page of the command watch, so that its heading and its keys fit on the terminal."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ Line = tuple[str, str]  # a text and its style
 
 @dataclass
 class Page:
-    """The contents of the page: lines at the top, a failure, lines at the bottom, and a note.
+    """What the page shows: lines at the top, a failure, lines at the bottom, and a note.
 
-    ``whole`` is the command that shows the full diagnosis. The page shows this command if the
-    diagnosis does not fit on the terminal.
+    If the diagnosis of the failure does not fit on the terminal, the page names the command
+    ``whole``, which shows all of it.
     """
 
     top: list[Line] = field(default_factory=list)
@@ -29,7 +29,7 @@ class Page:
     note: list[Line] = field(default_factory=list)
 
     def say(self, words: str, style: str = "") -> None:
-        """Add a line at the bottom."""
+        """Add a line at the bottom of the page."""
         self.bottom.append((words, style))
 
     def draw(self, console: Console, *, with_keys: bool) -> None:
@@ -50,13 +50,13 @@ class Page:
     def fitted(self, width: int, height: int, keys: list[Line]) -> list[Line]:
         """Fit the page into ``width`` columns and ``height`` lines.
 
-        If the diagnosis is too long, cut out its middle.
+        If the diagnosis is too long for that, cut out its middle.
         """
         top, below = _wrapped(self.top, width), _wrapped(self._below(), width)
         printed = [(words, "") for words in wrapped_rows(self._printed(), width)]
         diagnosis = wrapped_rows(self.failure.diagnosis if self.failure else [], width)
         room = height - 1 - len(top) - len(below) - len(keys)
-        # The diagnosis matters more than the printed output, which keeps at least one line.
+        # The diagnosis matters more than the printed output, but at least one line of that stays.
         few = max(2, room - len(diagnosis))
         if len(printed) > few:
             printed = [*printed[: few - 1], (f"{'...':10}in full: {self.whole}", "")]

@@ -1,4 +1,4 @@
-"""Find the line in a student's file that a failed check is about."""
+"""Find the line in a student's file that a failed check is about, so that an editor can open it."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from autograder.checks.verdict import Verdict
 from autograder.definitions import functions
 from autograder.manifest import Chapter, Exercise, load_chapters
 
-FOLDER = re.compile(r"ch\d\d_\w+")  # the name of a chapter's folder
+FOLDER = re.compile(r"ch\d\d_\w+")  # a chapter's folder has such a name
 
 
 def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed: Verdict) -> str:
-    """Return the position to open: the line in the message, or the function that was called.
+    """Return where to look: the line in the message or, failing that, the function that was called.
 
-    A line inside a function of another exercise does not count, because that function may be
-    correct. A line in a complete file does not count either, because students do not edit it. If
-    the check is about the student's own data, return the data file.
+    Two kinds of lines do not help. A line inside a function of another exercise may be correct, and
+    a line in a complete file is not the student's to edit. If the check is about data that the
+    student has entered, return the data file.
     """
     complete = {(other.name, file) for other in load_chapters() for file in other.complete}
     called, where = failed.message.called, failed.message.where
@@ -40,10 +40,11 @@ def next_place(engine: list[Path], chapter: Chapter, exercise: Exercise, failed:
 
 
 def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
-    """Return the position of a function that students edit, as path:line.
+    """Return where one of the functions that students edit is defined, as path:line.
 
-    ``name`` is the function's name in the manifest. The path is relative to the working folder if
-    the file is inside that folder. If the file is missing or cannot be read, return only the path.
+    ``name`` is the function's name in the manifest. If its file is missing or cannot be read,
+    return only the path. The path is relative to the working folder if the file is somewhere inside
+    it.
     """
     module, _, path = name.partition(".")
     file = _file(engine, chapter.name, f"{module}.py")
@@ -56,7 +57,7 @@ def find_definition(engine: list[Path], chapter: Chapter, name: str) -> str:
 
 
 def _body_at(engine: list[Path], chapter: str, file: str, line: int) -> str | None:
-    """Return the manifest name of the function that contains the line ``line``."""
+    """Return the function that contains a line, by its name in the manifest."""
     tree = _read(_file(engine, chapter, file))
     for name, node in functions(tree).items() if tree else ():
         if node.lineno <= line <= (node.end_lineno or 0):
@@ -65,7 +66,7 @@ def _body_at(engine: list[Path], chapter: str, file: str, line: int) -> str | No
 
 
 def _read(file: Path) -> ast.Module | None:
-    """Return the syntax tree of ``file``. If it is missing or cannot be read, return None."""
+    """Return the syntax tree of a file, or None if the file is missing or cannot be read."""
     try:
         return ast.parse(file.read_text(encoding="utf-8-sig"))  # some editors add a BOM
     except (OSError, SyntaxError, ValueError):
@@ -73,9 +74,9 @@ def _read(file: Path) -> ast.Module | None:
 
 
 def _file(engine: list[Path], chapter: str, name: str) -> Path:
-    """Return the path of the engine's file ``name``.
+    """Return the path of one of the engine's files.
 
-    The path is relative to the working folder if the file is inside that folder.
+    It is relative to the working folder if the file is somewhere inside it.
     """
     files = [folder / chapter / name for folder in engine]
     file = next((file for file in files if file.exists()), files[0])

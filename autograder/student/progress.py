@@ -1,4 +1,4 @@
-"""Keep track of a student's progress: which exercises work, and which exercise is next."""
+"""Keep track of a student's progress: which exercises work, and which one comes next."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ class Progress:
         self.last: dict[tuple[str, str], Result] = {}
 
     def report(self, chapter: Chapter, exercise: Exercise | None = None) -> Report:
-        """Check ``chapter``, and remember the results.
+        """Check a chapter, and remember the results.
 
-        If ``exercise`` is given, check only this exercise and its prerequisites.
+        With ``exercise``, check only this exercise and the ones it builds on.
         """
         with ProgressBar() as progress:
             report = report_on(chapter, exercise, self.folders, self.given, self.memory, progress)
@@ -37,7 +37,10 @@ class Progress:
         return report
 
     def next_open(self) -> tuple[Chapter, Exercise] | None:
-        """Return the next open exercise. Each chapter's physics comes before its robust checks."""
+        """Return the exercise that comes next, or None if there is nothing left to do.
+
+        In each chapter, the physics of all exercises comes before their robust checks.
+        """
         for chapter in self.chapters:
             wanted = asked_for(chapter)
             results = [r for r in self.report(chapter).results if r.exercise.id in wanted]
@@ -48,17 +51,17 @@ class Progress:
         return None
 
     def works(self, chapter: Chapter, exercise: Exercise) -> bool:
-        """Return whether the physics of ``exercise`` passed in the last check."""
+        """Return whether the physics of this exercise passed the last time it was checked."""
         result = self.last.get((chapter.name, exercise.id))
         return result is not None and result.works
 
     def has_all_physics(self, chapter: Chapter) -> bool:
-        """Return whether the physics of all exercises in ``chapter`` passed in the last check."""
+        """Return whether the physics of all exercises in a chapter passed when last checked."""
         wanted = asked_for(chapter)
         return not any(lacks_physics(r) for r in self._results(chapter) if r.exercise.id in wanted)
 
     def words(self, chapter: Chapter) -> str:
-        """Describe how much of ``chapter`` is done: first the physics, then all checks."""
+        """Describe how much of a chapter is done: first the physics, and then all checks."""
         wanted = {e.id for e in chapter.exercises if e.kind != "written" and not e.optional}
         results = [r for r in self._results(chapter) if r.exercise.id in wanted]
         of = len(wanted)
@@ -73,10 +76,10 @@ class Progress:
 
 
 def lacks_physics(result: Result) -> bool:
-    """Return whether a physics check of the exercise does not pass yet."""
+    """Return whether some physics check of an exercise does not pass yet."""
     return result.status != "waiting" and not result.works
 
 
 def lacks_anything(result: Result) -> bool:
-    """Return whether at least one check of an exercise does not pass yet."""
+    """Return whether some check of an exercise does not pass yet, whether physics or robust."""
     return result.status not in ("passed", "waiting")

@@ -12,9 +12,9 @@ from autograder.definitions import functions
 
 
 def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cst.Module:
-    """Restore the deleted functions ``names``, such as Vector3.dot, from ``stub``.
+    """Insert the stubs of deleted functions, such as Vector3.dot, and return the new module.
 
-    Return the new module. If a whole class is missing, restore all of it.
+    If the whole class is gone, all of it comes back.
 
     Raises:
         ValueError: The stub does not define one of the names.
@@ -44,7 +44,7 @@ def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cs
 
 
 def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
-    """Return the class ``node`` with the members ``names`` added from ``stub``."""
+    """Return a class with the members ``names`` added, which we take from the stub."""
     members = [*node.body.body]
     if not isinstance(node.body, cst.IndentedBlock):  # the whole class is on one line
         members = [cst.SimpleStatementLine(members)]
@@ -57,7 +57,7 @@ def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
 
 
 def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
-    """Insert ``node`` after its nearest predecessor in the stub, or else before its successor."""
+    """Insert a node after its nearest predecessor in the stub, or else before its successor."""
     names = [_name(other) for other in body]
     at = [*order].index(node)
     for other in reversed(order[:at]):
@@ -73,7 +73,7 @@ def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
 
 
 def _name(node: Any) -> str:
-    """Return the manifest name of a class or function. For any other node, return ""."""
+    """Return the name of a class or function as in the manifest, or "" for anything else."""
     if isinstance(node, cst.ClassDef):
         return str(node.name.value)
     if isinstance(node, cst.FunctionDef):

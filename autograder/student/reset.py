@@ -1,8 +1,8 @@
-"""Restore the stub of an exercise, after making a copy of the student's file.
+"""Restore the stub of an exercise, but keep a copy of the student's file.
 
-The stub is made from the student's own file and the manifest, so that other functions do not
-change. If a function was deleted, its stub comes from the reference. In a hand-out, it comes from
-the folder stubs/.
+We make the stub from the student's own file and the manifest, so that all other functions stay as
+they are. If the student has deleted a function, there is nothing to make a stub from. Then we take
+it from the reference or, in a hand-out, from the folder stubs/.
 """
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ COPIES = ROOT / "build" / "reset"
 
 @dataclass(frozen=True)
 class Change:
-    """A change that a reset makes to one file.
+    """What a reset does to one file.
 
-    ``gone`` is true if the functions in ``names`` were deleted from the file.
+    If ``gone`` is true, the student had deleted the functions in ``names``.
     """
 
     file: Path
@@ -46,10 +46,10 @@ def reset(
     *,
     whole: bool = False,
 ) -> str:
-    """Restore the stubs of an exercise. Return a text that lists the changes and the copies.
+    """Restore the stubs of an exercise, and return a text that lists the changes and the copies.
 
-    Only the functions of the exercise change. If ``whole`` is true, entire files are restored. If
-    some functions of the exercise were deleted, only the deleted functions are restored.
+    Only the functions of this exercise change. If some of them were deleted, the reset brings back
+    these and leaves the others alone. With ``whole``, it restores entire files.
 
     Raises:
         ValueError: A file cannot be read or lacks a function. Nothing is changed.
@@ -74,7 +74,7 @@ def reset(
 
 
 def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = COPIES) -> str:
-    """Return the question to ask before a reset.
+    """Return the question that a student has to answer before a reset.
 
     Raises:
         ValueError: ``reset`` would raise ValueError too.
@@ -95,7 +95,7 @@ def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = 
 def planned(
     chapter: Chapter, exercise: Exercise, engine: Path, *, whole: bool = False
 ) -> list[Change]:
-    """Return the changes that a reset would make. Do not make them.
+    """Return the changes that a reset would make, without making them.
 
     Raises:
         ValueError: ``reset`` would raise ValueError too.
@@ -116,7 +116,7 @@ def planned(
 
 
 def _change(chapter: Chapter, exercise: Exercise, file: Path, messages: dict[str, str]) -> Change:
-    """Return the change to ``file``. If functions are missing, it restores only these functions."""
+    """Return the change to one file. If functions were deleted, it restores only these."""
     try:
         before = file.read_bytes()
         tree, module = ast.parse(before), cst.parse_module(before)
@@ -161,7 +161,7 @@ def _whole_stub(chapter: Chapter, file: str) -> bytes:
 
 
 def _keep(file: Path, content: bytes, folder: Path) -> Path:
-    """Write ``content`` to a copy with an unused number, and return the path of the copy."""
+    """Copy a student's file under a number that is not in use, and return the path of the copy."""
     folder.mkdir(parents=True, exist_ok=True)
     for number in count(1):
         copy = folder / f"{file.stem}-{number}{file.suffix}"
@@ -173,5 +173,5 @@ def _keep(file: Path, content: bytes, folder: Path) -> Path:
 
 
 def _short(path: Path) -> Path:
-    """Return ``path`` relative to the working folder if it is inside that folder."""
+    """Return a path relative to the working folder, if it is somewhere inside it."""
     return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

@@ -1,7 +1,7 @@
-"""The student's screen: the state of every exercise, one failure in full, and the next step.
+"""What a student sees: the state of every exercise, one failure in full, and what to do next.
 
-rich is imported only when something is printed. The checks are then already running in their own
-process, so the time for the import does not add to the wait.
+We import rich only when there is something to print. By that time the checks are already running in
+their own process, so the student does not have to wait for the import.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from autograder.wrapping import plain_console, print_wrapped
 if TYPE_CHECKING:
     from rich.console import Console
 
-URGENCY = {"blocked": 1, "inherited": 2}  # shown last, because another failure is their cause
+URGENCY = {"blocked": 1, "inherited": 2}  # these come last, because another failure causes them
 STYLES = {
     "passed": "green",
     "works": "green",
@@ -41,10 +41,11 @@ BAR = 40
 
 @dataclass(frozen=True)
 class Report:
-    """The results of a chapter with the student's earlier chapters, and with the reference's.
+    """The results of a chapter, as the checks have found them in one or two runs.
 
-    ``on_reference`` is empty if a second run was not necessary or not possible. ``suspects`` are
-    earlier chapters that may be the cause of failures.
+    ``results`` come from a run with the student's own earlier chapters. ``on_reference`` come from
+    a second run with ours, and are empty if this run was not needed or not possible. ``suspects``
+    are earlier chapters that may be the cause of failures.
     """
 
     chapter: Chapter
@@ -87,10 +88,10 @@ def print_report(
     engine: list[Path],
     given: list[Chapter],
 ) -> bool:
-    """Print the chapters, followed by the first failure, and return whether all checks pass.
+    """Print the chapters and the first failure in full, and return whether all checks pass.
 
-    Unanswered questions are listed as open, but they do not affect the result, because no check can
-    judge an answer.
+    Questions that are still open are listed, but no check can judge an answer, so they do not
+    change the result.
     """
     for report in reports:
         print_chapter(console, report, engine)
@@ -110,7 +111,7 @@ def print_report(
 
 
 def first_open(reports: list[Report], exercise: Exercise | None) -> tuple[Chapter, Result] | None:
-    """Return the open result that a student should work on first, or None if all checks pass."""
+    """Return what the student should work on first, or None if all checks pass."""
     everything = [(report.chapter, result) for report in reports for result in report.results]
     open_ones = [pair for pair in everything if pair[1].status not in ("passed", "waiting")]
     if not exercise:
@@ -133,9 +134,9 @@ def passed_words(
     *,
     changed: bool,
 ) -> str:
-    """Return the sentence that says that all checks pass.
+    """Return the sentence with which we tell the student that all checks pass.
 
-    ``changed`` is true if a file that is given complete was edited.
+    ``changed`` is true if the student has edited a file that should stay as it is.
     """
     if changed:
         return "All checks pass here, but grading uses the original files."
@@ -146,7 +147,7 @@ def passed_words(
 
 
 def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
-    """Return a note on each file of a chapter that is given complete but was edited."""
+    """Return a note on each file that the student has edited although it should stay as it is."""
     return [
         f"{file} has been edited. It is not handed in, and grading uses the original, so code "
         "that needs your change fails there. Keep your own code in the files that the "
@@ -156,7 +157,7 @@ def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
 
 
 def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
-    """Print a chapter's table and points, and a note on files that are not handed in."""
+    """Print a chapter's table and points, and a note on files that will not be handed in."""
     from rich.table import Table
 
     chapter, results = report.chapter, report.results
@@ -198,7 +199,7 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
 
 
 def points_of(chapter: Chapter, result: Result) -> str:
-    """Return the points of an exercise as the table shows them, or the reason why it has none."""
+    """Return the points of an exercise as the table shows them, or why it has no points."""
     exercise = result.exercise
     if exercise.optional:
         return "needed" if exercise.id in asked_for(chapter) else "optional"
@@ -207,7 +208,7 @@ def points_of(chapter: Chapter, result: Result) -> str:
 
 
 def extra_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
-    """Return a note on modules in a chapter's folder that belong to no exercise, if any."""
+    """Return a note on modules in a chapter's folder that do not belong to any exercise."""
     known = {*chapter.edited_files, *chapter.complete}
     files = sorted(file.name for file in (engine[0] / chapter.name).glob("*.py"))
     extra = [name for name in files if name not in known]
@@ -215,13 +216,13 @@ def extra_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
 
 
 def passing(checks: Sequence[Verdict]) -> str:
-    """Return how many checks of a tier pass, such as 3/4, or "" if the tier has no checks."""
+    """Return how many of these checks pass, such as 3/4, or "" if there are none."""
     passed = sum(check.status == "passed" for check in checks)
     return f"{passed}/{len(checks)}" if checks else ""
 
 
 def bar(part: float, whole: float) -> str:
-    """Return a text that shows ``part`` of ``whole`` as a progress bar."""
+    """Return a progress bar made of characters, with ``part`` of ``whole`` filled in."""
     filled = min(BAR, int(BAR * part / whole)) if whole else 0
     return f"[{'#' * filled}{'.' * (BAR - filled)}]"
 
@@ -229,14 +230,14 @@ def bar(part: float, whole: float) -> str:
 def print_inherited(
     console: Console, report: Report, exercise: Exercise | None, engine: list[Path]
 ) -> None:
-    """Print how many checks fail because of an earlier chapter, and the two ways to continue."""
+    """Print how many checks fail because of an earlier chapter, and how to go on."""
     for note in inherited_notes(report, exercise, engine):
         print_wrapped(console, note, STYLES["inherited"])
         console.print()
 
 
 def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path]) -> list[str]:
-    """Return notes on earlier chapters that cause, or may cause, failures in this chapter."""
+    """Return notes on earlier chapters that cause, or may cause, failures in this one."""
     chapter, notes = report.chapter, []
     lost = sum(check.status == "inherited" for result in report.results for check in result.checks)
     if lost:
@@ -260,7 +261,7 @@ def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path
 
 
 def _named(chapters: list[Chapter]) -> str:
-    """Return the numbers of chapters as words, such as "chapter 2" or "chapters 2-5"."""
+    """Return the numbers of some chapters in words, such as "chapter 2" or "chapters 2-5"."""
     return f"chapter{'' if len(chapters) == 1 else 's'} {numbers_of(chapters)}"
 
 
@@ -278,12 +279,12 @@ def _state(result: Result, answered: set[str]) -> str:
 
 
 def _waits_for(exercise: Exercise, message: Message) -> bool:
-    """Return whether a check fails because a function of this exercise is not written yet."""
+    """Return whether a check fails only because a function of this exercise is not written yet."""
     return message.kind is Kind.UNWRITTEN and message.exercise == exercise.id
 
 
 def states_of(report: Report, engine: list[Path]) -> list[str]:
-    """Return the state of each result, in one or two words."""
+    """Return the state of each exercise in one or two words, such as "half written"."""
     questions = questions_of(report.chapter, engine)
     answered = {question.exercise.id for question in questions if question.answered}
     return [_state(result, answered) for result in report.results]

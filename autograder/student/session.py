@@ -1,4 +1,4 @@
-"""Follow the exercise that a student is working on: find it, check it, and find the next one."""
+"""Follow a student through the exercises: find the current one, check it, and find the next."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from autograder.student.progress import Progress, lacks_anything, lacks_physics
 from autograder.student.screen import STYLES, Report, inherited_notes
 from autograder.student.written import all_pass
 
-TROUBLE = (GraderError, ValueError, OSError)  # errors of one run, after which watch continues
+TROUBLE = (GraderError, ValueError, OSError)  # after one of these, watch shows it and goes on
 
 
 class Session:
     """The state of the command watch.
 
-    It knows the current exercise and, if this exercise is finished, the next exercise.
+    It knows on which exercise the student is working and, once this one is done, what comes next.
     """
 
     def __init__(
@@ -38,12 +38,12 @@ class Session:
         self.current: tuple[Chapter, Exercise] | None = None
         self.next: tuple[Chapter, Exercise] | None = None
         self.edits = Edits(engine[0], progress.chapters)
-        self.edited: list[str] = []  # functions of the current exercise in the last save
+        self.edited: list[str] = []  # which functions of this exercise the last save has changed
         self.page = Page()
         self.seen = ""
 
     def look(self) -> bool:
-        """Run the checks again if files have changed. Return whether any files have changed."""
+        """If files have changed, run the checks again. Return whether they have changed."""
         state = state_of(self.progress.folders, self.progress.chapters[-1])
         if state == self.seen:
             return False
@@ -53,9 +53,9 @@ class Session:
         return True
 
     def choose(self) -> None:
-        """If exercises were edited, make one of them the current exercise.
+        """Follow the student to the exercise that was just edited.
 
-        An open exercise is preferred.
+        If several were edited at once, prefer one that does not work yet.
         """
         edited = self.edits.look()
         if edited:
@@ -69,16 +69,13 @@ class Session:
             self.current, self.edited = (chapter, exercise), names
 
     def go_on(self) -> None:
-        """Make the next exercise the current one, if there is a next exercise."""
+        """Move on to the next exercise, if there is one."""
         if self.next:
             self.current, self.edited = self.next, []
             self.show()
 
     def show(self) -> None:
-        """Check the current exercise, and show its state.
-
-        If there is none, find the next exercise.
-        """
+        """Check the current exercise and show its state. If there is none, find the next one."""
         self.next = None
         self.page = Page()
         try:
@@ -93,11 +90,11 @@ class Session:
         self.page.draw(self.console, with_keys=self.has_keys)
 
     def is_done(self, chapter: Chapter, exercise: Exercise) -> bool:
-        """Check ``exercise``, show its state, and return whether it is done.
+        """Check an exercise, show its state, and return whether it is done.
 
-        Its prerequisites are checked too. If the physics of a prerequisite no longer passes, the
-        prerequisite becomes the current exercise. An exercise is done when its physics passes. Its
-        robust checks count only after the physics of the whole chapter passes.
+        An exercise is done as soon as its physics passes. Its robust checks have to wait until the
+        physics of the whole chapter passes. The exercises it builds on are checked as well. If the
+        physics of one of these no longer passes, it becomes the current exercise.
         """
         worked = self.progress.works(chapter, exercise)
         report = self.progress.report(chapter, exercise)
@@ -117,7 +114,7 @@ class Session:
         return True
 
     def say_failure(self, report: Report, tier: Result, kind: str) -> None:
-        """Show the failing check in one tier of an exercise, and how many checks pass."""
+        """Show a failing physics or robust check of an exercise, and how many of them pass."""
         chapter, exercise, page = report.chapter, tier.exercise, self.page
         for note in inherited_notes(report, exercise, self.engine):
             page.top += [(note, STYLES["inherited"]), ("", "")]
@@ -132,7 +129,7 @@ class Session:
         page.say(self.progress.words(chapter))
 
     def say_done(self, result: Result, *, wait: bool) -> None:
-        """Show that the physics of an exercise passes, and which robust checks still fail."""
+        """Show that the physics of an exercise passes, and which robust checks are left."""
         exercise, count = result.exercise, len(result.checks)
         title = f"{exercise.id} {exercise.title}"
         left = sum(check.status != "passed" for check in result.robust)
@@ -150,10 +147,10 @@ class Session:
         self.page.top += [(words, "bold green"), ("", "")]
 
     def find_next(self) -> None:
-        """Find the next open exercise, and show how to continue with it.
+        """Find the next open exercise, and show the student how to go on to it.
 
-        At the start, or if keys cannot be read, the next exercise becomes the current exercise
-        immediately.
+        At the start we go on to it at once, because there is no other exercise to finish first. We
+        do the same if we cannot read keys, because then the student cannot press Enter.
         """
         self.next = self.progress.next_open()
         if self.current or self.next is None:
@@ -174,7 +171,7 @@ class Session:
             self.is_done(*self.next)
 
     def say_end(self) -> None:
-        """Show that a chapter is finished, or which scenes this exercise makes playable."""
+        """Show that a chapter is finished, or which scenes can be played because of an exercise."""
         chapter, exercise = self.current or (self.progress.chapters[-1], None)
         report = self.progress.report(chapter)
         self.page.top += end_of([report], exercise, self.engine, self.progress.given)

@@ -1,4 +1,4 @@
-"""Check the student's current exercise after every save, and carry out commands for keys."""
+"""Check the student's current exercise after every save, and react to the keys that are pressed."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from autograder.student.screen import print_chapter, print_report
 from autograder.student.session import TROUBLE, Session
 from autograder.wrapping import plain_console
 
-TICK = 100  # milliseconds between two looks for pressed keys
+TICK = 100  # milliseconds until we look again whether a key was pressed
 
 
 def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Chapter]) -> None:
-    """Show the state of the current exercise, and update it after every save until q is pressed.
+    """Show the state of the current exercise, and check it after every save until q is pressed.
 
-    The current exercise is the exercise that was edited last. At the start, it is the first open
-    exercise in ``chapters``.
+    The current exercise is the one that the student has edited last. At the start, it is the first
+    one that is still open.
 
     Raises:
         ValueError: The reference of a given chapter does not exist in this folder.
@@ -50,15 +50,15 @@ def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Ch
 
 
 class Keyboard:
-    """Carries out the command for each key that the student presses."""
+    """Runs the command that belongs to a key when the student presses it."""
 
     def __init__(self, session: Session) -> None:
         self.session = session
         self.hints: dict[str, int] = {}
-        self.asking = False  # whether to reset the current exercise
+        self.asking = False  # whether we have asked if the current exercise should be reset
 
     def press(self, key: str) -> None:
-        """Carry out the command for a key. A key without a command does nothing."""
+        """Run the command for a key, such as h for a hint. Other keys do nothing."""
         try:
             if self.asking:
                 self.answer(key)
@@ -75,7 +75,7 @@ class Keyboard:
             self.note(str(error), "magenta")
 
     def note(self, words: str, style: str = "") -> None:
-        """Show a note on the page. It replaces the previous note."""
+        """Show a note on the page, in place of the previous one."""
         self.session.page.note = [(line, style) for line in words.splitlines()]
         self.session.draw()
 
@@ -84,7 +84,7 @@ class Keyboard:
         self.session.console.print(words, style=style, markup=False, soft_wrap=True)
 
     def hint(self) -> None:
-        """Show the next hint of the exercise. After the last hint, show that one again."""
+        """Show the next hint of the exercise. Once there are no more, repeat the last one."""
         if not self.session.current:
             return
         exercise = self.session.current[1]
@@ -116,7 +116,7 @@ class Keyboard:
         print_chapter(session.console, session.progress.report(chapter), session.engine)
 
     def check_all(self) -> None:
-        """Run all checks again, and print the same output as make check."""
+        """Run all checks again, and print the same as make check."""
         session, progress = self.session, self.session.progress
         progress.memory.known.clear()
         reports = [progress.report(chapter) for chapter in progress.chapters]

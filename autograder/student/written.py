@@ -1,4 +1,4 @@
-"""Show a written exercise: at first the question, and after the answer also the model answer."""
+"""Show a written exercise: first the question and, once it is answered, the model answer too."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 def print_written(
     console: Console, chapter: Chapter, exercise: Exercise, engine: list[Path], root: Path = ROOT
 ) -> None:
-    """Print the question. Once it is answered, print the answer, the model answer and the rubric.
+    """Print the question of a written exercise and, once it is answered, the model answer.
 
-    The model answer and the rubric are stored in solutions/. A hand-out contains neither of them,
-    because they are meant for the instructor only.
+    The rubric follows, so that students can judge their own answer. A hand-out contains neither the
+    model answer nor the rubric, since both are meant for the instructor only.
     """
     question = next(q for q in questions_of(chapter, engine) if q.exercise == exercise)
     points = "1 point" if exercise.points == 1 else f"{shown(exercise.points)} points"
@@ -49,7 +49,7 @@ def print_written(
 
 
 def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
-    """Return which questions are open, and in which files, as a text. Without any, return ""."""
+    """Say which questions are open and where to answer them. Without any, return ""."""
     groups = [
         open_ones
         for chapter in chapters
@@ -75,7 +75,7 @@ def _is_open(question: Question) -> bool:
 
 
 def listed(words: list[str], last: str = "and") -> str:
-    """Join words to a list as in a sentence, such as "a, b and c"."""
+    """Join words as in a sentence, such as "a, b and c"."""
     return f" {last} ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
 
 
@@ -84,10 +84,10 @@ def _ids(questions: list[Question]) -> list[str]:
 
 
 def flowing(text: str) -> str:
-    """Join the lines of each paragraph and each list item, so that the text fits any screen width.
+    """Join the lines of each paragraph and list item, so that the text fits a screen of any width.
 
-    Markdown's quotation marks are removed. Indented lines, such as formulas, stay as they are. A
-    text that contains blocks of code is not changed at all.
+    Markdown's marks for quotations are removed. Indented lines, such as formulas, stay as they are,
+    and a text that contains blocks of code does not change at all.
     """
     text = re.sub(r"(?m)^> ?", "", text)
     if "```" in text:

@@ -1,4 +1,4 @@
-"""Determine who is in a class, by matching the students in the roster with the submissions."""
+"""Find out who is in a class, by matching the students in the roster with the submissions."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ _Index = defaultdict[str, list[Student]]
 
 @dataclass(frozen=True)
 class Member:
-    """A member of the class: a student in the roster, a submission, or both.
+    """Somebody in the class: a student in the roster, the author of a submission, or both.
 
-    ``shown`` is the name that all reports show. ``folder`` is the name in the submission itself.
+    ``shown`` is the name that all reports show. ``folder`` is the name on the submission itself.
     """
 
     shown: str
@@ -30,7 +30,7 @@ class Member:
 
     @property
     def aliases(self) -> tuple[str, ...]:
-        """All names that the submission and the roster have for the student."""
+        """All names that the student has on the submission and in the roster."""
         who = self.student
         known = (who.name, who.id, who.email, who.login) if who else ()
         return tuple(name for name in (self.folder, *known) if name)
@@ -38,7 +38,7 @@ class Member:
 
 @dataclass(frozen=True)
 class ClassList:
-    """The members of a class. Without a roster, they are the students who handed something in."""
+    """The members of a class. Without a roster, we know only those who have handed something in."""
 
     members: list[Member]
     has_roster: bool = False
@@ -60,12 +60,15 @@ class ClassList:
 
     @property
     def unmatched(self) -> list[str]:
-        """The submissions that belong to no student in the roster."""
+        """The submissions that do not belong to any student in the roster."""
         return [m.shown for m in self.members if self.has_roster and not m.student]
 
     @property
     def names(self) -> dict[str, str]:
-        """A dict from every unique name of a student who handed something in to the shown name."""
+        """For each name that only one student has, the name that the reports show.
+
+        Students who have not handed anything in are left out.
+        """
         claims = defaultdict(set)
         for member in self.members:
             for name in (member.shown, *member.aliases):
@@ -78,10 +81,7 @@ class ClassList:
         }
 
     def renamed(self, name: Callable[[Member], str]) -> ClassList:
-        """Return the class with different names to show.
-
-        ``name`` returns the name of each member.
-        """
+        """Return the class with ``name(member)`` as the name to show for each member."""
         members = [replace(member, shown=name(member)) for member in self.members]
         return replace(self, members=sorted(members, key=lambda member: member.shown))
 
@@ -89,9 +89,10 @@ class ClassList:
 def match(
     submissions: list[Submission], roster: list[Student] | None, path: Path | None
 ) -> ClassList:
-    """Match each submission with a student of the roster, and return the class.
+    """Find the student in the roster to whom each submission belongs, and return the class.
 
-    The class also contains submissions that match no student, and students without a submission.
+    Submissions that belong to no student are part of the class as well, and so are students without
+    a submission.
 
     Raises:
         ValueError: A submission matches two students, or a student matches two submissions. The
@@ -135,7 +136,7 @@ def match(
 
 
 def _students_of(submission: Submission, by_key: _Index, by_name: _Index) -> list[Student]:
-    """Return the students whose names match a submission. There should be one at most."""
+    """Return the students whose names match a submission. There should be at most one."""
     export = submission.export
     identity = submission.student
     if export:  # Moodle's number identifies a participant in one assignment, not a student

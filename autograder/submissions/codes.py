@@ -1,4 +1,4 @@
-"""Replace the names of students with codes, and keep a key file that lists whose code is whose."""
+"""Show codes instead of students' names, and keep a key file that says whose code is whose."""
 
 from __future__ import annotations
 
@@ -18,17 +18,16 @@ from autograder.submissions.csv_rows import read_csv
 
 COLUMNS = ["code", "id", "name", "email", "login", "submission"]
 CODE = re.compile(r"[a-z2-7]{5}-[a-z2-7]{5}")
-SECRET = "(secret)"  # first cell of the row that contains the secret
+SECRET = "(secret)"  # the row that contains the secret begins with this cell
 QUOTED = re.compile(r"'.*'", re.DOTALL)
 
 
 def with_codes(people: ClassList, path: Path) -> ClassList:
-    """Return the class with codes in place of names, and write the key file.
+    """Return the class with codes instead of names, and write the key file that explains the codes.
 
-    The key file lists which code belongs to which student. A code is computed from a secret in the
-    key file and from the student's id. If a submission belongs to no student in the roster, its
-    name is used instead of the id. As long as the key file exists, each student therefore keeps the
-    same code.
+    We compute a code from the student's id and from a secret in the key file. As long as this file
+    exists, every student therefore keeps the same code. If a submission belongs to no student in
+    the roster, we use its name instead of the id.
 
     Raises:
         ValueError: The key file is damaged.
@@ -48,18 +47,18 @@ def with_codes(people: ClassList, path: Path) -> ClassList:
 
 
 def key_path(roster: Path | None, out: Path) -> Path:
-    """Return the path of the key file, next to the roster or else to the reports' folder."""
+    """Return where the key file is: next to the roster or, without one, to the reports."""
     beside = (roster or out).resolve()
     return beside.with_name(f"{beside.stem if roster else beside.name}-key.csv")
 
 
 def without_names(note: str) -> str:
-    """Return a note without its quotations, because a quoted folder name may name a student."""
+    """Return a note without anything it quotes, since the name of a folder may name a student."""
     return QUOTED.sub("one of them", note)
 
 
 def refuse_names(out: Path) -> None:
-    """Raise ValueError if a folder contains reports that are filed under students' names."""
+    """Raise ValueError if a folder already contains reports under students' names."""
     for kind in ("results", "feedback", "gradescope"):
         for path in [*(out / kind).glob("*"), *(out / "earlier" / kind).glob("*")]:
             name = path.name if path.is_dir() else path.stem
@@ -88,7 +87,7 @@ def _secret_in(path: Path) -> str:
 
 
 def _write_private(path: Path, text: str) -> None:
-    """Write a file atomically, so that only its owner can read it."""
+    """Write a file atomically, and let only its owner read it."""
     temporary = path.with_name(path.name + ".tmp")
     temporary.unlink(missing_ok=True)
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL

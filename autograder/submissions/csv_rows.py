@@ -1,4 +1,4 @@
-"""Read a CSV file that was written by a person or a spreadsheet, with the line of each row."""
+"""Read a CSV file that a person or a spreadsheet has written, and keep track of the lines."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Table:
-    """A CSV file: its separator, its first line, and the names of its columns in lower case."""
+    """A CSV file, with its separator, its first line and the names of its columns in lower case."""
 
     path: Path
     text: str
@@ -20,16 +20,17 @@ class Table:
     header: list[str]
 
     def rows(self, longest: str) -> Iterator[tuple[int, int, list[str]]]:
-        """Yield the rows below the header, each with its first and last line, counted from 1.
+        """Yield the rows below the header, each with its first and its last line in the file.
 
-        Blank rows are skipped, and missing cells at the end of a row are empty. ``longest`` names
-        the kind of cell that is likely to contain a separator by mistake, for use in error
-        messages.
+        Blank rows are skipped, and missing cells at the end of a row are empty. If a row has too
+        many cells, somebody has probably forgotten to quote a cell that contains a separator.
+        ``longest`` names the kind of cell in which this is most likely, so that the error message
+        can mention it.
 
         Raises:
             ValueError: A row is too long, or a quote is never closed. The message names the line.
         """
-        # Without strict, a quote that is never closed would hide the rows below it.
+        # If this were not strict, a quote that is never closed would hide all rows below it.
         source = io.StringIO(self.text, newline="")
         reader = csv.reader(source, delimiter=self.separator, strict=True)
         width = len(self.header)
@@ -52,7 +53,7 @@ class Table:
 
 
 def read_csv(path: Path) -> Table:
-    """Read a CSV file in UTF-8. Its columns are separated by commas or by semicolons, as in Europe.
+    """Read a CSV file whose columns are separated by commas or, as in Europe, by semicolons.
 
     Raises:
         ValueError: The file is not UTF-8. The message names the line.

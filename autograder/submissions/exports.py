@@ -1,4 +1,4 @@
-"""Interpret the names that Canvas and Moodle give to submissions that an instructor downloads."""
+"""Understand the names that Canvas and Moodle give to the submissions we download from them."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass
 from typing import Literal
 
-# lastfirst_LATE_userid_uploadid_work-1.zip. LATE_ appears only if the submission is late.
+# A file is called lastfirst_LATE_userid_uploadid_work-1.zip. LATE_ is there only if it is late.
 CANVAS = re.compile(
     r"(?:(?P<late>LATE_)?anon_(?P<anonymous>[^_]+)|(?P<name>.+?)_(?P<too_late>LATE_)?(?P<id>[0-9]+))"
     r"_(?P<upload>[0-9]+)_(?P<file>.+)"
@@ -21,12 +21,12 @@ RESUBMITTED = re.compile(r"-([0-9]+)$")
 
 @dataclass(frozen=True)
 class Exported:
-    """The information that the name of a submission contains.
+    """What the name of a submission tells us about it.
 
-    For Canvas, ``name`` is the last name followed by the first name, without spaces, and ``number``
-    is the id of the user. For Moodle, ``name`` is the full name, and ``number`` identifies the
-    participant in this assignment only. If a student uploads several times, later uploads have a
-    larger ``order``.
+    For Canvas, ``name`` is the last name and the first name without a space in between, and
+    ``number`` is the id of the user. For Moodle, ``name`` is the full name, and ``number``
+    identifies the student in this assignment only. If a student uploads several times, the later
+    upload has the larger ``order``.
     """
 
     platform: Literal["canvas", "moodle"]
@@ -38,12 +38,12 @@ class Exported:
 
     @property
     def student(self) -> str:
-        """The name under which the student is graded if there is no roster."""
+        """The name under which we grade the student if there is no roster."""
         return f"{self.name}_{self.number}"
 
 
 def read_export(name: str) -> Exported | None:
-    """Return the information in a platform's name, or None if the name has another form.
+    """Return what we can learn from a name, or None if it is not from Canvas or Moodle.
 
     ``name`` must not end with .zip.
     """
@@ -61,9 +61,6 @@ def read_export(name: str) -> Exported | None:
 
 
 def _resubmission(file: str) -> int:
-    """Return the number of a resubmission, such as 2 for work-2.zip.
-
-    For the first upload, return 0.
-    """
+    """Return the number that a platform adds to a later upload, as in work-2.zip, or else 0."""
     found = RESUBMITTED.search(file)
     return int(found[1]) if found else 0

@@ -1,4 +1,4 @@
-"""Find the submissions of a class, and choose the file names of their reports."""
+"""Find the submissions of a class, and choose file names for the reports on them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pathlib import Path
 from autograder.clean import visible
 from autograder.submissions.exports import Exported, read_export
 
-LONGEST_NAME = 100  # bytes without a suffix; file systems allow 255 in all
+LONGEST_NAME = 100  # bytes without the suffix; file systems allow 255 in all
 SILENT = (
     *("__pycache__", "__MACOSX", "README.md", "course.toml"),
     *("marks.csv", "roster.csv", "roster-key.csv"),
@@ -23,10 +23,10 @@ HASHED = re.compile(r".*-[0-9a-f]{8}")
 
 @dataclass(frozen=True)
 class Submission:
-    """A student's submission, which is a folder or a zip file.
+    """What a student has handed in, which is a folder or a zip file.
 
-    ``export`` contains the information in its name if a platform has chosen the name. ``aliases``
-    are the student's other names, which come from the folder or file and from the roster.
+    If a platform has chosen the name of this file, ``export`` holds what the name says. ``aliases``
+    are other names of the student, from the folder or file and from the roster.
     """
 
     student: str
@@ -36,7 +36,7 @@ class Submission:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """All names of the student."""
+        """All names under which we know the student."""
         return (self.student, *self.aliases)
 
     @property
@@ -46,12 +46,14 @@ class Submission:
 
 
 def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
-    """Return the submissions in a class's folder, sorted by student, and notes on other entries.
+    """Find the submissions in the folder of a class, and write notes on everything else in it.
 
-    A submission is a folder or a .zip file whose name is that of the student, or has the form that
-    Canvas or Moodle uses. If a student has uploaded several files there, the last one counts. Links
-    are never followed. Hidden files, caches and the instructor's own files are skipped without a
+    A submission is a folder or a .zip file. It has the name of its student, or a name that Canvas
+    or Moodle has given to it. If a student has uploaded several files there, we take the last one.
+    We never follow links, and we skip hidden files, caches and the instructor's own files without a
     note.
+
+    Return the submissions sorted by student, and the notes.
 
     Raises:
         ValueError: The path is not a folder, or it contains no submissions, or it contains two
@@ -102,10 +104,10 @@ def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
 
 
 def file_name(student: str) -> str:
-    """Return a safe and unique file name, without a suffix, for the files about a student.
+    """Return a safe file name for the files about a student, without a suffix.
 
-    A short and harmless name is used as it is. In any other name, unsafe characters are replaced,
-    the result is cut, and a hash of the original name is appended.
+    If the student's name is short and harmless, it is the file name. Otherwise we replace what is
+    unsafe, cut the name, and append a hash of the original, so that no two students share a file.
     """
     # A name that seems to end with a hash could equal the file name of another student.
     harmless = _clean(student) == student and not HASHED.fullmatch(student)
@@ -117,9 +119,9 @@ def file_name(student: str) -> str:
 
 
 def printable(text: str) -> str:
-    """Return a text in which unprintable characters are escaped.
+    """Escape the unprintable characters of a text.
 
-    Backslashes are doubled, so that different texts remain different.
+    We also double its backslashes, so that different texts stay different.
     """
     return "".join(map(visible, text.replace("\\", "\\\\")))
 

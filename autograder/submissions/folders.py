@@ -1,4 +1,4 @@
-"""Search an untrusted folder, and read files from it without following links."""
+"""Search a folder that we do not trust, and read files from it without following links."""
 
 from __future__ import annotations
 
@@ -11,26 +11,23 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-# Errors that are caused by the machine rather than the submission. The grader is at fault.
+# If one of these errors occurs, the machine is to blame and not the submission.
 OURS = (errno.EMFILE, errno.ENFILE, errno.ENOMEM, errno.EIO, errno.ESTALE)
-DEEPEST = 3  # levels below the submission at which a chapter's folder is found
-MOST_ENTRIES = 5_000  # that are searched in one submission
+DEEPEST = 3  # a chapter's folder may be at most this many levels below the submission
+MOST_ENTRIES = 5_000  # we look at no more than this many files and folders of one submission
 
 
 class NotTakenError(Exception):
-    """Raised when a file or a whole submission is rejected.
-
-    The text is a clause with the reason.
-    """
+    """Raised when we reject a file or a whole submission. Its text is a clause with the reason."""
 
 
 @dataclass(frozen=True)
 class Found:
-    """A file of a chapter that was found in a submission.
+    """A file of a chapter that we have found in a submission.
 
-    ``place`` lists the folders that lead to the file, of which the last is the chapter's own.
-    ``read`` takes the maximum size, and returns the content or raises NotTakenError. A ``doubtful``
-    file is in a folder that cannot be read. It counts only if no other file was found.
+    ``place`` lists the folders on the way to the file, and the last of them is the chapter's own.
+    ``read`` takes the largest size that we accept, and returns the content or raises NotTakenError.
+    A ``doubtful`` file is in a folder that we cannot read. It counts only if there is no other.
     """
 
     place: tuple[str, ...]
@@ -42,7 +39,7 @@ class Found:
 def search_folder(
     submission: Path, wanted: Mapping[str, Sequence[str]]
 ) -> tuple[list[Found], list[str]]:
-    """Find the wanted files of each chapter. Return them with notes for the instructor.
+    """Find the files in a student's folder that we want to grade, and write notes on problems.
 
     Raises:
         NotTakenError: The submission's folder cannot be read at all.
@@ -55,7 +52,7 @@ def search_folder(
         deeper: list[tuple[str, ...]] = []
         for place in level:
             folder = submission.joinpath(*place)
-            # Look chapters up by name, so that they are found among any number of other files.
+            # By looking for a chapter's name, we find it among any number of other files.
             for chapter, files in wanted.items():
                 found += _search_chapter(folder / chapter, (*place, chapter), files)
             if depth == DEEPEST or left < 0:
@@ -79,9 +76,9 @@ def search_folder(
 
 
 def read_file(path: Path, largest: int, what: str = "it") -> bytes:
-    """Return the content of a regular file that has at most ``largest`` bytes.
+    """Return the content of a file, but only if it is a regular file and not too large.
 
-    ``what`` is the subject of the sentence in error messages.
+    ``what`` names the file in error messages, as the subject of the sentence.
 
     Raises:
         NotTakenError: The file is too large, or it is a link, a pipe or something else.
@@ -89,7 +86,7 @@ def read_file(path: Path, largest: int, what: str = "it") -> bytes:
     try:
         _check_kind(path.lstat(), largest, what)
         with open(path, "rb", opener=_open) as file:
-            # Another file may have taken its place.
+            # We look again, since another file may have taken its place in the meantime.
             _check_kind(os.fstat(file.fileno()), largest, what)
             content = file.read(largest + 1)
     except OSError as error:
@@ -102,7 +99,7 @@ def read_file(path: Path, largest: int, what: str = "it") -> bytes:
 
 
 def refuse(reason: str) -> Callable[[int], bytes]:
-    """Return a function that raises NotTakenError with this reason, to be used as ``read``."""
+    """Return a function that can stand in for ``read``, but raises NotTakenError with a reason."""
 
     def read(_: int) -> bytes:
         raise NotTakenError(reason)
@@ -116,17 +113,17 @@ def refuse_all(place: tuple[str, ...], files: Sequence[str], reason: str) -> lis
 
 
 def too_large(what: str, largest: int) -> NotTakenError:
-    """Return the exception for a file or an archive of more than ``largest`` bytes."""
+    """Return the exception for a file or a zip that has more than ``largest`` bytes."""
     return NotTakenError(f"{what} is larger than {largest:,} bytes")
 
 
 def is_skipped(name: str) -> bool:
-    """Return whether a folder is hidden, or was created by an operating system for its own use."""
+    """Return whether a folder is hidden, or one that an operating system has made for itself."""
     return name.startswith(".") or name in ("__MACOSX", "__pycache__")
 
 
 def _search_chapter(folder: Path, place: tuple[str, ...], files: Sequence[str]) -> list[Found]:
-    """Return those of the wanted files that exist in a chapter's folder, whatever their type."""
+    """Return those of the wanted files that a chapter's folder contains, whatever they are."""
     found: list[Found] = []
     try:
         mode = _mode(folder)
@@ -143,7 +140,7 @@ def _search_chapter(folder: Path, place: tuple[str, ...], files: Sequence[str]) 
 
 
 def _mode(path: Path) -> int:
-    """Return the mode of a path, or 0 if the path does not exist."""
+    """Return the mode of a file or folder, or 0 if it does not exist."""
     try:
         return path.lstat().st_mode
     except (FileNotFoundError, NotADirectoryError):
@@ -151,7 +148,7 @@ def _mode(path: Path) -> int:
 
 
 def _subfolders(folder: Path, most: int) -> tuple[list[str], int]:
-    """Return the folders among the first ``most`` entries, and the number of entries examined."""
+    """Return the folders among the first ``most`` entries, and how many entries we looked at."""
     with os.scandir(folder) as entries:
         seen = list(itertools.islice(entries, most))
         names = [entry.name for entry in seen if entry.is_dir(follow_symlinks=False)]
@@ -159,7 +156,7 @@ def _subfolders(folder: Path, most: int) -> tuple[list[str], int]:
 
 
 def _open(path: str, flags: int) -> int:
-    """Open a file. Do not follow a link, and do not wait for a pipe."""
+    """Open a file, but do not follow a link and do not wait for a pipe."""
     return os.open(path, flags | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
 
 
@@ -175,10 +172,7 @@ def _check_kind(status: os.stat_result, largest: int, what: str) -> None:
 
 
 def cause(error: OSError) -> str:
-    """Return the reason why something cannot be read.
-
-    If the grader is at fault, raise the error.
-    """
+    """Return why a file cannot be read. If the machine is to blame, raise the error instead."""
     if error.errno in OURS:
         raise error
     return error.strerror or type(error).__name__

@@ -1,4 +1,4 @@
-"""Read the roster of a class, a CSV file with the columns id, name, email and login."""
+"""Read the roster of a class, which is a CSV file with the columns id, name, email and login."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from autograder.reports.gradebook import FORMULA
 from autograder.submissions.csv_rows import Table, read_csv
 
 COLUMNS = ("id", "name", "email", "login")
-UNIQUE = ("id", "email", "login")  # columns that identify a student on a platform
+UNIQUE = ("id", "email", "login")  # by these columns a platform recognizes a student
 
 
 @dataclass(frozen=True)
@@ -26,12 +26,12 @@ class Student:
 
     @property
     def keys(self) -> set[str]:
-        """The values that identify the student without a name, normalized by ``key``."""
+        """The id, e-mail address and login of the student, in a form that can be compared."""
         return {key(text) for text in (self.id, self.email, self.login) if text}
 
     @property
     def names(self) -> set[str]:
-        """The forms of the name that a folder or a platform may use, normalized by ``letters``.
+        """The ways in which a folder or a platform may write the student's name.
 
         Canvas puts the last name first. A roster may do the same, as in "Doe, Jane".
         """
@@ -43,7 +43,8 @@ class Student:
 def read_roster(path: Path) -> list[Student]:
     """Return the students in a roster, in the order of the file.
 
-    The file may contain other columns as well, in any order, separated by commas or semicolons.
+    The file may contain other columns as well. They may be in any order, and are separated by
+    commas or semicolons.
 
     Raises:
         ValueError: The roster contains a mistake. The message names the line.
@@ -86,21 +87,21 @@ def read_roster(path: Path) -> list[Student]:
 
 
 def key(text: str) -> str:
-    """Normalize an id, email or login, so that two of them can be compared."""
+    """Normalize an id, e-mail address or login, so that two of them can be compared."""
     return unicodedata.normalize("NFC", text.strip()).casefold()
 
 
 def letters(name: str) -> str:
-    """Return the letters and digits of a name in lower case.
+    """Return only the letters and digits of a name, in lower case.
 
-    Platforms drop all other characters.
+    Platforms drop all other characters, so this is the only form in which we can compare names.
     """
     text = unicodedata.normalize("NFKC", name).casefold()
     return "".join(character for character in text if character.isalnum())
 
 
 def _places(table: Table) -> dict[str, int]:
-    """Return the index of each column that the roster needs."""
+    """Return the index of each column that the roster must have."""
     for name in COLUMNS:
         if (count := table.header.count(name)) != 1:
             problem = f"there are {count} columns {name!r}" if count else f"no column {name!r}"

@@ -1,4 +1,4 @@
-"""Copy the files that are graded from a submission into a new folder.
+"""Copy the files that we grade from a submission into a new folder.
 
 Nothing else in the submission is ever imported.
 """
@@ -17,17 +17,17 @@ from autograder.submissions.find import printable
 from autograder.submissions.folders import Found, NotTakenError, cause, refuse_all, search_folder
 from autograder.submissions.zips import search_zip, search_zips_in
 
-LARGEST_FILE = 1_000_000  # bytes; a chapter's longest module has about ten thousand
+LARGEST_FILE = 1_000_000  # bytes; the longest module of a chapter has about ten thousand
 
 
 @dataclass(frozen=True)
 class Staged:
-    """The result of copying a submission.
+    """What we have copied from a submission, and what we have rejected.
 
-    ``missing`` maps a module such as ch02_vectors.vector to the reason why its file was rejected,
-    although it was handed in. ``notes`` are for the instructor. The only texts that they quote are
-    names that the student has chosen. ``digest`` depends on everything that was accepted or
-    rejected, so submissions with equal digests get equal grades.
+    ``missing`` lists the modules that we have rejected, such as ch02_vectors.vector, each with the
+    reason. ``notes`` are for the instructor, and quote nothing from the student but names.
+    ``digest`` depends on everything that we have accepted or rejected, so submissions with the same
+    digest get the same grade.
     """
 
     missing: dict[str, str]
@@ -36,10 +36,11 @@ class Staged:
 
 
 def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROOT) -> Staged:
-    """Fill ``box`` with an engine: the student's edited files, and the files that nobody edits.
+    """Fill the folder ``box`` with an engine: the student's own files, and those that nobody edits.
 
-    The submission is a folder or a zip file, and may contain anything. Problems with it are part of
-    the result. A file that is missing is replaced neither with a stub nor with a solution.
+    The submission is a folder or a zip file, and it may contain anything. If something is wrong
+    with it, the result says so. A file that is missing stays missing, since neither a stub nor our
+    solution would be the student's work.
 
     Raises:
         OSError: The box cannot be written, or a file of the repository cannot be read.
@@ -50,7 +51,7 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
     for chapter in chapters:
         target = box / chapter.name
         target.mkdir(parents=True)
-        target.chmod(0o755)  # whatever the umask is, since another user runs the code
+        target.chmod(0o755)  # another user will run the code, so the umask must not matter
         for name in chapter.complete:
             _write(target / name, (root / "chapters" / chapter.name / name).read_bytes())
         files, more_notes = _choose(chapter, found)
@@ -70,7 +71,7 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
 
 
 def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], list[str]]:
-    """Return the chapters' files that are found in a submission of any kind, and notes."""
+    """Find the files of all chapters in a submission of any kind, and write notes on problems."""
     wanted = {chapter.name: chapter.handed_in for chapter in chapters}
     try:
         mode = submission.lstat().st_mode
@@ -90,10 +91,11 @@ def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], lis
 
 
 def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], list[str]]:
-    """Return the files from one folder of a chapter, and notes if there are several such folders.
+    """Choose the folder of a chapter, and return its files, and a note if there are several.
 
-    The folder that is nested least deeply is chosen. If there are several of these, the first by
-    name is chosen. The folder in which a hand-out keeps its stubs counts only if there is no other.
+    We take the folder that is nested least deeply and, if there are several of these, the first by
+    name. A hand-out also has a folder with the original stubs, which counts only if there is no
+    other.
     """
     mine = [file for file in found if file.place[-1] == chapter.name]
     places = sorted(
@@ -111,7 +113,7 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
 
 
 def _text(content: bytes) -> bytes:
-    """Return the content of a file unchanged if it is text.
+    """Return the content of a file unchanged, or reject the file if it is not text.
 
     Raises:
         NotTakenError: The content is not text.

@@ -1,6 +1,6 @@
-"""Unpack the zip of a whole class, as Canvas and Moodle create it, into a folder next to it.
+"""Unpack the zip of a whole class, which Canvas and Moodle create, into a folder next to it.
 
-The files in the zip were uploaded by students, so none of its contents are trusted.
+Everything in this zip was uploaded by students, so we do not trust any of it.
 """
 
 from __future__ import annotations
@@ -27,19 +27,20 @@ from autograder.submissions.zips import DAMAGED, UNREADABLE, is_unsafe, path_in_
 from autograder.wrapping import plain_console
 
 MARKER = ".unpacked.json"
-COUNTS = (".zip", ".py", ".md")  # files of all other types are ignored
-# Bytes. A student's zip may have 5 MB. A larger one is unpacked too, so that grading can report it.
+COUNTS = (".zip", ".py", ".md")  # we ignore files of all other types
+# These limits are in bytes. A student's zip may have 5 MB. We unpack a larger one as well, so that
+# the grader can report that it is too large.
 LARGEST_FILE = 50_000_000
-MOST_OF_ONE = 100_000_000  # of one student
+MOST_OF_ONE = 100_000_000  # for all files of one student
 MOST_IN_ALL = 2_000_000_000
 MOST_FILES = 100_000
-# Errors that are caused by a name in the zip rather than by this machine.
+# If one of these errors occurs, a name in the zip is to blame and not this machine.
 NAMES = (errno.EEXIST, errno.ENOTDIR, errno.EISDIR, errno.ENAMETOOLONG, errno.EILSEQ, errno.EINVAL)
 
 
 @dataclass(frozen=True)
 class Unpacked:
-    """A record of what was unpacked: the digest of the zip, and which files were left out."""
+    """What we have unpacked: the digest of the zip, its contents, and notes on what we left out."""
 
     zip: str
     names: list[str]
@@ -55,9 +56,10 @@ class _File:
 
 
 def class_folder(path: Path) -> Path:
-    """Return the folder of a class. If it is a zip, unpack it into a folder with the same name.
+    """Return the folder of a class, and first unpack it if it is a zip.
 
-    A zip that has changed is unpacked again. The file marks.csv in the folder is kept.
+    The new folder has the same name as the zip. If the zip has changed since the last time, we
+    unpack it again, but keep marks.csv in the folder.
 
     Raises:
         ValueError: The zip cannot be unpacked, or the folder was not created by this function.
@@ -79,7 +81,7 @@ def class_folder(path: Path) -> Path:
 
 
 def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Console) -> Unpacked:
-    """Replace the files from an earlier version of the zip with the files from this version."""
+    """Replace the files of an earlier version of this zip by those of the new one."""
     try:
         file = zipfile.ZipFile(path)
     except UNREADABLE as error:
@@ -107,7 +109,7 @@ def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Co
 
 
 def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
-    """Return the files to write, and notes on files that are left out."""
+    """Return the files that we will write, and notes on those that we leave out."""
     if len(file.infolist()) > MOST_FILES:
         raise ValueError(f"{path} contains more than {MOST_FILES:,} files and folders")
     files: list[_File] = []
@@ -127,7 +129,7 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
 
 
 def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[str]:
-    """Write those files that can count in a submission. Return notes on files that are left out."""
+    """Write those files that can count in a submission, and return notes on all others."""
     notes: list[str] = []
     sizes: Counter[str] = Counter()
     for one in files:

@@ -1,4 +1,4 @@
-"""Find and read files in an untrusted zip, without ever extracting it to the disk."""
+"""Find and read files in a zip that we do not trust, without ever extracting it to the disk."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ from autograder.submissions.folders import (
     too_large,
 )
 
-# Bytes. A normal submission is well below 100,000. A zip of this size that is crafted to keep
-# zipfile busy takes about 2 s, and a larger one would take proportionally longer.
+# This limit is in bytes. A normal submission is well below 100,000. If somebody builds a zip of
+# 5 MB to keep zipfile busy, it takes about 2 s, and a larger one would take proportionally longer.
 LARGEST_ZIP = 5_000_000
-MOST_ZIPS = 5  # that are opened in one folder
+MOST_ZIPS = 5  # we open no more than this many zips in one folder
 ENCRYPTED = 1 << 0  # the flag of an encrypted entry
 DAMAGED = "the zip is damaged, or not an ordinary zip: zip the folder again"
-# The exceptions that zipfile raises if a zip is damaged or has an unknown format.
+# If a zip is damaged or has an unknown format, zipfile raises one of these exceptions.
 UNREADABLE = (
     zipfile.BadZipFile,
     zlib.error,
@@ -45,7 +45,7 @@ UNREADABLE = (
 
 
 def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Found], list[str]]:
-    """Find the wanted files of each chapter in a zip. Return them with notes for the instructor.
+    """Find the files in a student's zip that we want to grade, and write notes on problems.
 
     Raises:
         NotTakenError: The zip as a whole is rejected.
@@ -86,7 +86,7 @@ def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Fo
 def search_zips_in(
     folder: Path, wanted: Mapping[str, Sequence[str]]
 ) -> tuple[list[Found], list[str]]:
-    """Find the wanted files in the zips of a folder, as if each zip were unpacked there."""
+    """Find the files we want to grade in the zips of a folder, as if they were unpacked there."""
     with os.scandir(folder) as entries:
         names = [
             entry.name
@@ -110,21 +110,24 @@ def search_zips_in(
 
 
 def path_in_zip(entry: zipfile.ZipInfo) -> str:
-    """Return the path of an entry, with slashes between its folders."""
+    """Return the path of a file in the zip, with slashes between its folders."""
     # Some Windows tools write backslashes, and other tools begin paths with a dot.
     return entry.orig_filename.replace("\\", "/").removeprefix("./").removesuffix("/")
 
 
 def is_unsafe(name: str) -> bool:
-    """Return whether a path is absolute, or has a part that is empty or consists of dots."""
+    """Return whether a path in a zip could lead outside of it, or is otherwise not a plain path.
+
+    Such a path is absolute, or has a part that is empty or consists of dots.
+    """
     return name[1:2] == ":" or any(part in f"/{name}" for part in ("//", "/./", "/../"))
 
 
 def read_entry(file: zipfile.ZipFile, entry: zipfile.ZipInfo, largest: int) -> bytes:
-    """Return the content of an entry that is a regular file.
+    """Return the content of a regular file in the zip.
 
     Raises:
-        NotTakenError: The entry is something else or too large, or its content cannot be read.
+        NotTakenError: It is not a regular file or too large, or its content cannot be read.
     """
     mode = entry.external_attr >> 16
     if stat.S_ISLNK(mode):

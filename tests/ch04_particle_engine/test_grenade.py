@@ -133,7 +133,7 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
     about.read = "the docstring of fragments"
     pieces = probes.burst(x, v, mass, a, damping)
     about.cause = (
-        "A grenade bursts into FRAGMENTS pieces, which is 12. Return a list of this length."
+        "A grenade bursts into 12 fragments (FRAGMENTS), so return a list of 12 particles."
     )
     expect_exactly(len(pieces), 12, then=", how many")
     for piece in pieces:
@@ -149,8 +149,8 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
         expect_close(piece[2:5], x, then=", a position")
         expect_close(piece[8:], a, then=", an acceleration")
     about.cause = (
-        "The burst must not change the total momentum, which is m v. Therefore the velocities of "
-        "the fragments relative to the grenade must add up to 0."
+        "A burst does not change the total momentum. So the velocities of the fragments relative "
+        "to the grenade must add up to 0."
     )
     total = tuple(math.fsum(piece[0] * piece[axis] for piece in pieces) for axis in (5, 6, 7))
     wanted = tuple(mass * component for component in v)
@@ -180,7 +180,7 @@ def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> No
         len(relative),
         12,
         then=", how many",
-        cause="A grenade bursts into 12 fragments, so return a list of this length.",
+        cause="A grenade bursts into 12 fragments, so return a list of 12 particles.",
     )
     pairs = [math.dist(a, b) for a, b in itertools.combinations(relative, 2)]
     about.cause = (
@@ -276,8 +276,8 @@ def test_other_shots_go_on_and_fragments_are_spent_like_them() -> None:
     )
     expect_exactly(types, ["fragment"] * 12 + ["fireball"], then=", their types in order")
     about.cause = (
-        "Fragments do not bounce, because only grenades do. Remove a fragment when it falls below "
-        "the ground, as you do with other shots."
+        "Only grenades bounce. A fragment that falls below the ground must be removed, like any "
+        "other shot."
     )
     about.call, at = thrown(frames=BURST_FRAME + 40)
     expect_exactly(len(at.shots), 0, then=", how many")

@@ -73,8 +73,8 @@ def test_types_that_lead_round_in_a_ring_are_all_endless(rng: Random) -> None:
         (
             {9: [1], 1: [2, 3], 2: [3], 3: [1], 4: [9], 5: []},
             [1, 2, 3],
-            "Types 9 and 4 lead into the ring, but nothing leads from the ring back to them. "
-            "Therefore they are not endless.",
+            "Types 9 and 4 lead into the ring, but nothing leads from the ring back to them, so "
+            "they are not endless.",
         ),
         (
             {1: [2], 2: [1], 3: [4], 4: [3], 5: [1, 3]},
@@ -127,7 +127,9 @@ def test_your_types_are_10_and_11_and_one_leaves_something_behind() -> None:
     )
     left = [type for rule in rules for type, _ in rule[-1]]
     expect_exactly(len(left) > 0, True, then=", any at all")
-    about.cause = "The type of each payload needs a rule. Use only types from 1 to 11."
+    about.cause = (
+        "There must be a rule for the type of each payload, so use only types from 1 to 11."
+    )
     unknown = [type for type in left if not 1 <= type <= 11]
     expect_exactly(unknown, [], then=", others than 1 to 11")
 

@@ -149,7 +149,8 @@ def test_the_corners_of_a_square(rng: Random) -> None:
             (
                 doubled,
                 "The square is twice as large as it should be, because size is the length of a "
-                "whole side. Each corner is only half of it away from the center in x and in y.",
+                "whole side. In x and in y, each corner is only half of that length away from the "
+                "center.",
             ),
             (
                 [n - c for n, c in zip(wanted, center, strict=True)],

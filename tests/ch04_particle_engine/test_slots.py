@@ -40,8 +40,8 @@ def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
     type = rng.randrange(1, 5)
     about.call = f"show.launch({type}); the types of show.fireworks"
     about(
-        cause="launch must light one firework of the given type. Call light with one birth of that "
-        "type, with count 1 and without a parent.",
+        cause="launch must light one firework of the given type. So call light with a single "
+        "birth of that type, with a count of 1 and without a parent.",
         read="the docstring of launch",
     )
     a_show = show(9, "keep_old")

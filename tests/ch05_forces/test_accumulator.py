@@ -123,8 +123,8 @@ def test_a_force_is_only_read(rng: Random) -> None:
 def test_the_sum_is_a_vector_of_its_own(rng: Random) -> None:
     force = components(rng)
     about.call = f"p.add_force(Vector3{force}); total = p.force_accumulator; total.x = 99.0"
-    about.cause = "When the caller changes the returned vector, the particle must stay the same. "
-    about.cause += "Return a new vector on every call."
+    about.cause = "A change to the returned vector must not change the particle. Return a new "
+    about.cause += "vector on every call."
     about.read = "the docstring of force_accumulator"
     p = Particle()
     p.add_force(Vector3(*force))
@@ -172,8 +172,8 @@ def test_forces_can_be_dropped(rng: Random) -> None:
     p.clear_forces()
     p.add_force(Vector3(*second))
     about.call = f"{about.call}; p.clear_forces(); p.add_force(Vector3{second})"
-    about.cause = "After clear_forces the sum is zero, even if it was called twice. So the sum "
-    about.cause += "must now be equal to the next force."
+    about.cause = "clear_forces makes the sum zero, even if it is called twice. So after the next "
+    about.cause += "force, the sum must be equal to this force."
     got = xyz(p.force_accumulator)
     expect_close(got, second, then="; p.force_accumulator")
     name = f"p.add_force(Vector3{first}); p.force_accumulator"

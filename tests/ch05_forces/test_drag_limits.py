@@ -52,8 +52,8 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
             1.0 / rate,
         )
         slips[
-            "Both results are equal to the first limit. The factor must be -1 at the second "
-            "one, so it is twice as long."
+            "Both results are equal to the first limit. At the second limit the factor must be -1 "
+            "instead of 0, so this limit is twice as long."
         ] = (1.0 / rate, 1.0 / rate)
         slips["The second limit is the square of the first. It must be twice the first limit."] = (
             1.0 / rate,
@@ -66,7 +66,7 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
     expect_close(got, (1e12, 2e12), call="drag_limits(1e-12, 0.0, 1.0, 1.0)")
     about(
         f"drag_limits({k1}, {k2}, {mass}, 0.0)",
-        cause="The speed is 0, so only k1 has an effect. The limits are m / k1 and 2 m / k1.",
+        cause="The speed is 0, so only k1 has an effect, and the limits are m / k1 and 2 m / k1.",
     )
     got = drag_limits(k1, k2, mass, 0.0)
     expect_close(got, (mass / k1, 2.0 * mass / k1))

@@ -62,9 +62,10 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
             not acts for acts in inside
         ],
         "The force acts everywhere. Check the distance before you add it.": [True for _ in ways],
-        "The force acts nowhere. Check that you call particle.add_force inside the column.": [
-            False for _ in ways
-        ],
+        (
+            "The force does not act anywhere. Check that you call particle.add_force inside the "
+            "column."
+        ): [False for _ in ways],
     }
     acted = [got != ZERO for _, got in came]
     if acted != inside:

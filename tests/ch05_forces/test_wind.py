@@ -46,8 +46,8 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
     about.read = READ
     v, w = components(rng), components(rng)
     k1, k2 = round(rng.uniform(0.2, 0.9), 3), round(rng.uniform(0.2, 0.9), 3)
-    about.cause = "Drag depends on the velocity relative to the air, u = v - w. The force must be "
-    about.cause += "-u (k1 + k2 |u|)."
+    about.cause = "Drag depends on the velocity relative to the air, u = v - w, so the force must "
+    about.cause += "be -u (k1 + k2 |u|)."
     u = [v[i] - w[i] for i in range(3)]
 
     def drag(a: Sequence[float], one: float, two: float) -> list[float]:
@@ -67,7 +67,7 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
             "air, so use v - w.": drag([v[i] + w[i] for i in range(3)], one, two),
             "The force points in the wrong direction, because it was computed with w - v. Use v - "
             "w.": [-part for part in wanted],
-            "k1 and k2 are swapped. k1 belongs to the speed, and k2 belongs to its square.": drag(
+            "k1 and k2 are swapped: k1 is multiplied by the speed, and k2 by its square.": drag(
                 u, two, one
             ),
             "This is the sum of two drags, one for v and one for w. Compute v - w first, and then "
@@ -129,7 +129,7 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
         call=f"how many: {about.call}",
         cause="Draw exactly one wind in each call of change_wind.",
     )
-    about.cause = "The wind has a vertical component. It must be horizontal, so set y to 0."
+    about.cause = "The wind has a vertical component, but it must be horizontal. Set y to 0."
     highest = max(abs(y) for _, y, _ in seen)
     expect_close(highest, 0.0, then=": the largest |y|")
     for name, blown in (("x", [w[0] for w in seen]), ("z", [w[2] for w in seen])):
@@ -157,8 +157,8 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
     about.cause += "independently of each other."
     same = sum(x * z > 0.0 for x, _, z in seen)
     expect_between(same, 130, 270, then=": how often x and z have the same sign")
-    about.cause = "x and z have the same size, but they must be almost never equal. Draw two "
-    about.cause += "separate random numbers."
+    about.cause = "x and z have the same size, although two separate random numbers are almost "
+    about.cause += "never equal. Draw one number for each of them."
     same = sum(abs(abs(x) - abs(z)) < 1e-9 for x, _, z in seen)
     expect_exactly(same, 0, then=": how often |x| is |z|")
 

@@ -285,11 +285,17 @@ def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
     mistakes = [
         (
             (0.0, 50.0 * math.sin(elevation), level),
-            "The azimuth was ignored. Pass it to aim together with the elevation.",
+            (
+                "The azimuth was ignored, so the shot flies straight down the range. Pass it to "
+                "aim together with the elevation."
+            ),
         ),
         (
             (40.0 * math.sin(azimuth), 30.0, 40.0 * math.cos(azimuth)),
-            "The elevation was ignored. Pass it to aim together with the azimuth.",
+            (
+                "The elevation was ignored, so the shot kept the angle of its type. Pass it to "
+                "aim together with the azimuth."
+            ),
         ),
     ]
     blame(got, mistakes)

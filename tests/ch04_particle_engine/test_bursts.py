@@ -30,16 +30,16 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     mistakes = [
         (
             [number - start for number in wanted],
-            "The start position is missing from the results. Add it to each of them.",
+            "The start position is missing from the results, so add it to each of them.",
         ),
         (
             [start + speed * t for speed in speeds],
-            "The results do not include the acceleration. Add acceleration x fallen to each of "
+            "The results do not include the acceleration, so add acceleration x fallen to each of "
             "them.",
         ),
         (
             sorted(wanted),
-            "The positions were sorted. Return them in the order of the speeds instead.",
+            "The positions were sorted, but they must be in the order of the speeds.",
         ),
     ]
     blame(got, mistakes)

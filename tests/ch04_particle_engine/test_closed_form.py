@@ -216,10 +216,10 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
     middle = closed_form.state_after(p, first)
     if xyz(p.position) != x or xyz(p.velocity) != v:
         about.cause = (
-            "state_after changed the particle itself. Compute the state in new vectors and return "
-            "them."
+            "state_after changed the particle itself. Leave the particle as it is, and compute "
+            "the state in new vectors."
         )
-    undamped = "The start velocity was not damped. Multiply v by kept."
+    undamped = "The start velocity was not damped, so multiply it by kept."
     gone = (1.0 - damping**first) / -math.log(damping)
     gain = tuple(v[i] + a[i] * gone for i in range(3))
     blame(xyz(middle[1]), [(gain, undamped)])

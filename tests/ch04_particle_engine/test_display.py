@@ -274,7 +274,7 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
             (spark, spark),
             0,
             True,
-            "Only sparks still burn, and they are not rockets. Without rockets, the game is over.",
+            "The game is over, because only sparks still burn and none of them is a rocket.",
         ),
         ((), 0, True, "There are no fireworks left, so the game is over."),
     ):

@@ -178,7 +178,8 @@ def test_all_that_is_drawn_comes_from_the_random_that_is_given(rng: Random) -> N
         "equal"
     )
     about.cause = (
-        "A different seed must give different numbers. Draw from the argument random in every call."
+        "A different seed must give different numbers, so draw from the argument random in "
+        "every call."
     )
     other = probes.lit(FIRST, seed + 1, 5)
     same = sum(a[5:8] == b[5:8] for a, b in zip(once, other, strict=True))

@@ -120,7 +120,13 @@ def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
             "The age is the number of updates, but it should be a time in seconds. Add the "
             "duration to the age.",
         ),
-        (0.0, "The age did not change. Add the duration to it in every update."),
+        (
+            0.0,
+            (
+                "The age did not change, although time has passed. Add the duration to it in every "
+                "update."
+            ),
+        ),
     ]
     about.cause = cause_of(
         at.shots[1].age,

@@ -66,7 +66,10 @@ def test_a_bounce_turns_half_of_the_fall_upwards(rng: Random) -> None:
             ((0.8 * vx, -vy, 0.8 * vz), all_of_it),
             (
                 (vx, -0.5 * vy, vz),
-                "The velocity along the ground did not change. Multiply it by SLIDE, which is 0.8.",
+                (
+                    "The velocity along the ground did not change, but a bounce must slow it "
+                    "down. Multiply it by SLIDE, which is 0.8."
+                ),
             ),
             (
                 (0.8 * vx, 0.5 * vy, 0.8 * vz),
@@ -184,7 +187,7 @@ def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> No
     )
     pairs = [math.dist(a, b) for a, b in itertools.combinations(relative, 2)]
     about.cause = (
-        "At least two fragments fly in the same direction. Give each fragment its own direction."
+        "At least two fragments fly in the same direction, but each of them needs its own."
     )
     near = sum(pair < 0.1 for pair in pairs)
     expect_exactly(near, 0, then=", how many pairs of velocities differ by less than 0.1 m/s")

@@ -123,7 +123,10 @@ def test_your_types_are_10_and_11_and_one_leaves_something_behind() -> None:
     expect_exactly(numbers, [10, 11])
     about(
         "own_types(), types of their payloads",
-        cause="At least one of your two types must leave something behind. Give it a payload.",
+        cause=(
+            "At least one of your two types must light other fireworks when it burns out, so give "
+            "it a payload."
+        ),
     )
     left = [type for rule in rules for type, _ in rule[-1]]
     expect_exactly(len(left) > 0, True, then=", any at all")

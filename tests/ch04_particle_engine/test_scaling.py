@@ -35,7 +35,7 @@ def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
     expect_close(got, 0.5 * mass * speed * speed)
     about(
         f"muzzle_energy({mass}, 0)",
-        cause=("A speed of 0 is valid. A body at rest has no kinetic energy, so return 0."),
+        cause="A speed of 0 is valid. A body at rest has no kinetic energy, so return 0.",
     )
     expect_close(scaling.muzzle_energy(mass, 0), 0.0)
 

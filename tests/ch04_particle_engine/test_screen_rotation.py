@@ -29,7 +29,7 @@ def test_the_angle_grows_by_the_rate(rng: Random) -> None:
         got = screen_rotation.screen_angle(start, turning, 2.5)
         angle = start + 2.5 * turning
         mistakes = [
-            (2.5 * turning, "The start angle is missing. Add start to rate x time."),
+            (2.5 * turning, "The start angle is missing, so add start to rate x time."),
             (
                 angle + 2.0 * math.pi,
                 "The angle was reduced to the range from 0 to 2 pi, but it must be between -pi "

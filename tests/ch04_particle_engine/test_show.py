@@ -337,7 +337,7 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
     differ = abs(len(once) - len(again)) + sum(a != b for a, b in zip(once, again, strict=False))
     expect_exactly(differ, 0, then=": how many fireworks differ")
     about.cause = (
-        "Shows with different seeds must be different. Create self.random from the seed of the "
+        "Two shows with different seeds were the same. Create self.random from the seed of the "
         "show."
     )
     same = sum(firework in once for firework in other)

@@ -127,7 +127,7 @@ def test_asking_changes_neither_the_way_nor_the_block(rng: Random) -> None:
     first, last = Vector3(*start), Vector3(*end)
     block = TargetBlock(Vector3(*center), (1.0, 2.0, 3.0), mass=10.0)
     about(
-        cause="hit_fraction must not change its arguments. Compute with numbers or with new "
+        cause="hit_fraction must not change its arguments, so compute with numbers or with new "
         "vectors instead.",
         read=READ,
     )

@@ -68,7 +68,7 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
             ),
             (
                 (speed * y, 0.0 - speed * x, 0.0),
-                "The rim rotates in the wrong direction. It must move from X toward Y.",
+                "The rim moves in the wrong direction, but it must rotate from X toward Y.",
             ),
             (
                 (0.0 - rate * y, rate * x, 0.0),

@@ -62,9 +62,10 @@ def test_forces_add_up(rng: Random) -> None:
             "sum.": force,
             "This is the sum divided by the mass, which is an acceleration. Store the sum of the "
             "forces in N, and divide only in the step.": [t / 4.0 for t in total],
-            "The sum has the wrong sign. Add the forces instead of subtracting them.": [
-                -part for part in total
-            ],
+            (
+                "The sum has the wrong sign, perhaps because each force was subtracted instead of "
+                "added."
+            ): [-part for part in total],
             "The sum is still zero, although forces were added. Store it in self._forces[0], and "
             "let force_accumulator read it from there.": ZERO,
         }
@@ -161,7 +162,7 @@ def test_forces_can_be_dropped(rng: Random) -> None:
     first, second = components(rng), components(rng)
     about(
         f"p.add_force(Vector3{first}); p.clear_forces()",
-        cause="After clear_forces the sum must be zero. Set all of its components to 0.",
+        cause="After clear_forces the sum must be zero, as if no force had been added.",
     )
     about.read = "the docstring of clear_forces"
     p = Particle(Vector3(1, 2, 3), Vector3(4, 5, 6), Vector3(7, 8, 9))

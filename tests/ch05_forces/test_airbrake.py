@@ -62,7 +62,10 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
         (
             False,
             ZERO,
-            "The brake was switched off, so it must add no force. Check self.on in every call.",
+            (
+                "The brake was switched off, so it must not add a force anymore. Check self.on in "
+                "every call."
+            ),
         ),
         (True, pulled, "The brake is on again, so it must add -k v."),
     ):

@@ -38,8 +38,8 @@ def drag_slips(v: Components, k1: float, k2: float) -> dict[str, Components]:
         ),
         "The force was computed with v instead of the unit vector v^, so it is |v| times too "
         "large.": along(-speed * (k1 + k2 * speed)),
-        "The quadratic part of the drag is missing. Add k2 |v| to k1.": along(-k1),
-        "The linear part of the drag is missing. Add k1 to k2 |v|.": along(-k2 * speed),
+        "The quadratic part of the drag is missing, so add k2 |v| to k1.": along(-k1),
+        "The linear part of the drag is missing, so add k1 to k2 |v|.": along(-k2 * speed),
         "This force is -v (k1 + k2), so a factor |v| is missing. Multiply k2 by the speed.": along(
             -(k1 + k2)
         ),
@@ -63,7 +63,7 @@ def test_the_velocity_is_only_read(rng: Random) -> None:
     wanted = tuple(-v[i] * (0.5 + 0.25 * math.hypot(*v)) for i in range(3))
     about.cause = named(
         got,
-        "The drag must point against the velocity. It is -v (k1 + k2 |v|).",
+        "The drag must point against the velocity, so it must be -v (k1 + k2 |v|).",
         drag_slips(v, 0.5, 0.25),
     )
     expect_close(got, wanted)
@@ -85,13 +85,16 @@ def test_drag_points_against_the_motion(rng: Random) -> None:
         (
             k1,
             0.0,
-            "Here only k1 has an effect. This part of the drag is -k1 v, because v^ |v| is v.",
+            (
+                "Here k2 is 0, so only k1 has an effect. This part of the drag is -k1 v, because "
+                "v^ |v| is v."
+            ),
         ),
         (
             0.0,
             k2,
-            "Here only k2 has an effect. This part of the drag is -k2 |v| v, because v^ "
-            "|v|^2 is v |v|.",
+            "Here k1 is 0, so only k2 has an effect. This part of the drag is -k2 |v| v, because "
+            "v^ |v|^2 is v |v|.",
         ),
         (k1, k2, "Both parts of the drag act here, and their sum is -v (k1 + k2 |v|)."),
     ):

@@ -34,20 +34,22 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         about.call = f"drag_limits({one}, {two}, {mass}, {speed})"
         got = drag_limits(one, two, mass, speed)
         wrong = {  # other ways to (k1 + k2 |v|) / m
-            "The mass is missing. A heavier particle tolerates a longer step, so multiply by the "
-            "mass.": rate * mass,
+            "The mass is missing. Drag slows a heavier particle down less, so it tolerates a "
+            "longer step: multiply by the mass.": rate * mass,
             "The result was divided by the mass. A heavier particle tolerates a longer step, so "
             "multiply by the mass instead.": rate * mass**2,
             "The result was computed with k1 + k2. The quadratic drag depends on the speed, so "
             "multiply k2 by the speed.": (one + two) / mass,
-            "Both coefficients were multiplied by the speed. Multiply only k2 by it.": (one + two)
+            "Both coefficients were multiplied by the speed, but this is right only for k2.": (
+                one + two
+            )
             * speed
             / mass,
             "The result was computed with k1 + 2 k2 |v|, which is the derivative of the drag. Use "
             "the drag divided by the speed, k1 + k2 |v|.": (one + 2.0 * two * speed) / mass,
         }
         slips = {name: (1.0 / a, 2.0 / a) for name, a in wrong.items()}
-        slips["The two limits are swapped. Return the smaller one first."] = (
+        slips["The two limits are swapped, so return the smaller one first."] = (
             2.0 / rate,
             1.0 / rate,
         )
@@ -55,7 +57,7 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
             "Both results are equal to the first limit. At the second limit the factor must be -1 "
             "instead of 0, so this limit is twice as long."
         ] = (1.0 / rate, 1.0 / rate)
-        slips["The second limit is the square of the first. It must be twice the first limit."] = (
+        slips["The second limit is the square of the first, but it must be twice as long."] = (
             1.0 / rate,
             rate**-2,
         )

@@ -33,9 +33,10 @@ def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
         wanted = tuple(mass * g[i] for i in range(3))
         slips = {
             "The added force is g, but g is an acceleration. Multiply it by the mass.": g,
-            "The added force is g / m. Multiply g by the mass instead of dividing.": [
-                g[i] / mass for i in range(3)
-            ],
+            (
+                "The added force is g / m, but the weight is m g. Multiply by the mass instead of "
+                "dividing."
+            ): [g[i] / mass for i in range(3)],
             "The added force is m g times the duration. Add m g itself, because the step "
             "multiplies by the duration.": [mass * g[i] * 0.5 for i in range(3)],
             "The force points in the opposite direction of g. The vector g already points down, "
@@ -46,7 +47,7 @@ def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
                 mass * g[1],
                 0.0,
             ),
-            "No force was added to the particle. Compute the weight and pass it to "
+            "No force was added to the particle. Compute its weight, and pass it to "
             "particle.add_force.": ZERO,
         }
         got = xyz(p.force_accumulator)

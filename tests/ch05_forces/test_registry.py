@@ -84,7 +84,10 @@ def test_every_pair_is_asked_once_a_frame(rng: Random) -> None:
         ],
         "The generators always got a duration of 1/60 s. Pass them the duration that "
         "update_forces gets.": [(p, generator, 1.0 / 60.0) for p, generator, _ in wanted],
-        "No generator was called. Skip a particle only if its inverse mass is 0.": [],
+        (
+            "No generator was called, although the particles can move. Skip a particle only if "
+            "its inverse mass is 0."
+        ): [],
     }
     expect_asked(acts, wanted, cause=about.cause, slips=slips)
 

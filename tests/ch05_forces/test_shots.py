@@ -150,7 +150,7 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
 def test_without_shots_left_none_is_fired() -> None:
     about("range = SniperRange(1); range.shots_left = 1; range.shoot(0.0, 0.0); ", read=SHOOT)
     about.call += "range.bullet = None; range.shoot(0.0, 0.0)"
-    about.cause = "No shots are left, so no bullet may be fired. Return False."
+    about.cause = "No shots are left, so shoot must return False instead of firing a bullet."
     at = SniperRange(1)
     at.shots_left = 1
     fired = at.shoot(0.0, 0.0)
@@ -158,7 +158,7 @@ def test_without_shots_left_none_is_fired() -> None:
         fired,
         True,
         call="range.shots_left = 1; range.shoot(0.0, 0.0)",
-        cause="One shot is left, so it must be fired. Return True.",
+        cause="One shot is left, so shoot must fire it and return True.",
     )
     at.bullet = None
     expect_exactly(at.shoot(0.0, 0.0), False)

@@ -132,7 +132,7 @@ def test_what_a_force_adds_is_damped_too(rng: Random) -> None:
         "multiply by d^h at the end.": [
             (v[i] + a[i] * h) * keep + f[i] / mass * h for i in range(3)
         ],
-        "The damping is missing. Multiply the new velocity by d^h.": [
+        "The damping is missing, so multiply the new velocity by d^h.": [
             v[i] + gained[i] for i in range(3)
         ],
         "The velocity was multiplied by d, which is the damping for a whole second. Multiply by "

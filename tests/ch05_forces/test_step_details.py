@@ -41,10 +41,13 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
         "This is a + f, so the mass is missing. Divide the force by the mass.": [
             a[i] + f[i] for i in range(3)
         ],
-        "This is a + f m. Divide the force by the mass instead of multiplying.": [
-            a[i] + f[i] * mass for i in range(3)
+        (
+            "This is a + f m, but a force causes the acceleration f / m. Divide by the mass "
+            "instead of multiplying."
+        ): [a[i] + f[i] * mass for i in range(3)],
+        "This is f / m only, so add the constant acceleration to it.": [
+            f[i] / mass for i in range(3)
         ],
-        "This is f / m only. Add the constant acceleration.": [f[i] / mass for i in range(3)],
     }
     blame(got, slips)
     expect_close(got, wanted, then="; p.last_acceleration", tolerance=ROUNDED)
@@ -55,8 +58,8 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
     expect_close(
         got, wanted, then=f"; p.add_force(Vector3{g}); p.last_acceleration", tolerance=ROUNDED
     )
-    about.cause = "clear_forces has changed last_acceleration. It must clear only the forces for "
-    about.cause += "the next step."
+    about.cause = "clear_forces has changed last_acceleration, but it must clear only the forces "
+    about.cause += "for the next step."
     p.clear_forces()
     got = xyz(p.last_acceleration)
     expect_close(got, wanted, then="; p.clear_forces(); p.last_acceleration", tolerance=ROUNDED)

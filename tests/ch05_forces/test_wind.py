@@ -60,9 +60,10 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
         slips = {
             "This is the drag in still air. Subtract the velocity of the wind from the velocity "
             "of the particle first.": still,
-            "This is the force on a particle at rest. Use the velocity of the particle as well.": [
-                -part for part in blown
-            ],
+            (
+                "This is the wind's force on a particle at rest. Use the velocity of the particle "
+                "as well."
+            ): [-part for part in blown],
             "The velocity of the wind was added. Drag depends on the velocity relative to the "
             "air, so use v - w.": drag([v[i] + w[i] for i in range(3)], one, two),
             "The force points in the wrong direction, because it was computed with w - v. Use v - "
@@ -120,8 +121,8 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
     about.read = CHANGE
     seed = rng.randrange(1000)
     about.call = f"range = SniperRange({seed}); range.change_wind() 400 times; range.wind.velocity"
-    about.cause = "Each call of change_wind must draw a new wind. Draw its components with "
-    about.cause += "self.random.uniform."
+    about.cause = "Each call of change_wind must draw a new wind, with self.random.uniform for "
+    about.cause += "each component."
     (seen,) = winds([seed], 400)
     expect_exactly(
         len(seen),
@@ -129,7 +130,7 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
         call=f"how many: {about.call}",
         cause="Draw exactly one wind in each call of change_wind.",
     )
-    about.cause = "The wind has a vertical component, but it must be horizontal. Set y to 0."
+    about.cause = "The wind has a vertical component, but it must be horizontal, so set y to 0."
     highest = max(abs(y) for _, y, _ in seen)
     expect_close(highest, 0.0, then=": the largest |y|")
     for name, blown in (("x", [w[0] for w in seen]), ("z", [w[2] for w in seen])):
@@ -198,6 +199,6 @@ def test_the_wind_follows_the_seed_of_its_range(rng: Random) -> None:
     about.cause += "on the seed of the range."
     same = sum(a == b for a, b in zip(first, other, strict=True))
     expect_exactly(same, 0, then=": winds that are the same for two seeds")
-    about.cause = "Some calls gave the same wind. Draw a new wind in every call."
+    about.cause = "Some calls gave the same wind as others, but every call must draw a new one."
     kinds = len({tuple(w) for w in first})
     expect_exactly(kinds, 7, then=": how many winds the first has seen")

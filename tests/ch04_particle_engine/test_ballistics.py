@@ -109,9 +109,9 @@ def test_azimuth_and_elevation_together(rng: Random) -> None:
     speed = round(rng.uniform(2.0, 90.0), 3)
     azimuth, elevation = round(rng.uniform(0.4, 1.1), 3), round(rng.uniform(0.4, 1.1), 3)
     about.cause = (
-        "The vertical part of the velocity is speed x sin(elevation). The part along the ground is "
-        "speed x cos(elevation). Multiply the latter by sin(azimuth) for X and by cos(azimuth) for "
-        "Z."
+        "The vertical part of the velocity is speed x sin(elevation), and the part along the "
+        "ground is speed x cos(elevation). Multiply the part along the ground by sin(azimuth) to "
+        "get X, and by cos(azimuth) to get Z."
     )
     about.read = "the docstring of aim"
     turned = ((-azimuth, elevation), (azimuth + math.pi, -elevation), (azimuth, elevation + 1.6))
@@ -149,7 +149,9 @@ def test_speed_and_angles_are_finite(bad: float) -> None:
 def test_a_shot_starts_as_its_type_says(name: str) -> None:
     mass, velocity, acceleration, damping = TABLE[name]
     about.call = f'r = BallisticRange(); r.fire("{name}"); r.shots'
-    about.cause = "fire must append exactly one Shot of the given type to shots."
+    about.cause = (
+        "Each call of fire must add exactly one Shot of the given type to the list of shots."
+    )
     about.read = "the docstring of fire; book 4.1.2"
     at = BallisticRange()
     at.fire(name)
@@ -177,13 +179,13 @@ def test_a_shot_starts_as_its_type_says(name: str) -> None:
     about.cause = cause_of(xyz(p.velocity), mistakes, unaimed)
     expect_close(xyz(p.velocity), velocity, call=f"{own}.velocity")
     about.cause = (
-        "The shot must accelerate as its type does. Pass the acceleration of the type to the "
+        "The shot must accelerate as its type does, so pass the acceleration of the type to the "
         "Particle."
     )
     expect_close(xyz(p.acceleration), acceleration, call=f"{own}.acceleration")
-    about.cause = "The shot must have the mass of its type. Pass this mass to the Particle."
+    about.cause = "The shot must have the mass of its type, so pass this mass to the Particle."
     expect_close(p.mass, mass, call=f"{own}.mass")
-    about.cause = "The shot must have the damping of its type. Pass this damping to the Particle."
+    about.cause = "The shot must have the damping of its type, so pass it to the Particle."
     expect_close(p.damping, damping, call=f"{own}.damping")
 
 
@@ -283,11 +285,17 @@ def test_azimuth_and_elevation_are_both_heeded(rng: Random) -> None:
     mistakes = [
         (
             (0.0, 50.0 * math.sin(elevation), level),
-            "The azimuth was ignored. Pass it to aim together with the elevation.",
+            (
+                "The azimuth was ignored, so the shot flies straight down the range. Pass it to "
+                "aim together with the elevation."
+            ),
         ),
         (
             (40.0 * math.sin(azimuth), 30.0, 40.0 * math.cos(azimuth)),
-            "The elevation was ignored. Pass it to aim together with the azimuth.",
+            (
+                "The elevation was ignored, so the shot kept the angle of its type. Pass it to "
+                "aim together with the azimuth."
+            ),
         ),
     ]
     blame(got, mistakes)

@@ -30,16 +30,16 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     mistakes = [
         (
             [number - start for number in wanted],
-            "The start position is missing from the results. Add it to each of them.",
+            "The start position is missing from the results, so add it to each of them.",
         ),
         (
             [start + speed * t for speed in speeds],
-            "The results do not include the acceleration. Add acceleration x fallen to each of "
+            "The results do not include the acceleration, so add acceleration x fallen to each of "
             "them.",
         ),
         (
             sorted(wanted),
-            "The positions were sorted. Return them in the order of the speeds instead.",
+            "The positions were sorted, but they must be in the order of the speeds.",
         ),
     ]
     blame(got, mistakes)
@@ -75,7 +75,7 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
 def test_the_factors_are_worked_out_once_for_all_sparks() -> None:
     about.call = "burst_positions(1, [2.0] * 50, -10, 0.5, 1); calls of drag_factors"
     about.cause = (
-        "The factors are the same for all sparks, because they do not depend on the speed. Call "
+        "The factors do not depend on the speed, so they are the same for all sparks. Call "
         "drag_factors once, before the loop."
     )
     about.read = BURST
@@ -104,8 +104,8 @@ def test_a_burst_begins_at_its_start_and_may_be_empty(rng: Random) -> None:
 @pytest.mark.parametrize("bad", [math.inf, -math.inf, math.nan])
 def test_a_burst_starts_somewhere(bad: float) -> None:
     about.cause = (
-        "All arguments must be finite. Check start and acceleration with finite from arguments.py. "
-        "drag_factors checks the damping and the time."
+        "All arguments must be finite. drag_factors already checks the damping and the time, so "
+        "check only start and acceleration, with finite from arguments.py."
     )
     about.read = BURST
     good = (1.0, [2.0], -10.0, 0.5, 1.0)

@@ -51,19 +51,20 @@ def test_the_factors_are_those_of_the_equation(rng: Random) -> None:
         gone = -math.expm1(-k * time) / k
         wanted = (math.exp(-k * time), gone, (time - gone) / k)
         about.cause = (
-            "Compute k = -ln d first. The factors are kept = d^t, gone = (1 - d^t) / k and fallen "
-            "= (t - gone) / k."
+            "The factors depend on the drag rate k, so compute k = -ln d first. Then kept = d^t, "
+            "gone = (1 - d^t) / k and fallen = (t - gone) / k."
         )
         got = closed_form.drag_factors(damping, time)
         size = max(1.0, *wanted)
         undamped = (
-            "The factors are those without drag, so the damping was ignored. Compute k = -ln d "
-            "from it."
+            "These are the factors for a motion without drag, so the damping was ignored. Use it "
+            "to compute k = -ln d."
         )
         if damping == 0.9999:
             undamped = (
-                "This damping is near 1 and was treated as 1. Whether drag is negligible depends "
-                "on k t, and this product is large here because the time is long."
+                "This damping is near 1 and was treated as 1, as if there were no drag. But the "
+                "effect of drag depends on k t, and this product is large here because the time "
+                "is long."
             )
         drag = 1.0 - damping
         powers = [(kept, (1.0 - kept) / drag) for kept in (damping**time, math.exp(-drag * time))]
@@ -165,8 +166,8 @@ def test_the_factors_hold_for_short_times(rng: Random) -> None:
 @pytest.mark.exercise("B4.8")
 def test_the_flight_of_an_artillery_shell_ends_where_it_is_known_to() -> None:
     about.cause = (
-        "On each axis, the velocity is v kept + a gone and the position is p + v gone + a fallen. "
-        "You do not need any time steps."
+        "You do not need any time steps here. On each axis, the position is p + v gone + a "
+        "fallen, and the velocity is v kept + a gone."
     )
     about.read = STATE
     x, v, a = (0.0, 1.5, 0.0), (0.0, 30.0, 40.0), (0.0, -20.0, 0.0)
@@ -215,10 +216,10 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
     middle = closed_form.state_after(p, first)
     if xyz(p.position) != x or xyz(p.velocity) != v:
         about.cause = (
-            "state_after changed the particle itself. Compute the state in new vectors and return "
-            "them."
+            "state_after changed the particle itself. Leave the particle as it is, and compute "
+            "the state in new vectors."
         )
-    undamped = "The start velocity was not damped. Multiply v by kept."
+    undamped = "The start velocity was not damped, so multiply it by kept."
     gone = (1.0 - damping**first) / -math.log(damping)
     gain = tuple(v[i] + a[i] * gone for i in range(3))
     blame(xyz(middle[1]), [(gain, undamped)])

@@ -64,7 +64,10 @@ def test_the_nearest_rocket_within_reach_is_found(rng: Random) -> None:
 @pytest.mark.exercise("P4.1")
 def test_a_rocket_at_exactly_the_reach_is_found() -> None:
     about(
-        cause="A rocket at a distance of exactly REACH is still within reach, so find it as well."
+        cause=(
+            "A rocket at a distance of exactly REACH is still within reach, so find_rocket must "
+            "return it."
+        )
     )
     about.read = "the docstring of find_rocket"
     for place in ((2.5, 20.0), (-1.5, 22.0)):
@@ -89,8 +92,7 @@ def test_what_lies_behind_on_the_screen_is_found_too(rng: Random) -> None:
 def test_sparks_are_no_rockets() -> None:
     about.call = "a spark at (0, 20), a rocket at (2, 20); find_rocket(display, 0, 20), its type"
     about.cause = (
-        "A spark must not be found, because it is not a rocket. A rocket is a firework whose rule "
-        "has payloads."
+        "find_rocket must not return a spark. Only a firework whose rule has payloads is a rocket."
     )
     about.read = "the docstring of find_rocket"
     found = display.find_rocket(game((2, 0.0, 20.0), (1, 2.0, 20.0)), 0.0, 20.0)
@@ -107,10 +109,16 @@ def test_a_rocket_without_a_fuse_is_past_saving() -> None:
     for age, cause in (
         (
             0.0,
-            "A rocket of age 0 bursts in the next update. Do not find it again, because otherwise "
-            "it could be hit twice.",
+            "A rocket of age 0 bursts in the next update. find_rocket must not return it, because "
+            "otherwise a second click could hit the same rocket.",
         ),
-        (-0.5, "A rocket whose age is 0 or less has no fuse left, so it must not be found."),
+        (
+            -0.5,
+            (
+                "A rocket whose age is 0 or less has no fuse left, so find_rocket must not "
+                "return it."
+            ),
+        ),
     ):
         about.cause = cause
         about.call = (
@@ -169,14 +177,14 @@ def test_a_late_click_scores_more() -> None:
         (
             0.4,
             1,
-            "A hit scores 3 only if less than LATE, which is 0.4 s, is left. At exactly 0.4 s "
-            "it scores 1.",
+            "A hit scores 3 only if less than 0.4 s (LATE) of the fuse is left. At exactly 0.4 s "
+            "it still scores 1.",
         ),
         (
             0.39,
             3,
-            "A hit with less fuse than LATE scores 3. Read the remaining fuse before you set "
-            "it to 0, because the score depends on it.",
+            "A hit scores 3 if less than LATE is left of the fuse. Read the remaining fuse before "
+            "you set it to 0, because the score depends on it.",
         ),
     ):
         about(f"a rocket at (0, 20) with {fuse} s of fuse; click(display, 0, 20); ", cause=cause)
@@ -266,7 +274,7 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
             (spark, spark),
             0,
             True,
-            "Only sparks still burn, and they are not rockets. Without rockets, the game is over.",
+            "The game is over, because only sparks still burn and none of them is a rocket.",
         ),
         ((), 0, True, "There are no fireworks left, so the game is over."),
     ):
@@ -280,8 +288,8 @@ def test_the_game_is_over_without_rockets_or_after_six_misses() -> None:
         expect_exactly(display.is_over(a_game), over)
     about.call = "one rocket, whose age is 0; is_over(display)"
     about.cause = (
-        "A rocket counts until it has burst, even if its age is already 0. Therefore the game is "
-        "not over yet."
+        "The game is not over yet, because a rocket counts until it has burst, even if its age is "
+        "already 0."
     )
     a_game = game(rocket)
     a_game.show.fireworks[0].age = 0.0

@@ -59,8 +59,8 @@ def test_the_age_is_drawn_between_the_rule_s_limits(rng: Random) -> None:
     seed = rng.randrange(10**6)
     about.call = f"make_firework(rule, Random({seed})).age, min_age=0.5, max_age=1.4"
     about.cause = (
-        "The age of each firework must be drawn again. Use random.uniform(min_age, max_age), which "
-        "gives every value in this range the same chance."
+        "Draw a new age for each firework with random.uniform(min_age, max_age), which gives "
+        "every value in this range the same chance."
     )
     about.read = "the docstring of make_firework; book 4.2.1"
     ages = [firework[1] for firework in probes.lit(FIRST, seed, MANY)]
@@ -77,8 +77,8 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
     columns = {}
     for i, axis in enumerate("XYZ"):
         about.cause = (
-            "Each component has its own limits. Draw random.uniform(min, max) with the limits of "
-            "this axis."
+            "Each component of the velocity has its own limits, so draw it with random.uniform "
+            "and the limits of its axis."
         )
         columns[axis] = [firework[5 + i] for firework in made]
         expect_even(f"{about.call}, on {axis}", columns[axis], low[i], high[i])
@@ -86,8 +86,8 @@ def test_each_component_of_the_velocity_is_drawn_on_its_own(rng: Random) -> None
     if min(ages) < max(ages):  # another check tests whether ages are drawn at all
         columns["the age"] = ages
     about.cause = (
-        "Two of these quantities depend on each other, so perhaps the same random number was used "
-        "for both. Draw each component and the age separately."
+        "Two of these numbers depend on each other, so perhaps one random number was used for "
+        "both. Draw the age and each component of the velocity separately."
     )
     for one, other in itertools.combinations(columns, 2):
         correlation = statistics.correlation(columns[one], columns[other])
@@ -134,8 +134,8 @@ def test_a_parent_gives_its_place_and_adds_its_velocity(rng: Random) -> None:
     wanted = tuple(a + b for a, b in zip(v, own, strict=True))
     expect_close(firework[5:8], wanted, then=".particle.velocity")
     about.cause = (
-        "The third firework has a different velocity, so the parent was changed. Copy its vectors, "
-        "because one parent can have many children."
+        "The third firework has a different velocity because the parent itself was changed. Copy "
+        "the parent's vectors, since one parent can have many children."
     )
     family = probes.lit(data, seed, 3, (x, v))
     expect_close(family[2][5:8], wanted, then=", the third")
@@ -149,7 +149,7 @@ def test_its_type_and_damping_are_the_rule_s_and_gravity_pulls_at_a_kilogram(rng
     about.read = "the docstring of make_firework"
     for parent in (None, (components(rng), components(rng))):
         (firework,) = probes.lit(data, 1, 1, parent, parent_mass=4.0)
-        about.cause = "The type and the damping of a firework must be those of its rule."
+        about.cause = "A firework must have the type and the damping of its rule."
         expect_close(firework[0], type, then="; its type")
         expect_close(firework[12], damping, then="; its damping")
         about.cause = (
@@ -178,7 +178,8 @@ def test_all_that_is_drawn_comes_from_the_random_that_is_given(rng: Random) -> N
         "equal"
     )
     about.cause = (
-        "A different seed must give different numbers. Draw from the argument random in every call."
+        "A different seed must give different numbers, so draw from the argument random in "
+        "every call."
     )
     other = probes.lit(FIRST, seed + 1, 5)
     same = sum(a[5:8] == b[5:8] for a, b in zip(once, other, strict=True))

@@ -55,7 +55,7 @@ def test_a_shot_is_spent_below_the_ground_after_5_seconds_and_past_200_m() -> No
             (0.0, 1.5, 100.0),
             5.0,
             False,
-            "A shot of exactly 5 s is not spent, because only a shot older than 5 s is.",
+            "This shot is exactly 5 s old, so it is not spent yet. Only a shot older than 5 s is.",
         ),
         ((0.0, 1.5, 100.0), 5.001, True, "This shot is older than 5 s, so it is spent."),
         (
@@ -100,8 +100,8 @@ def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
     h = round(rng.uniform(0.05, 0.2), 3)
     about.call = f'r.fire("pistol"); r.fire("artillery"); r.fire("pistol"); r.update({h}); r.shots'
     about.cause = (
-        "An update is one step for every shot. Integrate each particle exactly once, with the "
-        "duration of the step."
+        "Each update makes one time step for every shot. So integrate each particle exactly once, "
+        "with the duration of the step."
     )
     about.read = "the docstring of update"
     at = BallisticRange()
@@ -120,12 +120,21 @@ def test_an_update_moves_every_shot_by_one_step(rng: Random) -> None:
             "The age is the number of updates, but it should be a time in seconds. Add the "
             "duration to the age.",
         ),
-        (0.0, "The age did not change. Add the duration to it in every update."),
+        (
+            0.0,
+            (
+                "The age did not change, although time has passed. Add the duration to it in every "
+                "update."
+            ),
+        ),
     ]
     about.cause = cause_of(
         at.shots[1].age,
         mistakes,
-        "The age is the time since the shot was fired. Add the duration to it in every update.",
+        (
+            "The age of a shot is the time since it was fired, so add the duration to it in every "
+            "update."
+        ),
     )
     expect_close(at.shots[1].age, h, then="[1].age")
 
@@ -229,8 +238,8 @@ def test_flight_time_and_range_come_close_to_the_closed_form_as_frames_get_short
         "steps of 1/1000 s"
     )
     about.cause = (
-        "The method has first order, so half the duration of a step should give half the error. "
-        "Check that each update makes exactly one step."
+        "With time steps of half the duration, the error should be half as large. Check that each "
+        "update makes exactly one step."
     )
     # The next order changes the ratio by h / t. The time is known to 5e-8 s of 1e-3 s.
     expect_close(errors[0] / errors[1], 2.0, tolerance=0.01)

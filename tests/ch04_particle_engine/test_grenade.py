@@ -66,7 +66,10 @@ def test_a_bounce_turns_half_of_the_fall_upwards(rng: Random) -> None:
             ((0.8 * vx, -vy, 0.8 * vz), all_of_it),
             (
                 (vx, -0.5 * vy, vz),
-                "The velocity along the ground did not change. Multiply it by SLIDE, which is 0.8.",
+                (
+                    "The velocity along the ground did not change, but a bounce must slow it "
+                    "down. Multiply it by SLIDE, which is 0.8."
+                ),
             ),
             (
                 (0.8 * vx, 0.5 * vy, 0.8 * vz),
@@ -133,7 +136,7 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
     about.read = "the docstring of fragments"
     pieces = probes.burst(x, v, mass, a, damping)
     about.cause = (
-        "A grenade bursts into FRAGMENTS pieces, which is 12. Return a list of this length."
+        "A grenade bursts into 12 fragments (FRAGMENTS), so return a list of 12 particles."
     )
     expect_exactly(len(pieces), 12, then=", how many")
     for piece in pieces:
@@ -149,8 +152,8 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
         expect_close(piece[2:5], x, then=", a position")
         expect_close(piece[8:], a, then=", an acceleration")
     about.cause = (
-        "The burst must not change the total momentum, which is m v. Therefore the velocities of "
-        "the fragments relative to the grenade must add up to 0."
+        "A burst does not change the total momentum. So the velocities of the fragments relative "
+        "to the grenade must add up to 0."
     )
     total = tuple(math.fsum(piece[0] * piece[axis] for piece in pieces) for axis in (5, 6, 7))
     wanted = tuple(mass * component for component in v)
@@ -180,11 +183,11 @@ def test_the_fragments_fly_apart_each_with_15_meters_a_second(rng: Random) -> No
         len(relative),
         12,
         then=", how many",
-        cause="A grenade bursts into 12 fragments, so return a list of this length.",
+        cause="A grenade bursts into 12 fragments, so return a list of 12 particles.",
     )
     pairs = [math.dist(a, b) for a, b in itertools.combinations(relative, 2)]
     about.cause = (
-        "At least two fragments fly in the same direction. Give each fragment its own direction."
+        "At least two fragments fly in the same direction, but each of them needs its own."
     )
     near = sum(pair < 0.1 for pair in pairs)
     expect_exactly(near, 0, then=", how many pairs of velocities differ by less than 0.1 m/s")
@@ -276,8 +279,8 @@ def test_other_shots_go_on_and_fragments_are_spent_like_them() -> None:
     )
     expect_exactly(types, ["fragment"] * 12 + ["fireball"], then=", their types in order")
     about.cause = (
-        "Fragments do not bounce, because only grenades do. Remove a fragment when it falls below "
-        "the ground, as you do with other shots."
+        "Only grenades bounce. A fragment that falls below the ground must be removed, like any "
+        "other shot."
     )
     about.call, at = thrown(frames=BURST_FRAME + 40)
     expect_exactly(len(at.shots), 0, then=", how many")

@@ -41,8 +41,8 @@ def test_rules_that_end_have_no_endless_types() -> None:
         elif got == [1]:
             about.cause = (
                 "Type 1 leads to type 4 in two ways, through 2 and through 3, but nothing leads "
-                "back to 1. Reaching a type twice does not make a ring, so compare each type with "
-                "the one from which you started."
+                "back to 1. Reaching a type twice does not make it endless, so compare each type "
+                "with the one from which you started."
             )
         expect_exactly(got, [])
 
@@ -73,14 +73,14 @@ def test_types_that_lead_round_in_a_ring_are_all_endless(rng: Random) -> None:
         (
             {9: [1], 1: [2, 3], 2: [3], 3: [1], 4: [9], 5: []},
             [1, 2, 3],
-            "Types 9 and 4 lead into the ring, but nothing leads from the ring back to them. "
-            "Therefore they are not endless.",
+            "Types 9 and 4 lead into a cycle, but nothing in the cycle leads back to them, so "
+            "they are not endless.",
         ),
         (
             {1: [2], 2: [1], 3: [4], 4: [3], 5: [1, 3]},
             [1, 2, 3, 4],
-            "There are two separate rings here. Every type in either of them leads back to "
-            "itself, so all four are endless.",
+            "There are two separate cycles here. Every type in them leads back to itself, so all "
+            "four are endless.",
         ),
         (
             {type: [ring[(i + 1) % 40]] for i, type in enumerate(ring)},
@@ -123,11 +123,16 @@ def test_your_types_are_10_and_11_and_one_leaves_something_behind() -> None:
     expect_exactly(numbers, [10, 11])
     about(
         "own_types(), types of their payloads",
-        cause="At least one of your two types must leave something behind. Give it a payload.",
+        cause=(
+            "At least one of your two types must light other fireworks when it burns out, so give "
+            "it a payload."
+        ),
     )
     left = [type for rule in rules for type, _ in rule[-1]]
     expect_exactly(len(left) > 0, True, then=", any at all")
-    about.cause = "The type of each payload needs a rule. Use only types from 1 to 11."
+    about.cause = (
+        "There must be a rule for the type of each payload, so use only types from 1 to 11."
+    )
     unknown = [type for type in left if not 1 <= type <= 11]
     expect_exactly(unknown, [], then=", others than 1 to 11")
 

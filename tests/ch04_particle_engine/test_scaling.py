@@ -35,7 +35,7 @@ def test_the_energy_of_a_bullet_is_half_of_m_v_squared(rng: Random) -> None:
     expect_close(got, 0.5 * mass * speed * speed)
     about(
         f"muzzle_energy({mass}, 0)",
-        cause=("A speed of 0 is valid. A body at rest has no kinetic energy, so return 0."),
+        cause="A speed of 0 is valid. A body at rest has no kinetic energy, so return 0.",
     )
     expect_close(scaling.muzzle_energy(mass, 0), 0.0)
 
@@ -50,8 +50,8 @@ def test_a_slower_shot_gets_the_mass_that_keeps_its_energy(rng: Random) -> None:
     ):
         about.call = f"slowed_mass({mass}, {factor}); m v^2 / 2 with that and {500.0 / factor} m/s"
         about.cause = (
-            "The energy contains the square of the speed. To keep it the same, multiply the mass "
-            "by the factor squared."
+            "The energy depends on the square of the speed. To keep it the same at a lower speed, "
+            "multiply the mass by the factor squared."
         )
         slow = scaling.slowed_mass(mass, factor)
         mistakes = [
@@ -102,7 +102,10 @@ def test_a_slower_shot_gets_the_gravity_that_keeps_its_arc(rng: Random) -> None:
             "The shot takes factor times as long for the same distance, and its drop grows with "
             "the square of the time. So divide gravity by factor^2."
         )
-        stronger = "Gravity gets stronger, but it must get weaker."
+        stronger = (
+            "The result is stronger than the real gravity, but it must be weaker. Divide by "
+            "factor^2."
+        )
         mistakes = [
             (
                 gravity / factor,
@@ -169,8 +172,8 @@ def test_speed_and_gravity_are_finite(bad: float) -> None:
 @pytest.mark.robust
 def test_text_is_no_number() -> None:
     about.cause = (
-        "positive, not_negative and finite from arguments.py raise this TypeError for you, so pass "
-        "the arguments to them."
+        "Every argument must be a number. Pass it to positive, not_negative or finite from "
+        "arguments.py, which raise this TypeError for you."
     )
     about.read = "the docstring in scaling.py"
     text: Any = "2"

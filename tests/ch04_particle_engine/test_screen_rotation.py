@@ -29,7 +29,7 @@ def test_the_angle_grows_by_the_rate(rng: Random) -> None:
         got = screen_rotation.screen_angle(start, turning, 2.5)
         angle = start + 2.5 * turning
         mistakes = [
-            (2.5 * turning, "The start angle is missing. Add start to rate x time."),
+            (2.5 * turning, "The start angle is missing, so add start to rate x time."),
             (
                 angle + 2.0 * math.pi,
                 "The angle was reduced to the range from 0 to 2 pi, but it must be between -pi "
@@ -149,7 +149,8 @@ def test_the_corners_of_a_square(rng: Random) -> None:
             (
                 doubled,
                 "The square is twice as large as it should be, because size is the length of a "
-                "whole side. Each corner is only half of it away from the center in x and in y.",
+                "whole side. In x and in y, each corner is only half of that length away from the "
+                "center.",
             ),
             (
                 [n - c for n, c in zip(wanted, center, strict=True)],

@@ -52,8 +52,8 @@ def test_every_firework_moves_by_a_step_and_its_fuse_gets_shorter(rng: Random) -
         f"two fireworks at (0, 20, 0) with the velocity {v} and 3 s of fuse; show.update({h})"
     )
     about.cause = (
-        "An update is one step for every firework. Integrate each particle exactly once, which "
-        "moves it by v h and then adds gravity to its velocity."
+        "Each update makes one time step for every firework. So integrate each particle exactly "
+        "once, which moves it by v h and then adds gravity to its velocity."
     )
     a_show = show_with([fixed(1, 3.0, v)], [(1, 2, at((0.0, 20.0, 0.0)))])
     a_show.update(h)
@@ -66,8 +66,8 @@ def test_every_firework_moves_by_a_step_and_its_fuse_gets_shorter(rng: Random) -
         wanted = (v[0], v[1] - 9.81 * h, v[2])
         expect_close(got, wanted, then=", a velocity", read=READ, tolerance=1e-13)
         about.cause = (
-            "The age of a firework is the fuse that is left. Subtract the duration of the step "
-            "from it."
+            "The age of a firework is the time until its fuse has burnt down, so subtract the "
+            "duration of the step from it."
         )
         age = firework.age
         expect_close(age, 3.0 - h, then=", an age", read=READ, tolerance=1e-13)
@@ -206,8 +206,8 @@ def test_neighbors_that_burn_out_together_are_all_removed() -> None:
     expect_exactly(types(a_show), [2, 2], then="; types", read=READ)
     ages = [firework.age for firework in a_show.fireworks]
     about.cause = (
-        "The fuse must get shorter by one duration per update. Check that each firework is moved "
-        "exactly once."
+        "In each update, the fuse must get shorter by the duration of the step. Check that each "
+        "firework is moved exactly once."
     )
     expect_close(ages, [4.75, 4.75], then="; ages", read=READ)
 
@@ -220,15 +220,15 @@ def test_the_burnt_out_make_room_before_any_payload_is_lit() -> None:
         "twice (4, 2); types"
     )
     about.cause = (
-        "First remove all fireworks that have burnt out, and only then light the payloads. In this "
-        "order, three slots are free."
+        "Remove all fireworks that have burnt out before you light the payloads. Then three slots "
+        "are free."
     )
     a_show = show_with(rules, [(1, 1, at((0, 20, 0))), (2, 2, at((0, 20, 0)))], 3)
     a_show.update(0.25)
     expect_exactly(types(a_show), [3, 3, 4], read=READ)
     about.cause = (
-        "The payloads ask for six new fireworks, but only three of them have room. The other three "
-        "must be added to dropped."
+        "The payloads ask for six new fireworks, but there is room for only three of them. The "
+        "other three must be added to dropped."
     )
     expect_exactly(a_show.dropped, 3, then="; show.dropped", read=READ)
 
@@ -337,7 +337,7 @@ def test_a_show_is_the_same_whenever_its_seed_is(rng: Random) -> None:
     differ = abs(len(once) - len(again)) + sum(a != b for a, b in zip(once, again, strict=False))
     expect_exactly(differ, 0, then=": how many fireworks differ")
     about.cause = (
-        "Shows with different seeds must be different. Create self.random from the seed of the "
+        "Two shows with different seeds were the same. Create self.random from the seed of the "
         "show."
     )
     same = sum(firework in once for firework in other)

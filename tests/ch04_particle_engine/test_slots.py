@@ -40,8 +40,8 @@ def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
     type = rng.randrange(1, 5)
     about.call = f"show.launch({type}); the types of show.fireworks"
     about(
-        cause="launch must light one firework of the given type. Call light with one birth of that "
-        "type, with count 1 and without a parent.",
+        cause="launch must light one firework of the given type. So call light with a single "
+        "birth of that type, with a count of 1 and without a parent.",
         read="the docstring of launch",
     )
     a_show = show(9, "keep_old")
@@ -98,7 +98,8 @@ def test_keep_old_lights_none_when_all_slots_are_taken() -> None:
         )
     expect_exactly(lit, [1, 2, 3])
     about.cause = (
-        "Two fireworks could not be lit, because all slots were taken. Add their number to dropped."
+        "Two fireworks could not be lit because all slots were taken, so add their number to "
+        "dropped."
     )
     expect_exactly(a_show.dropped, 2, then="; show.dropped")
 
@@ -115,7 +116,7 @@ def test_drop_oldest_puts_out_the_oldest() -> None:
     for type in (1, 2, 3, 4, 1):
         a_show.launch(type)
     expect_exactly(burning(a_show), [3, 4, 1])
-    about.cause = "Two fireworks had to be put out to make room. Add their number to dropped."
+    about.cause = "Two fireworks had to be put out to make room, so add their number to dropped."
     expect_exactly(a_show.dropped, 2, then="; show.dropped")
 
 
@@ -152,8 +153,7 @@ def test_births_have_their_own_parents(rng: Random) -> None:
     x, v = components(rng), components(rng)
     about.call = f"show.light([(1, 2, Particle(Vector3{x}, Vector3{v})), (2, 1, None)]); positions"
     about(
-        cause="Each birth can have a different parent. Pass the parent of each birth to "
-        "make_firework.",
+        cause="Each birth can have a different parent, so pass its own parent to make_firework.",
         read="the docstring of light",
     )
     a_show = show(9, "keep_old")
@@ -221,7 +221,7 @@ def test_the_same_seed_launches_the_same(rng: Random) -> None:
     differ = sum(a != b for a, b in zip(runs[0], runs[1], strict=True))
     expect_exactly(differ, 0, then=": how many fireworks differ")
     about.cause = (
-        "Shows with different seeds must be different. Create self.random from the seed of the "
+        "Two shows with different seeds were the same. Create self.random from the seed of the "
         "show."
     )
     same = sum(a == b for a, b in zip(runs[0], runs[2], strict=True))

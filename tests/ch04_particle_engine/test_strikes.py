@@ -176,8 +176,8 @@ def test_on_the_range_a_fast_shot_is_stopped_by_a_thin_block() -> None:
         'a block of 35 kg, 2 cm thick, at z = 20; r.fire("laser"); r.update(0.05) 5 times; '
     )
     about.cause = (
-        "In update, copy the position of the shot before the step, because the vector itself moves "
-        "with the shot. Remove a shot that has hit a block."
+        "In update, copy the position of the shot before the step, because the vector itself "
+        "moves with the shot. A shot that has hit a block must be removed."
     )
     about.read = "the docstring of update"
     block = TargetBlock(Vector3(0.0, 1.5, 20.0), (2.0, 2.0, 0.02), mass=35.0, damping=1.0)

@@ -60,8 +60,9 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
 @pytest.mark.exercise("4.3b")
 def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
     about.cause = (
-        "On each axis, only a part of the path lies between the two faces, and it begins at the "
-        "smaller fraction. The path enters the box at the latest of these three beginnings."
+        "On each axis, the path is between the two faces of the box for a while, and this begins "
+        "at the smaller fraction. The path enters the box at the latest of these three "
+        "beginnings."
     )
     for start, end, wanted in (
         ((1.5, 3.0, 1.0), (2.5, 5.0, 9.0), 0.25),
@@ -98,8 +99,8 @@ def test_a_way_along_an_axis_has_two_others_to_ask_without_dividing() -> None:
 @pytest.mark.exercise("4.3b")
 def test_a_slanting_way_enters_when_it_is_between_all_three_pairs_of_faces(rng: Random) -> None:
     about.cause = (
-        "On each axis, only a part of the path lies between the two faces. The path enters the box "
-        "at the latest of these three beginnings, not at the first."
+        "On each axis, the path is between the two faces of the box for a while. The path enters "
+        "the box at the latest of these three beginnings, not at the first."
     )
     # From outside on all axes to the middle of the box: entered at the greatest of the three.
     sizes = tuple(round(rng.uniform(1.0, 3.0), 3) for _ in range(3))
@@ -126,7 +127,7 @@ def test_asking_changes_neither_the_way_nor_the_block(rng: Random) -> None:
     first, last = Vector3(*start), Vector3(*end)
     block = TargetBlock(Vector3(*center), (1.0, 2.0, 3.0), mass=10.0)
     about(
-        cause="hit_fraction must not change its arguments. Compute with numbers or with new "
+        cause="hit_fraction must not change its arguments, so compute with numbers or with new "
         "vectors instead.",
         read=READ,
     )
@@ -200,10 +201,13 @@ def test_a_way_beside_before_or_behind_the_box_misses() -> None:
 @pytest.mark.exercise("4.3b")
 def test_a_way_that_cuts_the_corner_misses() -> None:
     beside = (
-        "The path is between the two faces of X for some time, and between those of Z for some "
-        "time, but never between both pairs at once. So it misses."
+        "The path is between the two faces of the box along X for a while, and along Z for a "
+        "while, but never along both at once. So it misses."
     )
-    through = "For some time, the path is between the faces of X, Y and Z at once, so it hits."
+    through = (
+        "For a while, the path is between the faces of the box along X, Y and Z at once, so it "
+        "hits."
+    )
     for start, end, missed, cause in (
         ((0.0, 4.0, 8.0), (4.0, 4.0, 16.0), True, beside),
         ((0.0, 4.0, 4.0), (4.0, 4.0, 8.0), False, through),

@@ -47,8 +47,8 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
         nozzle = wheel.nozzle()
         x, y = math.cos(angle), math.sin(angle)
         about.cause = (
-            "The nozzle is on the rim, at center + radius (cos, sin, 0). The angle is measured "
-            "from the X axis."
+            "The nozzle must be on the rim, at center + radius (cos, sin, 0), with the angle "
+            "measured from the X axis."
         )
         wanted = (center[0] + radius * x, center[1] + radius * y, center[2])
         got = xyz(nozzle.position)
@@ -68,7 +68,7 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
             ),
             (
                 (speed * y, 0.0 - speed * x, 0.0),
-                "The rim rotates in the wrong direction. It must move from X toward Y.",
+                "The rim moves in the wrong direction, but it must rotate from X toward Y.",
             ),
             (
                 (0.0 - rate * y, rate * x, 0.0),
@@ -80,8 +80,8 @@ def test_the_nozzle_is_on_the_rim_and_moves_with_it(rng: Random) -> None:
         expect_close(got, wanted, then=".velocity", tolerance=ROUNDED)
     about.call = "one = wheel.nozzle(); other = wheel.nozzle(); one.position.x = 99; other.position"
     about.cause = (
-        "Both calls returned the same particle or share a vector. Create a new particle in every "
-        "call."
+        "Two calls of nozzle returned the same particle, or their particles share a vector. "
+        "Create a new particle in every call."
     )
     one, other = wheel.nozzle(), wheel.nozzle()
     before = xyz(other.position)
@@ -120,7 +120,7 @@ def test_the_wheel_turns_by_its_rate(rng: Random) -> None:
     about.read = "the docstring of update"
     rate, h = round(rng.uniform(1.0, 3.0), 3), round(rng.uniform(0.1, 0.4), 3)
     about.call = f"wheel with rate {rate}; wheel.update({h}) twice; wheel.nozzle().position"
-    about.cause = "Each update must rotate the wheel. Add rate x duration to its angle."
+    about.cause = "Each update must rotate the wheel, so add rate x duration to its angle."
     _, wheel = wheel_of((0.0, 5.0, 0.0), 1.0, rate)
     wheel.update(h)
     wheel.update(h)

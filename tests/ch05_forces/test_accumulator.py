@@ -62,9 +62,10 @@ def test_forces_add_up(rng: Random) -> None:
             "sum.": force,
             "This is the sum divided by the mass, which is an acceleration. Store the sum of the "
             "forces in N, and divide only in the step.": [t / 4.0 for t in total],
-            "The sum has the wrong sign. Add the forces instead of subtracting them.": [
-                -part for part in total
-            ],
+            (
+                "The sum has the wrong sign, perhaps because each force was subtracted instead of "
+                "added."
+            ): [-part for part in total],
             "The sum is still zero, although forces were added. Store it in self._forces[0], and "
             "let force_accumulator read it from there.": ZERO,
         }
@@ -123,8 +124,8 @@ def test_a_force_is_only_read(rng: Random) -> None:
 def test_the_sum_is_a_vector_of_its_own(rng: Random) -> None:
     force = components(rng)
     about.call = f"p.add_force(Vector3{force}); total = p.force_accumulator; total.x = 99.0"
-    about.cause = "When the caller changes the returned vector, the particle must stay the same. "
-    about.cause += "Return a new vector on every call."
+    about.cause = "A change to the returned vector must not change the particle. Return a new "
+    about.cause += "vector on every call."
     about.read = "the docstring of force_accumulator"
     p = Particle()
     p.add_force(Vector3(*force))
@@ -161,7 +162,7 @@ def test_forces_can_be_dropped(rng: Random) -> None:
     first, second = components(rng), components(rng)
     about(
         f"p.add_force(Vector3{first}); p.clear_forces()",
-        cause="After clear_forces the sum must be zero. Set all of its components to 0.",
+        cause="After clear_forces the sum must be zero, as if no force had been added.",
     )
     about.read = "the docstring of clear_forces"
     p = Particle(Vector3(1, 2, 3), Vector3(4, 5, 6), Vector3(7, 8, 9))
@@ -172,8 +173,8 @@ def test_forces_can_be_dropped(rng: Random) -> None:
     p.clear_forces()
     p.add_force(Vector3(*second))
     about.call = f"{about.call}; p.clear_forces(); p.add_force(Vector3{second})"
-    about.cause = "After clear_forces the sum is zero, even if it was called twice. So the sum "
-    about.cause += "must now be equal to the next force."
+    about.cause = "clear_forces makes the sum zero, even if it is called twice. So after the next "
+    about.cause += "force, the sum must be equal to this force."
     got = xyz(p.force_accumulator)
     expect_close(got, second, then="; p.force_accumulator")
     name = f"p.add_force(Vector3{first}); p.force_accumulator"

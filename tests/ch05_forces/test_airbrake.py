@@ -51,8 +51,8 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
         (
             True,
             pulled,
-            "The brake is on, so it must add -k v. This force is below the limit, because a full "
-            "stop would take m / h = 4 times the velocity.",
+            "The brake is on, so it must add -k v. The limit has no effect here, because a full "
+            "stop would take a force of m / h = 4 times the velocity.",
         ),
         (
             None,
@@ -62,7 +62,10 @@ def test_a_brake_works_when_it_is_on(rng: Random) -> None:
         (
             False,
             ZERO,
-            "The brake was switched off, so it must add no force. Check self.on in every call.",
+            (
+                "The brake was switched off, so it must not add a force anymore. Check self.on in "
+                "every call."
+            ),
         ),
         (True, pulled, "The brake is on again, so it must add -k v."),
     ):

@@ -35,22 +35,22 @@ def test_at_the_terminal_speed_the_drag_is_the_weight(rng: Random) -> None:
     slips = {
         "This is the negative solution of the quadratic equation. A speed is positive, so use the "
         "other solution.": (-0.3 - root) / 0.1,
-        "The denominator is k2, but the solution of the quadratic equation has 2 k2 there.": (
-            -0.3 + root
-        )
-        / 0.05,
+        (
+            "The result was divided by k2, but the solution of a quadratic equation is divided by "
+            "2 k2."
+        ): (-0.3 + root) / 0.05,
         "A factor of 4 is missing under the square root, which must be sqrt(k1^2 + 4 k2 W).": (
             -0.3 + without_4
         )
         / 0.1,
         "A factor of 4 is missing under the square root. It must be 2 W / (k1 + sqrt(k1^2 + 4 k2 "
         "W)).": 39.24 / (0.3 + without_4),
-        "k1 and k2 are swapped. k1 belongs to the speed, and k2 belongs to its square.": 39.24
+        "k1 and k2 are swapped: k1 is multiplied by the speed, and k2 by its square.": 39.24
         / (0.05 + math.sqrt(0.0025 + 1.2 * 19.62)),
-        "This is sqrt(W / k2), which leaves out the linear drag. Use k1 as well.": math.sqrt(
+        "This is sqrt(W / k2), the terminal speed without linear drag. Use k1 as well.": math.sqrt(
             19.62 / 0.05
         ),
-        "This is W / k1, which leaves out the quadratic drag. Use k2 as well.": 19.62 / 0.3,
+        "This is W / k1, the terminal speed without quadratic drag. Use k2 as well.": 19.62 / 0.3,
     }
     blame(got, slips)
     # The reference value has seven decimals.
@@ -73,7 +73,7 @@ def test_at_the_terminal_speed_the_drag_is_the_weight(rng: Random) -> None:
         tolerance = ROUNDED * weight
         expect_close(drag, weight, tolerance=tolerance)
         about.call = f"terminal_speed({weight}, {k1}, {k2}) > 0"
-        about.cause = "A speed must be positive. The quadratic equation has two solutions, so use "
+        about.cause = "The quadratic equation has two solutions. A speed is positive, so return "
         about.cause += "the positive one."
         expect_exactly(v > 0.0, True)
 
@@ -100,9 +100,9 @@ def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
 def test_a_little_quadratic_drag_changes_the_terminal_speed_a_little(rng: Random) -> None:
     about.read = TERMINAL
     weight, k1 = positive_number(rng, 5.0, 90.0), positive_number(rng, 2.0)
-    about.cause = "The result has lost digits. Perhaps you used -k1 + root, which subtracts two "
-    about.cause += "almost equal numbers. Use 2 W / (k1 + root), which is the same number without "
-    about.cause += "this loss."
+    about.cause = "The result has lost digits, perhaps because -k1 + root subtracts two almost "
+    about.cause += "equal numbers. Use 2 W / (k1 + root), which is the same number without this "
+    about.cause += "loss."
     for k2 in (1e-6, 1e-10, 1e-14):
         about.call = f"terminal_speed({weight}, {k1}, {k2})"
         got = terminal_speed(weight, k1, k2)
@@ -128,7 +128,7 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
     u, light = math.sqrt(2.0 * 9.81 / 0.05), math.sqrt(9.81 / 0.05)
     angle = 9.81 * 3.0 / light
     slips = {
-        "The two results are swapped. Return the speed first and the distance second.": (x, v),
+        "The two results are swapped: return the speed first and the distance second.": (x, v),
         "This distance is u t, as if the body fell at the terminal speed from the start. It "
         "begins at rest, so use u^2 / g ln cosh(g t / u).": (v, u * 3.0),
         "This distance is g t^2 / 2, as in a free fall without drag. Use u^2 / g ln cosh(g t / "
@@ -136,7 +136,7 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
         "This speed is g t, as in a free fall without drag. Use u tanh(g t / u).": (9.81 * 3.0, x),
         "This speed is g t, cut off at the terminal speed. Drag slows the body down from the "
         "start, so use u tanh(g t / u).": (min(9.81 * 3.0, u), x),
-        "The speed was computed with tan. Use math.tanh, the hyperbolic tangent.": (
+        "The speed was computed with tan. Use math.tanh, the hyperbolic tangent, instead.": (
             u * math.tan(9.81 * 3.0 / u),
             x,
         ),
@@ -232,8 +232,8 @@ def test_a_fall_without_an_end_fits_in_a_float(rng: Random) -> None:
 def test_a_fall_of_any_length_keeps_its_digits() -> None:
     # 2 kg, g = 8 and k2 = 1/4: the terminal speed u is 8 m/s, and g t / u is the time.
     about.read = FALL
-    about.cause = "The distance is inaccurate here. Perhaps you switch between two forms of ln "
-    about.cause += "cosh x near this point. Both forms must be accurate where you switch."
+    about.cause = "The distance is inaccurate here, perhaps because you switch between two forms "
+    about.cause += "of ln cosh x near this point. Both forms must be accurate where you switch."
     for text in ("0.001", "0.01", "0.05", "0.2", "1", "5", "12", "16", "20", "39", "41"):
         about.call = f"quadratic_fall(2.0, 8.0, 0.25, {text})"
         x = Decimal(text)
@@ -248,8 +248,8 @@ def test_a_fall_of_any_length_keeps_its_digits() -> None:
 @pytest.mark.exercise("B5.7")
 def test_a_fall_begins_at_rest() -> None:
     about.read = FALL
-    about.cause = "At time 0 the fall has just begun, so the speed and the distance are both 0. A "
-    about.cause += "time of 0 is valid."
+    about.cause = "A time of 0 is valid. The fall has just begun then, so the speed and the "
+    about.cause += "distance are both 0."
     about.call = "quadratic_fall(2.0, 9.81, 0.05, 0.0)"
     got = quadratic_fall(2.0, 9.81, 0.05, 0.0)
     expect_close(got, (0.0, 0.0))
@@ -277,13 +277,13 @@ def test_coasting_with_both_kinds_of_drag(rng: Random) -> None:
         got = coasting_speed(v, k1, k2, mass, time)
         s = k1 * time / mass
         slips = {
-            "This is v e^-s, which leaves out the quadratic drag. Use k2 as well.": v
+            "This is v e^-s, which leaves out the quadratic drag, so use k2 as well.": v
             * math.exp(-s),
             "This is the result if first the drag with k1 and then the drag with k2 acts. Both "
             "act at the same time, so one formula must include both.": (
                 v * math.exp(-s) / (1.0 + k2 * v * time / mass)
             ),
-            "The mass is missing in the exponent s. It must be k1 t / m.": (
+            "The mass is missing in the exponent s, which must be k1 t / m.": (
                 v * math.exp(-s * mass) / (1.0 - ratio * v * math.expm1(-s * mass))
             ),
             "A division by k1 is missing in the denominator, which must be 1 + k2 v (1 - e^-s) / "
@@ -355,7 +355,12 @@ def test_coasting_begins_with_its_speed_and_rest_stays_rest(rng: Random) -> None
     v, k1, k2 = positive_number(rng, 1.0, 90.0), positive_number(rng), positive_number(rng)
     for speed, time, wanted, cause in (
         (v, 0.0, v, "No time has passed yet, so the result must be the initial speed."),
-        (0.0, 2.0, 0.0, "The particle is at rest, and drag cannot set it in motion. Return 0."),
+        (
+            0.0,
+            2.0,
+            0.0,
+            "The particle is at rest, and drag cannot set it in motion, so the result must be 0.",
+        ),
     ):
         about(f"coasting_speed({speed}, {k1}, {k2}, 2.0, {time})", cause=cause)
         got = coasting_speed(speed, k1, k2, 2.0, time)

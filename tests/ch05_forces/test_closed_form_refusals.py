@@ -30,7 +30,7 @@ def test_a_terminal_speed_needs_weight_and_drag() -> None:
         (9.81, 0.0, 0.0),
         *bad_numbers((9.81, 0.3, 0.05)),
     ):
-        about.cause = "Both coefficients are 0. Without drag there is no terminal speed, so raise "
+        about.cause = "Both coefficients are 0, so there is no drag and no terminal speed. Raise "
         about.cause += "ValueError."
         expect_error(
             lambda bad=bad: terminal_speed(*bad),

@@ -33,13 +33,13 @@ def drag_slips(v: Components, k1: float, k2: float) -> dict[str, Components]:
     return {
         "The force points in the direction of the motion, but it must point against it. Add the "
         "missing minus sign.": along(k1 + k2 * speed),
-        "k1 and k2 are swapped. k1 belongs to the speed, and k2 belongs to its square.": along(
+        "k1 and k2 are swapped: k1 is multiplied by the speed, and k2 by its square.": along(
             -(k2 + k1 * speed)
         ),
         "The force was computed with v instead of the unit vector v^, so it is |v| times too "
         "large.": along(-speed * (k1 + k2 * speed)),
-        "The quadratic part of the drag is missing. Add k2 |v| to k1.": along(-k1),
-        "The linear part of the drag is missing. Add k1 to k2 |v|.": along(-k2 * speed),
+        "The quadratic part of the drag is missing, so add k2 |v| to k1.": along(-k1),
+        "The linear part of the drag is missing, so add k1 to k2 |v|.": along(-k2 * speed),
         "This force is -v (k1 + k2), so a factor |v| is missing. Multiply k2 by the speed.": along(
             -(k1 + k2)
         ),
@@ -63,7 +63,7 @@ def test_the_velocity_is_only_read(rng: Random) -> None:
     wanted = tuple(-v[i] * (0.5 + 0.25 * math.hypot(*v)) for i in range(3))
     about.cause = named(
         got,
-        "The drag must point against the velocity. It is -v (k1 + k2 |v|).",
+        "The drag must point against the velocity, so it must be -v (k1 + k2 |v|).",
         drag_slips(v, 0.5, 0.25),
     )
     expect_close(got, wanted)
@@ -85,15 +85,18 @@ def test_drag_points_against_the_motion(rng: Random) -> None:
         (
             k1,
             0.0,
-            "Here only k1 has an effect. This part of the drag is -k1 v, because v^ |v| is v.",
+            (
+                "Here k2 is 0, so only k1 has an effect. This part of the drag is -k1 v, because "
+                "v^ |v| is v."
+            ),
         ),
         (
             0.0,
             k2,
-            "Here only k2 has an effect. This part of the drag is -k2 |v| v, because v^ "
-            "|v|^2 is v |v|.",
+            "Here k1 is 0, so only k2 has an effect. This part of the drag is -k2 |v| v, because "
+            "v^ |v|^2 is v |v|.",
         ),
-        (k1, k2, "Both parts of the drag act here. Their sum is -v (k1 + k2 |v|)."),
+        (k1, k2, "Both parts of the drag act here, and their sum is -v (k1 + k2 |v|)."),
     ):
         about(f"drag_force(Vector3{v}, {one}, {two})", cause=cause)
         wanted = tuple(-v[i] * (one + two * speed) for i in range(3))
@@ -105,7 +108,7 @@ def test_drag_points_against_the_motion(rng: Random) -> None:
 @pytest.mark.exercise("B5.5")
 def test_drag_grows_with_the_speed_and_with_its_square() -> None:
     about.read = READ
-    about.cause = "The two coefficients may be swapped. k1 belongs to the speed, and k2 belongs to "
+    about.cause = "The two coefficients may be swapped: k1 is multiplied by the speed, and k2 by "
     about.cause += "the square of the speed."
     for v, k1, k2, force in (
         ((0.0, 0.0, 2.0), 3.0, 0.0, -6.0),
@@ -130,12 +133,12 @@ def test_at_rest_there_is_no_drag(rng: Random) -> None:
     force = drag_force(v, k1, k2)
     expect_close(xyz(force), ZERO)
     force.x = 99.0
-    about.cause = "For a particle at rest the vector itself was returned. Return a new vector in "
-    about.cause += "every case."
+    about.cause = "For a particle at rest, the vector v itself was returned. Return a new vector "
+    about.cause += "in every case."
     expect_unchanged("v", xyz(v), ZERO, then="; f.x = 99.0")
     about.call = f"drag_force(Vector3(0, 1e-9, 0), {k1}, {k2})"
     about.cause = "The speed is low here, so the drag is small, but it is not zero. Do not treat "
-    about.cause += "low speeds as rest."
+    about.cause += "a slow particle as if it were at rest."
     got = xyz(drag_force(Vector3(0, 1e-9, 0), k1, k2))
     wanted = (0.0, -k1 * 1e-9 - k2 * 1e-18, 0.0)
     expect_close(got, wanted)
@@ -163,7 +166,7 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
         "because the step divides by the mass.": [f[i] + force[i] / mass for i in range(3)],
         "The drag was multiplied by the duration. Add the force itself, because the step "
         "multiplies it by the duration.": [f[i] + force[i] * h for i in range(3)],
-        "k1 and k2 are swapped. k1 belongs to the speed, and k2 belongs to its square.": [
+        "k1 and k2 are swapped: k1 is multiplied by the speed, and k2 by its square.": [
             f[i] - v[i] * (k2 + k1 * speed) for i in range(3)
         ],
         "The force that was already there is lost. Use add_force, which adds the drag and keeps "
@@ -189,8 +192,8 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
 def test_a_fall_comes_to_its_terminal_speed() -> None:
     about("drag = Drag(0.3, 0.05), 2 kg, g = 9.81; a minute of drag.update_force(), ", read=READ)
     about.call += "p.integrate()"
-    about.cause = "The body must reach its terminal speed. There the drag is equal to the weight, "
-    about.cause += "so k1 v + k2 v^2 = m g."
+    about.cause = "The body must reach its terminal speed, at which the drag is equal to the "
+    about.cause += "weight: k1 v + k2 v^2 = m g."
     _, velocity = with_drag(ZERO, 0.3, 0.05, 2.0, 1.0 / 60.0, 3600, gravity=9.81)
     wanted = (0.0, -17.034969428476803, 0.0)
     # What is left after a minute, e^-60, is far below rounding.

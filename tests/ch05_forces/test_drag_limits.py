@@ -34,28 +34,30 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
         about.call = f"drag_limits({one}, {two}, {mass}, {speed})"
         got = drag_limits(one, two, mass, speed)
         wrong = {  # other ways to (k1 + k2 |v|) / m
-            "The mass is missing. A heavier particle tolerates a longer step, so multiply by the "
-            "mass.": rate * mass,
+            "The mass is missing. Drag slows a heavier particle down less, so it tolerates a "
+            "longer step: multiply by the mass.": rate * mass,
             "The result was divided by the mass. A heavier particle tolerates a longer step, so "
             "multiply by the mass instead.": rate * mass**2,
             "The result was computed with k1 + k2. The quadratic drag depends on the speed, so "
             "multiply k2 by the speed.": (one + two) / mass,
-            "Both coefficients were multiplied by the speed. Multiply only k2 by it.": (one + two)
+            "Both coefficients were multiplied by the speed, but this is right only for k2.": (
+                one + two
+            )
             * speed
             / mass,
             "The result was computed with k1 + 2 k2 |v|, which is the derivative of the drag. Use "
             "the drag divided by the speed, k1 + k2 |v|.": (one + 2.0 * two * speed) / mass,
         }
         slips = {name: (1.0 / a, 2.0 / a) for name, a in wrong.items()}
-        slips["The two limits are swapped. Return the smaller one first."] = (
+        slips["The two limits are swapped, so return the smaller one first."] = (
             2.0 / rate,
             1.0 / rate,
         )
         slips[
-            "Both results are equal to the first limit. The factor must be -1 at the second "
-            "one, so it is twice as long."
+            "Both results are equal to the first limit. At the second limit the factor must be -1 "
+            "instead of 0, so this limit is twice as long."
         ] = (1.0 / rate, 1.0 / rate)
-        slips["The second limit is the square of the first. It must be twice the first limit."] = (
+        slips["The second limit is the square of the first, but it must be twice as long."] = (
             1.0 / rate,
             rate**-2,
         )
@@ -66,7 +68,7 @@ def test_the_limits_by_their_formula(rng: Random) -> None:
     expect_close(got, (1e12, 2e12), call="drag_limits(1e-12, 0.0, 1.0, 1.0)")
     about(
         f"drag_limits({k1}, {k2}, {mass}, 0.0)",
-        cause="The speed is 0, so only k1 has an effect. The limits are m / k1 and 2 m / k1.",
+        cause="The speed is 0, so only k1 has an effect, and the limits are m / k1 and 2 m / k1.",
     )
     got = drag_limits(k1, k2, mass, 0.0)
     expect_close(got, (mass / k1, 2.0 * mass / k1))

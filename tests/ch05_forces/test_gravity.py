@@ -33,9 +33,10 @@ def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
         wanted = tuple(mass * g[i] for i in range(3))
         slips = {
             "The added force is g, but g is an acceleration. Multiply it by the mass.": g,
-            "The added force is g / m. Multiply g by the mass instead of dividing.": [
-                g[i] / mass for i in range(3)
-            ],
+            (
+                "The added force is g / m, but the weight is m g. Multiply by the mass instead of "
+                "dividing."
+            ): [g[i] / mass for i in range(3)],
             "The added force is m g times the duration. Add m g itself, because the step "
             "multiplies by the duration.": [mass * g[i] * 0.5 for i in range(3)],
             "The force points in the opposite direction of g. The vector g already points down, "
@@ -46,7 +47,7 @@ def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
                 mass * g[1],
                 0.0,
             ),
-            "No force was added to the particle. Compute the weight and pass it to "
+            "No force was added to the particle. Compute its weight, and pass it to "
             "particle.add_force.": ZERO,
         }
         got = xyz(p.force_accumulator)
@@ -59,8 +60,8 @@ def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
         got = xyz(p.velocity)
         expect_unchanged("p.velocity", got, (5, 6, 7))
         got = xyz(gravity.acceleration)
-        about.cause = "The vector g has changed. Perhaps you used *=, which works in place. Use * "
-        about.cause += "instead, because it creates a new vector."
+        about.cause = "The vector g has changed, perhaps because you used *=, which works in "
+        about.cause += "place. Use * instead, which creates a new vector."
         expect_unchanged("gravity.acceleration", got, g)
 
 
@@ -130,8 +131,8 @@ def test_the_generator_does_what_the_constant_acceleration_does(rng: Random) -> 
     h, frames = 1.0 / 64.0, 192
     about.call = f"a fall of 3 s with g = {g}, mass {mass}, damping {damping}, by "
     about.call += "gravity.update_force()"
-    about.cause = "The step divides the weight m g by m, which gives g. The motion must be the "
-    about.cause += "same as with g as the particle's own acceleration."
+    about.cause = "The step divides the weight m g by m again, so the motion must be the same as "
+    about.cause += "with g as the particle's own acceleration."
     about.read = "book 5.3"
     (by_force, velocity), (built_in, built_in_velocity) = fall(g, mass, damping, h, frames)
     # The sum of the geometric series of v' = (v + g h) D, D = d^h.

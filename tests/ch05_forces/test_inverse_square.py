@@ -60,8 +60,8 @@ def test_the_force_is_m_mu_over_r_squared_towards_the_center(rng: Random) -> Non
         blame(got, slips)
         # The difference of two positions of 10 m, 0.5 m apart, keeps 14 digits.
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-12 * size)
-        about.cause = "The position or the center has changed. Perhaps you used -= or normalize, "
-        about.cause += "which work in place. Use - and normalized instead."
+        about.cause = "The position or the center has changed, perhaps because you used -= or "
+        about.cause += "normalize, which work in place. Use - and normalized instead."
         expect_unchanged("p.position", xyz(p.position), xyz(place))
 
 
@@ -199,8 +199,8 @@ def test_kepler_s_ellipse_is_met_the_better_the_shorter_the_frames(rng: Random) 
 def test_the_orbit_closes() -> None:
     about("p at (0.4, 0, 0) with (0, 2, 0) m/s, mu = 1; one orbit, 2 pi s, of ", read=READ)
     about.call += "gravity.update_force(), p.integrate()"
-    about.cause = "With a force that decreases with r^2 the orbit closes, so shorter steps must "
-    about.cause += "leave a smaller gap. Check the power of r."
+    about.cause = "If the force decreases with the square of r, the orbit closes, so shorter "
+    about.cause += "steps must leave a smaller gap. Check the power of r."
     counts = (10_000, 20_000)
     ends = [orbit(ELLIPSE, 1.0, 1.0, PERIOD / n, n, ZERO)[0] for n in counts]
     gaps = [math.dist(end, ELLIPSE[0]) for end in ends]

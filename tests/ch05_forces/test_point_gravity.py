@@ -46,9 +46,10 @@ def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> N
             "normalized. Use its unit vector.": [part * distance for part in wanted],
             "The mass is missing, so this is an acceleration. Multiply it by particle.mass to get "
             "a force.": [part / mass for part in wanted],
-            "This force decreases with r^2, as in exercise 5.4. In this exercise it must not "
-            "depend on the distance, so do not divide "
-            "by it.": [part / distance**2 for part in wanted],
+            "This force decreases with the square of r, as in exercise 5.4. Here it must have the "
+            "same strength at every distance, so do not divide by the distance.": [
+                part / distance**2 for part in wanted
+            ],
             "This force pulls toward (0, 0, 0), but the center is somewhere else. Measure the "
             "direction and the distance from self.center.": [
                 -mass * strength * part / reach for part in xyz(place)
@@ -56,8 +57,8 @@ def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> N
         }
         blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=ROUNDED)
-        about.cause = "The position or the center has changed. Perhaps you used -= or normalize, "
-        about.cause += "which work in place. Use - and normalized instead."
+        about.cause = "The position or the center has changed, perhaps because you used -= or "
+        about.cause += "normalize, which work in place. Use - and normalized instead."
         expect_unchanged("p.position", xyz(p.position), xyz(place))
 
 
@@ -95,8 +96,8 @@ def test_at_the_center_point_gravity_has_no_direction(rng: Random) -> None:
 @pytest.mark.exercise("5.3")
 @pytest.mark.robust
 def test_a_distance_whose_square_is_zero_has_a_direction() -> None:
-    about.cause = "The distance is tiny but not 0. Its square rounds to 0 in a float, so check "
-    about.cause += "magnitude() instead of the squared magnitude."
+    about.cause = "The distance is tiny but not 0, although its square rounds to 0 in a float. So "
+    about.cause += "check magnitude() instead of the squared magnitude."
     expect_full_strength(1e-170, about.cause)
 
 

@@ -78,12 +78,16 @@ def test_every_pair_is_asked_once_a_frame(rng: Random) -> None:
         "because every call of add registers another pair.": [
             one for one in wanted if one[:2] != (0, 1)
         ],
-        "The generator of one pair was not called. Perhaps you compare generators with ==. Two "
-        "different generators can be equal, so "
-        "compare with `is`.": [one for one in wanted if one[:2] != (0, 2)],
+        "The generator of one pair was not called, perhaps because you compare generators with "
+        "==. Two different generators can be equal, so compare with `is`.": [
+            one for one in wanted if one[:2] != (0, 2)
+        ],
         "The generators always got a duration of 1/60 s. Pass them the duration that "
         "update_forces gets.": [(p, generator, 1.0 / 60.0) for p, generator, _ in wanted],
-        "No generator was called. Skip a particle only if its inverse mass is 0.": [],
+        (
+            "No generator was called, although the particles can move. Skip a particle only if "
+            "its inverse mass is 0."
+        ): [],
     }
     expect_asked(acts, wanted, cause=about.cause, slips=slips)
 
@@ -219,8 +223,8 @@ def test_a_generator_may_change_the_registry_meanwhile() -> None:
 @pytest.mark.parametrize("duration", [0.0, -0.5, math.inf, math.nan, "0.5"])
 def test_an_update_takes_a_positive_and_finite_duration(duration: float) -> None:
     about(f"registry.update_forces({duration!r})", read="the docstring of update_forces")
-    about.cause = "The duration must be positive, finite and a number. Check it first with "
-    about.cause += "positive from arguments.py, which raises both errors for you."
+    about.cause = "The duration must be a positive, finite number. Check it first with positive "
+    about.cause += "from arguments.py, which raises both errors for you."
     expect_error(
         lambda: ForceRegistry().update_forces(duration),
         TypeError if isinstance(duration, str) else ValueError,
@@ -265,8 +269,8 @@ def test_only_a_particle_and_a_generator_can_be_added(bad: Any) -> None:
         about.cause = "registry.add must check its arguments. Raise TypeError if the particle has "
         about.cause += "no add_force or the generator has no update_force."
         expect_error(attempt, TypeError, allowed=lambda: other.add(p, gravity))
-        about.cause = "The pair was rejected, but it is registered. Check both arguments before "
-        about.cause += "you append the pair."
+        about.cause = "The call raised an error, but the pair was registered anyway. Check both "
+        about.cause += "arguments before you append the pair."
         about.call += ", which is refused; registry.update_forces(0.5)"
         came = "no error"
         try:

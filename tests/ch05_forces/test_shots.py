@@ -150,7 +150,7 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
 def test_without_shots_left_none_is_fired() -> None:
     about("range = SniperRange(1); range.shots_left = 1; range.shoot(0.0, 0.0); ", read=SHOOT)
     about.call += "range.bullet = None; range.shoot(0.0, 0.0)"
-    about.cause = "No shots are left, so no bullet may be fired. Return False."
+    about.cause = "No shots are left, so shoot must return False instead of firing a bullet."
     at = SniperRange(1)
     at.shots_left = 1
     fired = at.shoot(0.0, 0.0)
@@ -158,7 +158,7 @@ def test_without_shots_left_none_is_fired() -> None:
         fired,
         True,
         call="range.shots_left = 1; range.shoot(0.0, 0.0)",
-        cause="One shot is left, so it must be fired. Return True.",
+        cause="One shot is left, so shoot must fire it and return True.",
     )
     at.bullet = None
     expect_exactly(at.shoot(0.0, 0.0), False)
@@ -173,8 +173,8 @@ def test_the_rifle_turns_only_so_far(bad: float) -> None:
     about.read = SHOOT
     for angles in ((bad, 0.0), (0.0, bad)):
         about.call = f"range.shoot{angles}"
-        about.cause = "Both angles must be from -SWING to SWING, which is 0.2. Raise ValueError "
-        about.cause += "for an angle beyond that, but allow exactly 0.2."
+        about.cause = "Both angles must be between -SWING and SWING, which is 0.2. Raise "
+        about.cause += "ValueError for an angle outside this range, but allow exactly 0.2."
         at = SniperRange(1)
 
         def allowed() -> None:
@@ -203,8 +203,8 @@ def test_the_rifle_turns_only_so_far(bad: float) -> None:
 @pytest.mark.exercise("P4.2b")
 def test_the_innermost_ring_counts(rng: Random) -> None:
     about.read = "the docstring of ring_points"
-    about.cause = "The points depend on the distance from the center. The rings with radii of 0.1, "
-    about.cause += "0.25 and 0.5 m give 10, 5 and 2 points."
+    about.cause = "The points depend on the distance from the center. Up to 0.1 m the hole scores "
+    about.cause += "10 points, up to 0.25 m it scores 5, and up to 0.5 m it scores 2."
     use = "Compare the distance from the center, math.hypot(x, y), with the radii."
     for x, y, points, slip, gives in (
         (0.0, 0.3, 2, "Only x was compared with the radii of the rings.", 10),

@@ -49,8 +49,8 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     wanted = tuple(v[i] + f[i] / mass * h for i in range(3))
     got = xyz(p.velocity)
     slips = {
-        "The velocity did not change. Either the kick does not use the force, or it clears the sum "
-        "first. Move the sum to self._forces[1] before you use last_acceleration.": v,
+        "The velocity did not change. Either the kick does not use the force, or it clears the "
+        "sum too early. Move the sum to self._forces[1] before you use last_acceleration.": v,
         "This is v + f h, so the mass is missing. Divide the force by the mass.": [
             v[i] + f[i] * h for i in range(3)
         ],
@@ -132,7 +132,7 @@ def test_what_a_force_adds_is_damped_too(rng: Random) -> None:
         "multiply by d^h at the end.": [
             (v[i] + a[i] * h) * keep + f[i] / mass * h for i in range(3)
         ],
-        "The damping is missing. Multiply the new velocity by d^h.": [
+        "The damping is missing, so multiply the new velocity by d^h.": [
             v[i] + gained[i] for i in range(3)
         ],
         "The velocity was multiplied by d, which is the damping for a whole second. Multiply by "
@@ -150,7 +150,9 @@ def test_the_step_clears_the_forces(rng: Random) -> None:
     words, p = moving(ZERO, v, a, mass)
     about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({h})"
     about(
-        cause="A force acts for one step only. The kick must clear the sum after it has used it.",
+        cause=(
+            "A force acts for one step only, so the kick must clear the sum after it has used it."
+        ),
         read="book 5.1",
     )
     p.add_force(Vector3(*f))
@@ -219,7 +221,7 @@ def test_a_damping_of_0_and_a_frame_of_a_whole_second(rng: Random) -> None:
     p.add_force(Vector3(*f))
     p.integrate(0.5)
     expect_close(xyz(p.velocity), ZERO)
-    about.cause = "The duration is 1 here, which is an int. It must work in the same way as 1.0."
+    about.cause = "The duration here is the int 1, which must work in the same way as 1.0."
     about.call = f"p = Particle(velocity=Vector3{v}, damping=0.5); p.add_force(Vector3{f}); "
     about.call += "p.integrate(1); p.velocity"
     p = Particle(velocity=Vector3(*v), damping=0.5)

@@ -27,8 +27,8 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
     )
     about.call = f"p = Particle(acceleration=Vector3{a}, mass={mass}, damping=0.5); "
     about.call += f"p.add_force(Vector3{f}); p.integrate(0.5)"
-    about.cause = "Return the acceleration of the last step, which is a + f / m. The damping is "
-    about.cause += "not a part of it."
+    about.cause = "last_acceleration must be the acceleration of the last step, which is a + f / "
+    about.cause += "m. The damping has no effect on it."
     about.read = "the docstring of last_acceleration"
     p = Particle(acceleration=Vector3(*a), mass=mass, damping=0.5)
     p.add_force(Vector3(*f))
@@ -41,10 +41,13 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
         "This is a + f, so the mass is missing. Divide the force by the mass.": [
             a[i] + f[i] for i in range(3)
         ],
-        "This is a + f m. Divide the force by the mass instead of multiplying.": [
-            a[i] + f[i] * mass for i in range(3)
+        (
+            "This is a + f m, but a force causes the acceleration f / m. Divide by the mass "
+            "instead of multiplying."
+        ): [a[i] + f[i] * mass for i in range(3)],
+        "This is f / m only, so add the constant acceleration to it.": [
+            f[i] / mass for i in range(3)
         ],
-        "This is f / m only. Add the constant acceleration.": [f[i] / mass for i in range(3)],
     }
     blame(got, slips)
     expect_close(got, wanted, then="; p.last_acceleration", tolerance=ROUNDED)
@@ -55,8 +58,8 @@ def test_the_last_acceleration_includes_the_forces_of_the_step(rng: Random) -> N
     expect_close(
         got, wanted, then=f"; p.add_force(Vector3{g}); p.last_acceleration", tolerance=ROUNDED
     )
-    about.cause = "clear_forces has changed last_acceleration. It must clear only the forces for "
-    about.cause += "the next step."
+    about.cause = "clear_forces has changed last_acceleration, but it must clear only the forces "
+    about.cause += "for the next step."
     p.clear_forces()
     got = xyz(p.last_acceleration)
     expect_close(got, wanted, then="; p.clear_forces(); p.last_acceleration", tolerance=ROUNDED)
@@ -86,8 +89,8 @@ def test_before_the_first_step_the_last_acceleration_is_the_constant_one(rng: Ra
     last = p.last_acceleration
     expect_close(xyz(last), a)
     last.x = 99.0
-    about.cause = "When the caller changes the returned vector, the particle must stay the same. "
-    about.cause += "Return a new vector on every call."
+    about.cause = "A change to the returned vector must not change the particle. Return a new "
+    about.cause += "vector on every call."
     expect_unchanged("p.acceleration", xyz(p.acceleration), a, then=".x = 99.0", cause=UNCHANGED)
     p.integrate(0.5)
     last = p.last_acceleration
@@ -149,8 +152,8 @@ def test_a_drift_leaves_the_forces_to_the_kick(rng: Random) -> None:
     about.call += f"; p.kick({h})"
     before = xyz(p.position)
     p.kick(h)
-    about.cause = "A kick must change only the velocity. The new velocity is (v + (a + f / m) h) "
-    about.cause += "d^h."
+    about.cause = "A kick must change only the velocity, and the new velocity is (v + (a + f / m) "
+    about.cause += "h) d^h."
     expect_unchanged("p.position", xyz(p.position), before)
     total = [a[i] + f[i] / mass for i in range(3)]
     wanted = tuple(v[i] + total[i] * h for i in range(3))
@@ -183,8 +186,8 @@ def test_a_refused_step_keeps_the_forces(duration: float) -> None:
     for mass in (2.0, math.inf):
         words = f"p = Particle(Vector3{x}, Vector3{v}, Vector3{a}, mass={mass})"
         p = Particle(Vector3(*x), Vector3(*v), Vector3(*a), mass=mass)
-        about.cause = "The duration must be positive and finite. Make sure that integrate checks "
-        about.cause += "it."
+        about.cause = "The duration must be positive and finite, so make sure that integrate "
+        about.cause += "checks it."
         about.call = f"{words}; p.add_force(Vector3{f}); p.integrate({duration!r})"
         p.add_force(Vector3(*f))
         expect_error(

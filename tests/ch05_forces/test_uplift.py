@@ -48,23 +48,27 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
     rules = {
         "The distance was measured from (0, 0), but the column is somewhere else. Measure it from "
         "self.origin.": [math.hypot(origin[0] + dx, origin[2] + dz) <= radius for dx, dz in ways],
-        "The distance was measured in X and Y. The column is vertical, so use X and Z.": [
+        "The distance was measured in X and Y, but the column is vertical, so use X and Z.": [
             abs(dx) <= radius for dx, _ in ways
         ],
         "The column is square, because dx and dz were each compared with the radius. Compare the "
         "distance instead.": [max(abs(dx), abs(dz)) <= radius for dx, dz in ways],
         "The sum |dx| + |dz| was compared with the radius. Use the distance sqrt(dx^2 + dz^2) "
         "instead.": [abs(dx) + abs(dz) <= radius for dx, dz in ways],
-        "The squared distance was compared with the radius itself. Square the radius as well.": [
+        "The squared distance was compared with the radius itself, so square the radius as well.": [
             dx * dx + dz * dz <= radius for dx, dz in ways
         ],
-        "The force acts outside the column instead of inside. Reverse the comparison.": [
+        "The force acts outside the column instead of inside, so reverse the comparison.": [
             not acts for acts in inside
         ],
-        "The force acts everywhere. Check the distance before you add it.": [True for _ in ways],
-        "The force acts nowhere. Check that you call particle.add_force inside the column.": [
-            False for _ in ways
-        ],
+        (
+            "The force acts everywhere, but the column ends at its radius. Check the distance "
+            "before you add the force."
+        ): [True for _ in ways],
+        (
+            "The force does not act anywhere. Check that you call particle.add_force inside the "
+            "column."
+        ): [False for _ in ways],
     }
     acted = [got != ZERO for _, got in came]
     if acted != inside:
@@ -75,7 +79,7 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
         slips = {
             "The force was multiplied by the mass of 4 kg. Add self.force as it is, because it is "
             "a force already.": (4.0 * x, 4.0 * y, 4.0 * z),
-            "The force points straight up, but self.force has another direction. Add the whole "
+            "The force points straight up, but self.force has another direction, so add the whole "
             "vector.": (
                 0.0,
                 math.hypot(x, y, z),
@@ -131,8 +135,8 @@ def test_the_uplift_adds_to_the_other_forces(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     # One rounding of numbers up to 20.
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-13)
-    about.cause = "The force, the position or the origin has changed. Read these vectors without "
-    about.cause += "changing them."
+    about.cause = "update_force has changed the force, the position or the origin. It may only "
+    about.cause += "read these vectors."
     expect_unchanged("uplift.force", xyz(uplift.force), force)
     expect_unchanged("uplift.origin", xyz(uplift.origin), (0, 1, 0))
     expect_unchanged("p.position", xyz(p.position), (1, 2, 1))

@@ -46,8 +46,8 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
     about.read = READ
     v, w = components(rng), components(rng)
     k1, k2 = round(rng.uniform(0.2, 0.9), 3), round(rng.uniform(0.2, 0.9), 3)
-    about.cause = "Drag depends on the velocity relative to the air, u = v - w. The force must be "
-    about.cause += "-u (k1 + k2 |u|)."
+    about.cause = "Drag depends on the velocity relative to the air, u = v - w, so the force must "
+    about.cause += "be -u (k1 + k2 |u|)."
     u = [v[i] - w[i] for i in range(3)]
 
     def drag(a: Sequence[float], one: float, two: float) -> list[float]:
@@ -60,14 +60,15 @@ def test_the_wind_is_drag_relative_to_the_air(rng: Random) -> None:
         slips = {
             "This is the drag in still air. Subtract the velocity of the wind from the velocity "
             "of the particle first.": still,
-            "This is the force on a particle at rest. Use the velocity of the particle as well.": [
-                -part for part in blown
-            ],
+            (
+                "This is the wind's force on a particle at rest. Use the velocity of the particle "
+                "as well."
+            ): [-part for part in blown],
             "The velocity of the wind was added. Drag depends on the velocity relative to the "
             "air, so use v - w.": drag([v[i] + w[i] for i in range(3)], one, two),
             "The force points in the wrong direction, because it was computed with w - v. Use v - "
             "w.": [-part for part in wanted],
-            "k1 and k2 are swapped. k1 belongs to the speed, and k2 belongs to its square.": drag(
+            "k1 and k2 are swapped: k1 is multiplied by the speed, and k2 by its square.": drag(
                 u, two, one
             ),
             "This is the sum of two drags, one for v and one for w. Compute v - w first, and then "
@@ -120,8 +121,8 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
     about.read = CHANGE
     seed = rng.randrange(1000)
     about.call = f"range = SniperRange({seed}); range.change_wind() 400 times; range.wind.velocity"
-    about.cause = "Each call of change_wind must draw a new wind. Draw its components with "
-    about.cause += "self.random.uniform."
+    about.cause = "Each call of change_wind must draw a new wind, with self.random.uniform for "
+    about.cause += "each component."
     (seen,) = winds([seed], 400)
     expect_exactly(
         len(seen),
@@ -129,7 +130,7 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
         call=f"how many: {about.call}",
         cause="Draw exactly one wind in each call of change_wind.",
     )
-    about.cause = "The wind has a vertical component. It must be horizontal, so set y to 0."
+    about.cause = "The wind has a vertical component, but it must be horizontal, so set y to 0."
     highest = max(abs(y) for _, y, _ in seen)
     expect_close(highest, 0.0, then=": the largest |y|")
     for name, blown in (("x", [w[0] for w in seen]), ("z", [w[2] for w in seen])):
@@ -157,8 +158,8 @@ def test_the_wind_is_drawn_level_and_from_both_sides(rng: Random) -> None:
     about.cause += "independently of each other."
     same = sum(x * z > 0.0 for x, _, z in seen)
     expect_between(same, 130, 270, then=": how often x and z have the same sign")
-    about.cause = "x and z have the same size, but they must be almost never equal. Draw two "
-    about.cause += "separate random numbers."
+    about.cause = "x and z have the same size, although two separate random numbers are almost "
+    about.cause += "never equal. Draw one number for each of them."
     same = sum(abs(abs(x) - abs(z)) < 1e-9 for x, _, z in seen)
     expect_exactly(same, 0, then=": how often |x| is |z|")
 
@@ -198,6 +199,6 @@ def test_the_wind_follows_the_seed_of_its_range(rng: Random) -> None:
     about.cause += "on the seed of the range."
     same = sum(a == b for a, b in zip(first, other, strict=True))
     expect_exactly(same, 0, then=": winds that are the same for two seeds")
-    about.cause = "Some calls gave the same wind. Draw a new wind in every call."
+    about.cause = "Some calls gave the same wind as others, but every call must draw a new one."
     kinds = len({tuple(w) for w in first})
     expect_exactly(kinds, 7, then=": how many winds the first has seen")

@@ -1,4 +1,4 @@
-"""The commands of the studies, which are run as in python -m studies plot."""
+"""Run a study from the command line, for example with python -m studies plot."""
 
 from __future__ import annotations
 

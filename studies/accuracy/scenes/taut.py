@@ -29,9 +29,10 @@ EVENTS = 2000
 
 
 class TautMotion:
-    """The motion of knots that are held by ties. The masses are in kg.
+    """The exact motion of knots in a plane that are held by cables and struts, here called ties.
 
-    ``load`` returns the external forces in N. They may depend on the time and on the positions.
+    The masses are in kg. ``load`` returns the external forces in N, which may depend on the time
+    and on the positions.
     """
 
     def __init__(self, masses: Sequence[float], ties: Sequence[Tie], load: Load) -> None:
@@ -70,7 +71,11 @@ class TautMotion:
         return self.kinds[:, None] * matrix, self.kinds * bent
 
     def least(self, matrix: Any, wanted: Any) -> Any:
-        """Return pulls p >= 0 with p (A p - wanted) = 0 and A p >= wanted, where A = J M^-1 J^T."""
+        """Find the pulls of the ties that are just strong enough, where no pull may be negative.
+
+        With A = J M^-1 J^T, the pulls p satisfy A p >= wanted. A tie pulls only if the two sides
+        are equal for it, which is the condition p (A p - wanted) = 0.
+        """
         weighted = (matrix * numpy.sqrt(self.inverse)).T
         target, *_ = numpy.linalg.lstsq(weighted.T, wanted, rcond=None)
         pulls, _ = nnls(weighted, target, maxiter=100 * len(wanted) + 100)
@@ -87,9 +92,9 @@ class TautMotion:
         return free - self.inverse * (held.T @ pulls), pulls
 
     def choose(self, time: float, state: Any) -> tuple[Any, Any]:
-        """Resolve the impacts at ``time``.
+        """Determine which ties are taut at ``time``, and resolve any impacts first.
 
-        Return the new state and the indices of the taut ties.
+        Return the state after the impacts, and the indices of the taut ties.
         """
         places, speeds = numpy.split(state, 2)
         matrix, bent = self.rows(places, speeds)
@@ -106,7 +111,7 @@ class TautMotion:
         ]
 
     def run(self, places: Any, speeds: Any, times: Sequence[float]) -> Any:
-        """Start from the state at time 0. Return the positions at ``times``, one row per time."""
+        """Compute the motion from time 0. Return the positions at ``times``, one row per time."""
         state = numpy.concatenate([numpy.ravel(places), numpy.ravel(speeds)]).astype(float)
         time, found = 0.0, []
         for _ in range(EVENTS):

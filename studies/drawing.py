@@ -1,4 +1,4 @@
-"""Colors, labels and arrows that are shared by all plots."""
+"""The colors, labels and arrows that all plots share."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class Picture:
 
 
 def tell(figure: Figure, notes: Sequence[str]) -> None:
-    """Write ``notes`` below the picture. They explain why some scenes ended early.
+    """Write notes below the picture that explain why some scenes ended early.
 
     At most three notes are shown in full.
     """
@@ -131,5 +131,9 @@ def growth_bar(figure: Figure, panels: Any, colored: Any) -> None:
 
 
 def _shade(growth: float) -> float:
-    """Return a growth factor for the color scale, with rounding errors removed."""
+    """Move a growth factor away from 1, so that its color shows whether an oscillation grows.
+
+    Even slow growth becomes at least 1.001, which is drawn in red. Any other factor becomes at most
+    0.999, which is drawn in blue. This includes a factor of 1 with a rounding error.
+    """
     return max(growth, 1.001) if growth > 1.0 + 1e-12 else max(min(growth, 0.999), 0.25)

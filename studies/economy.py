@@ -1,8 +1,8 @@
-"""Measure what parts of a model cost that its scene does not need, and draw the costs as bars.
+"""Measure how much time a simulation spends on parts that its scene does not need.
 
-In the scene, two hundred particles fall, and nothing else happens. Each bar shows the time per
-frame with one unnecessary part, divided by the time per frame without this part. The two times are
-measured one after the other.
+In the scene, two hundred particles fall, and nothing else happens. Each bar of the chart shows the
+time per frame with one unnecessary part, divided by the time per frame without this part. The two
+times are measured directly one after the other.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ def draw(lines: list[Line], png: Path) -> None:
 
 
 def parts() -> list[tuple[str, Move, Move]]:
-    """Return the name of each part, a frame with the part, and a frame without it."""
+    """List the unnecessary parts. Each has a name, a frame with it, and a frame without it."""
     # These modules import chapters.
     from ch02_vectors.vector import Vector3
     from ch05_forces.forces import ForceRegistry, Gravity
@@ -168,7 +168,10 @@ def parts() -> list[tuple[str, Move, Move]]:
 
 
 def plain(dimensions: int) -> Move:
-    """Return a frame of the same particles in plain numbers. ``dimensions`` is 2 or 3."""
+    """Return a function that moves the same particles by one frame, in plain numbers.
+
+    ``dimensions`` is 2 or 3.
+    """
     x, y, z, vx, vy, vz = ([1.0] * COUNT for _ in range(6))
 
     def two() -> None:

@@ -30,7 +30,7 @@ def use_engine(parser: argparse.ArgumentParser, engine: str, given: str = "") ->
     """Import chapters from the folder ``engine``, and ``given`` chapters from the reference.
 
     The code in the folder has the same restrictions as in grading. If a folder or a chapter does
-    not exist, ``parser`` reports this as an error in the command line.
+    not exist, ``parser`` ends the command with a usage error.
     """
     try:
         chapters = select_chapters(given) if given else []

@@ -1,8 +1,8 @@
 """Measure times as ratios. Ratios are similar on all machines, while seconds are not.
 
 The two times of a ratio are measured directly one after the other, in one run on one machine. The
-rounds of all lines are mixed. If the machine is slow for a minute, this affects all lines a little
-instead of one line a lot. A line reports the median and the quartiles of its rounds.
+rounds of all measurements are mixed, so that a slow minute of the machine affects all of them a
+little instead of one of them a lot. The report shows the median and the quartiles of the rounds.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ LEAST = 5e-3  # s; a shorter time is measured several times per round
 
 @dataclass(frozen=True)
 class Target:
-    """The bound that a figure must meet. It is an upper or a lower bound."""
+    """A bound that a measured figure must meet, such as "at least 4"."""
 
     side: Literal["at least", "at most"]
     bound: float
@@ -47,7 +47,10 @@ class Target:
 
 @dataclass(frozen=True)
 class Measurement:
-    """A line to measure. ``once`` returns the figure of one round."""
+    """A figure that is measured in several rounds.
+
+    ``what`` describes the figure, and ``once`` measures it in one round.
+    """
 
     what: str
     once: Figure
@@ -57,7 +60,7 @@ class Measurement:
 
 @dataclass(frozen=True)
 class Line:
-    """A measured line, with the median and the quartiles of its rounds."""
+    """The result of a measurement: the median and the quartiles of its rounds."""
 
     what: str
     median: float
@@ -67,19 +70,19 @@ class Line:
 
     @property
     def verdict(self) -> str:
-        """Return "met" or "missed". If there is no target, return an empty string."""
+        """Whether the target is "met" or "missed". Without a target, this is an empty string."""
         if self.target is None:
             return ""
         return "met" if self.target.is_met(self.median) else "missed"
 
 
 def timer(run: Callable[[], object], times: int = 1) -> Timer:
-    """Return a function that times this number of runs."""
+    """Return a function that calls ``run`` this number of times, and returns the time in s."""
     return lambda: timeit.timeit(run, number=times)
 
 
 def statement_timer(code: str, setup: str) -> Timer:
-    """Return a function that times many runs of a statement."""
+    """Return a function that runs a statement many times, and returns the time in s."""
     prepared = timeit.Timer(code, setup)
     return lambda: prepared.timeit(TIMES)
 
@@ -109,7 +112,7 @@ def warm(timed: Timer) -> float:
 
 
 def versus(first: Timer, second: Timer) -> Figure:
-    """Return a figure for the ratio of two times, first / second."""
+    """Return a function that measures the ratio of two times, first / second."""
 
     def once() -> float:
         a, b = both(first, second)
@@ -200,5 +203,5 @@ def against_peers(
 
 
 def geometric_mean(figures: Sequence[Figure]) -> Figure:
-    """Return the geometric mean of the figures as one figure."""
+    """Combine several figures into one figure, which is their geometric mean."""
     return lambda: statistics.geometric_mean([once() for once in figures])

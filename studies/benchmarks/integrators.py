@@ -25,7 +25,7 @@ ROUNDS = 51
 
 
 def lines() -> list[Measurement]:
-    """Return all lines about integrators."""
+    """Return all measurements of integrators."""
     once = timer(stepping(semi_implicit_euler))
     return [
         Measurement(
@@ -55,7 +55,10 @@ def lines() -> list[Measurement]:
 
 
 def stepping(integrator: Integrator) -> Callable[[], None]:
-    """Return a function that makes many steps. The motion continues from round to round."""
+    """Return a function that makes STEPS steps of a particle on a spring.
+
+    Every call continues the motion of the previous call.
+    """
     particle = Particle(Vector3(1.0, 2.0, 3.0), Vector3(1.0, 2.0, 3.0), mass=MASS)
     registry = ForceRegistry()
     registry.add(particle, AnchoredSpring(Vector3(), STIFFNESS, REST_LENGTH, DAMPING))

@@ -15,7 +15,7 @@ ROUNDS = 51
 
 
 def lines() -> list[Measurement]:
-    """Return all lines about particles."""
+    """Return all measurements of particles."""
     even = [FRAME] * STEPS
     uneven = [FRAME * random.uniform(0.8, 1.2) for _ in even]
     step = timer(lambda: steps(make_particle(PROJECTILE), even))
@@ -52,7 +52,7 @@ def lines() -> list[Measurement]:
 
 
 def _against_pymunk(bodies: int, *, read: bool) -> Measurement:
-    """Measure the same number of damped falls in both engines.
+    """Compare pymunk with our engine, for ``bodies`` bodies that fall with damping.
 
     If ``read`` is true, every x and y is read after each step. This is cheap for our engine, whose
     positions are Python objects. Pymunk has to fetch each position from its C library.
@@ -93,7 +93,10 @@ def steps(particle: Particle, frames: list[float]) -> None:
 
 
 def operator_steps(particle: Particle, frames: list[float]) -> None:
-    """Make the same steps with v + w and v * s. Each assigned vector is checked and copied."""
+    """Make the same steps with vector operators, each of which creates a new vector.
+
+    The particle also checks and copies every vector that is assigned to it.
+    """
     for frame in frames:
         particle.position = particle.position + particle.velocity * frame
         keep = particle.damping**frame
@@ -112,8 +115,9 @@ def in_place_steps(particle: Particle, frames: list[float]) -> None:
 def arithmetic(frames: list[float]) -> Numbers:
     """Make the same steps in local variables, and return the final position.
 
-    The result shows what a step costs without any objects. The function computes a power in every
-    frame. Particle.integrate avoids this if a frame is as long as the previous frame.
+    This shows what a step costs without any objects. There is one more difference. This function
+    computes a power in every frame, while Particle.integrate reuses it as long as all frames have
+    the same length.
     """
     x, y, z = PROJECTILE.start.position
     vx, vy, vz = PROJECTILE.start.velocity

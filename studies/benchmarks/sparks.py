@@ -1,6 +1,6 @@
 """Compare two ways to compute sparks: frame by frame, and with a closed form.
 
-Both return lists of coordinates, because these are needed to draw the sparks.
+Both return the coordinates as lists, because a program needs these to draw the sparks.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ RULE = FireworkRule(1, 1e6, 1e6, (-5.0, -5.0, -5.0), (5.0, 5.0, 5.0), DAMPING)
 
 
 def lines() -> list[Measurement]:
-    """Return all lines about sparks."""
+    """Return all measurements of sparks."""
     show = burst()
     speeds, one = speeds_of(show), show.fireworks[0].particle
     frames = round(SECONDS / FRAME)

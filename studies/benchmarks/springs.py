@@ -1,6 +1,6 @@
-"""Measure the cost of a cloth of springs, made in three ways.
+"""Measure what a cloth of springs costs if its springs are written in three different ways.
 
-The cloth is made with connect, with a separate Spring for each end, or without any objects.
+They are made with connect, with a separate Spring for each end, or without any objects.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ ROUNDS = 21
 
 
 def lines() -> list[Measurement]:
-    """Return all lines about springs.
+    """Return all measurements of springs.
 
     Each cloth is built once and continues to fall in every round.
     """

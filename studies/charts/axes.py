@@ -11,7 +11,10 @@ MOST = 5  # labels on an axis
 
 @dataclass(frozen=True)
 class Axis:
-    """An axis from ``low`` to ``high``, drawn from the coordinate ``start`` to ``end``."""
+    """A logarithmic axis for values from ``low`` to ``high``.
+
+    It is drawn from the coordinate ``start`` to the coordinate ``end``.
+    """
 
     low: float
     high: float
@@ -21,7 +24,7 @@ class Axis:
     def at(self, value: float) -> float:
         """Return the coordinate of ``value``, rounded to 0.1.
 
-        If the value is beyond an end of the axis, return the coordinate of this end.
+        A value beyond an end of the axis is drawn at that end.
         """
         share = math.log(value / self.low) / math.log(self.high / self.low)
         return round(self.start + min(max(share, 0.0), 1.0) * (self.end - self.start), 1)
@@ -44,5 +47,5 @@ def axis_for(values: Iterable[float], start: float, end: float) -> Axis:
 
 
 def shown(power: int) -> str:
-    """Format a power of ten as a number, or in a form such as 1e-6 if this is shorter."""
+    """Format a power of ten for a label, as in 0.01, 100 or 1e-6."""
     return f"{10.0**power:g}" if -3 <= power <= 4 else f"1e{power}"

@@ -1,4 +1,4 @@
-"""The last table of the page, which shows pymunk's time as a multiple of ours.
+"""Prepare the last table of the page, which compares pymunk's time with ours.
 
 Each ratio is shown as a number and as a mark on an axis.
 """
@@ -16,7 +16,7 @@ from studies.charts.axes import Axis, axis_for
 
 @dataclass(frozen=True)
 class Ratio:
-    """A row of the table.
+    """One comparison of pymunk's time with ours, as a row of the table.
 
     ``at`` is the position of its mark in percent, or None if it has no mark. ``kind`` is "exact" or
     "extrapolated", or it is "more" or "less" if the ratio is only a bound.

@@ -1,4 +1,4 @@
-"""Determine which models can run a world, based on its contents.
+"""Determine from the contents of a world which models can run it.
 
 - A world without contacts can use every integrator of chapter 6. If it has no forces either, the
   closed form is exact.
@@ -45,7 +45,7 @@ class Model:
     takes_tolerance: bool = False
 
     def chosen(self, choice: int) -> str:
-        """Describe one of the choices in words."""
+        """Describe a choice in words, such as "4 steps per frame"."""
         if self.takes_tolerance:
             return f"tolerance {1.0 / choice:g}"
         return "once per frame" if choice == 1 else f"{choice} steps per frame"
@@ -85,7 +85,7 @@ def _special(world: ParticleWorld) -> list[Model]:
 
 
 def _with(integrator: Integrator) -> Callable[[ParticleWorld], Step]:
-    """Return a function that steps only the particles of a world. The world has no contacts."""
+    """Return a function that steps the particles of a world that has no contacts."""
 
     def step_of(world: ParticleWorld) -> Step:
         particles, forces = world.particles, world.registry.update_forces

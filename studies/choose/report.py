@@ -63,10 +63,9 @@ def _told(found: list[Tried], point: Point) -> str:
 
 
 def _table(found: list[Tried], scene: OwnScene, tolerance: float) -> Table:
-    """Create a table with a row for each model.
+    """Create a table that shows what each model needs to meet the tolerance.
 
-    The row shows what the model needs to meet the tolerance. If the model does not meet it, the row
-    shows the finest run.
+    If a model does not meet it, its row shows the finest run.
     """
     table = Table("model", "steps / frame", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("error", "ms", "order"):
@@ -88,7 +87,7 @@ def _table(found: list[Tried], scene: OwnScene, tolerance: float) -> Table:
 
 
 def _order(tried: Tried) -> str:
-    """Return the order of a model's last runs, and the order that the model should have."""
+    """Compare the order of a model's last runs with the order that it should have."""
     if tried.halved.is_exact:
         return "exact"
     seen = f"{tried.halved.orders[-1]:.1f}" if tried.halved.orders else "?"
@@ -96,7 +95,7 @@ def _order(tried: Tried) -> str:
 
 
 def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
-    """Return warnings about the estimated errors. The reader needs them to judge the result."""
+    """Warn the reader about anything that makes the estimated errors unreliable."""
     told = []
     unsteady = [tried for tried in found if not tried.halved.is_steady]
     if unsteady:
@@ -112,7 +111,7 @@ def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
         )
     for tried in found:
         name, order, seen = tried.model.name, tried.model.order, tried.halved.orders
-        # It is expected that leapfrog has order 1 if a force depends on the velocity.
+        # Leapfrog is expected to have only order 1 if a force depends on the velocity.
         if tried.halved.is_steady and seen and seen[-1] < LOW * order and name != "leapfrog":
             told.append(
                 f"{name} converges with order {seen[-1]:.1f} instead of {order}, as where a force "
@@ -132,7 +131,10 @@ def _seen(tried: Tried) -> str:
 
 
 def _contradicting(found: list[Tried], chosen: Point) -> str:
-    """Return a warning if the most accurate other model contradicts the chosen model."""
+    """Return a warning if the most accurate other model contradicts the chosen model.
+
+    Two models contradict each other if they differ by much more than their estimated errors.
+    """
     mine = next(tried for tried in found if tried.model.name == chosen.model)
     run = mine.runs[mine.model.choices.index(chosen.steps)]
     others = [tried for tried in found if tried is not mine and tried.halved.is_steady]

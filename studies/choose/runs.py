@@ -22,7 +22,7 @@ STILL = 1e-12  # fraction of the measured values below which a displacement is n
 
 @dataclass
 class Tried:
-    """A model with its runs and the time of each run in s.
+    """A model that has been tried, with its runs and the times of each run in s.
 
     ``halved`` contains the estimated errors of the runs. If the last run failed, ``failure`` is the
     reason.
@@ -57,7 +57,7 @@ class Tried:
         return len(self.halved.orders) >= ORDERS
 
     def points(self, scene: OwnScene) -> list[Point]:
-        """Return the runs as points. Their work is the number of steps."""
+        """Return the runs as points of a study. Their work is the number of steps."""
         return [
             Point(
                 str(scene.path),
@@ -134,10 +134,10 @@ def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, flo
 
 
 def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
-    """Time runs again in random order, so that other load does not affect only one model.
+    """Time the runs that may be chosen again, in random order.
 
-    Only runs that may be chosen are timed again. These are the runs of models whose error is known,
-    up to the first run that meets the tolerance.
+    These are the runs of models whose error is known, up to the first run that reliably meets the
+    tolerance. The random order prevents other load on the machine from affecting only one model.
     """
     every = []
     for tried in found:

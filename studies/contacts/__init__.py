@@ -1,6 +1,6 @@
-"""Compare the contact solvers of chapter 7: error over time, for stacks, ropes and mass ratios.
+"""Compare the contact solvers of chapter 7 in stacks and ropes with several mass ratios.
 
-The command prints, for each scene, how long each solver takes per frame to stay within an error. A
+For each scene, the command prints how much time per frame a solver needs to stay within an error. A
 complete run stores its numbers for `make figures`, which draws the picture of the lesson.
 """
 

@@ -1,4 +1,4 @@
-"""Draw the picture and write the table of the contact solvers, from their measured points."""
+"""Draw the picture and the table that compare the contact solvers, from measured points."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def of_scene(points: Sequence[Point], scene: str) -> dict[str, list[Point]]:
 def time_within(points: Sequence[Point], scene: str, solver: str, tolerance: float) -> float | None:
     """Return the time in ms per frame in which ``solver`` reaches an error of ``tolerance``.
 
-    If it never reaches this error, return None.
+    If it does not reach this error in any run, return None.
     """
     own = of_scene(points, scene).get(solver)
     return time_to(own, tolerance) if own else None
@@ -85,7 +85,7 @@ def draw(points: Sequence[Point]) -> Figure:
 
 
 def contact_solvers() -> Picture:
-    """Draw the picture of the lesson from the committed points."""
+    """Draw the picture of the lesson from the points that are stored in the repository."""
     points = kept()
     return Picture(draw(points), COLUMNS, table(points))
 

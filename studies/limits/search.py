@@ -1,4 +1,4 @@
-"""Measure stability limits by bisection, and measure the energy inside the limits.
+"""Measure by bisection where methods become unstable, and measure the energy inside these limits.
 
 There are limits for springs, for drag and for a penalty ground. A step is a linear map of position
 and velocity, so its eigenvalues show whether a motion grows. A spring is at its limit when the
@@ -126,7 +126,7 @@ def theory_at(name: str, damping: float) -> float:
 
 
 def spring_limits() -> list[Bound]:
-    """Return the limits of k h^2 / m of every method, for springs with and without damping."""
+    """Measure the limits of k h^2 / m of every method, for springs with and without damping."""
     rows = []
     for name in INTEGRATORS:
         rows += [spring_limit(name, kept, f"d^h = {kept:g}") for kept in KEPT]
@@ -143,14 +143,14 @@ def spring_limits() -> list[Bound]:
 
 
 def spring_limit(name: str, damping: float, at: str) -> Bound:
-    """Return the limit of a method with the damping of ``stepping``."""
+    """Measure the limit of one method. ``damping`` has the meaning of ``stepping``."""
     return bound(name, at, partial(growth_at, name, damping), theory_at(name, damping))
 
 
 def ground_limit() -> Bound:
-    """Return the k h^2 / m above which a penalty ground throws a resting body into the air.
+    """Find the k h^2 / m above which a penalty ground throws a resting body into the air.
 
-    This is also the limit of the step.
+    In theory this happens at 4, which is also the limit of the step.
     """
     found = first(lambda kappa: 2.0 if thrown(kappa) else 1.0)
     return Bound("penalty ground", "at rest", found, 4.0, float(thrown(OUTSIDE * found)))
@@ -190,9 +190,9 @@ DRAG_THEORY = {
 
 
 def drag_limits() -> list[Bound]:
-    """Return the limits of k1 h / m of each method.
+    """Measure the limits of k1 h / m of each method.
 
-    Above a limit, a step increases or reverses speed.
+    Above the limits, a step makes the body faster, or reverses its velocity.
     """
     rows = []
     for name, (grows, turns) in DRAG_THEORY.items():
@@ -205,7 +205,7 @@ def drag_limits() -> list[Bound]:
 
 
 def drag_factor(name: str, z: float) -> float:
-    """Return the factor that a step multiplies a speed by, if only drag acts.
+    """Return the factor by which one step multiplies a speed if only drag acts.
 
     ``z`` is k1 h / m. Integrators use the force of chapter 5. The other methods use their damper
     without a spring.
@@ -218,9 +218,9 @@ def drag_factor(name: str, z: float) -> float:
 
 
 def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
-    """Find the smallest value that shows growth.
+    """Find the smallest value at which a motion grows, and compare it with its theory.
 
-    Return it with the theoretical limit and the number of steps to divergence.
+    The result includes the number of steps to divergence just above this value.
     """
     found = first(growth)
     bears = 0.0 < found < math.inf
@@ -229,10 +229,11 @@ def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
 
 
 def first(growth: Growth) -> float:
-    """Find the smallest value that shows growth by bisection.
+    """Find the smallest value at which ``growth`` exceeds 1, by bisection.
 
-    The search tries many values and starts the bisection below the first value that shows growth.
-    The result is 0 if even LEAST shows growth, and infinity if all values up to MOST are stable.
+    The search tries larger and larger values, and starts the bisection below the first one that
+    shows growth. The result is 0 if even LEAST shows growth, and infinity if all values up to MOST
+    are stable.
     """
     low, high = 0.0, LEAST
     while not growth(high) > 1.0 + 1e-13:
@@ -257,7 +258,7 @@ def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
 
 
 def energies_after(matrix: tuple[float, float, float, float], swings: list[int]) -> list[float]:
-    """Return the energy after each number of oscillations in ``swings``. The initial energy is 1.
+    """Return the energy after each number of oscillations in ``swings``, if it is 1 at the start.
 
     Each value is the mean over one oscillation, because the energy of a symplectic method
     oscillates around a constant mean. ``matrix`` is the matrix of a step of (x, v h).

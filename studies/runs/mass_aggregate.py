@@ -1,4 +1,4 @@
-"""Scenes of chapter 8 with measurements over time, for the plots, the benchmarks and the tests.
+"""Run scenes of chapter 8 and measure values over time, for plots, benchmarks and tests.
 
 Lengths are in m, masses in kg, times in s, and energies in J.
 """
@@ -35,7 +35,7 @@ Measure = Callable[[], float]
 
 
 class MassAggregate(Protocol):
-    """The attributes that the bridge, the platform, the blob and the wheel share."""
+    """What the bridge, the platform, the blob and the wheel have in common."""
 
     @property
     def world(self) -> ParticleWorld: ...
@@ -59,7 +59,7 @@ def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float
 
 
 def resolve_by_heap(world: ParticleWorld) -> None:
-    """Give a world a faster resolver, with the same number of iterations and the same results."""
+    """Give a world a faster resolver that makes as many iterations and has the same results."""
     world.resolver = HeapResolver(world.resolver.iterations)
 
 
@@ -71,23 +71,23 @@ def loaded_platform() -> TiltingPlatform:
 
 
 def energy(aggregate: MassAggregate, rate: int, seconds: float) -> Track:
-    """Return the mechanical energy of all the particles of an aggregate."""
+    """Run an aggregate, and return the mechanical energy of all its particles over time."""
     resolve_by_heap(aggregate.world)
     measures = [lambda: mechanical_energy(aggregate.world.particles)]
     return tracks(aggregate.step, measures, round(rate * seconds), 1.0 / rate)[0]
 
 
 def default_bridge() -> Bridge:
-    """Return a bridge whose resolver makes its default number of iterations, twice the contacts."""
+    """Return a bridge whose resolver makes its default number of iterations, two per contact."""
     bridge = Bridge()
     bridge.world.resolver.iterations = None
     return bridge
 
 
 def variation(run: Track, since: float) -> float:
-    """Return the range of the values from a time on, as a fraction of the last value.
+    """Measure how much a value still varies from the time ``since`` on.
 
-    Returns NaN if the engine failed.
+    Return the range of the values as a fraction of the last value, or NaN if the engine failed.
     """
     late = [value for time, value in run.points if time >= since]
     if run.message or not late or not late[-1]:
@@ -98,10 +98,10 @@ def variation(run: Track, since: float) -> float:
 def load_on_bridge(
     mass: float, iterations: int | None, substeps: int, seconds: float
 ) -> tuple[Track, int]:
-    """Return the excess length of a bridge's cables under a ball of this mass, at 60 Hz.
+    """Return by how much a bridge's cables are too long under a ball of this mass, at 60 Hz.
 
-    The excess length is infinite if the ball has fallen through. The second result is the number of
-    resolutions.
+    The excess length is in percent. It is infinite if the ball has fallen through. The second
+    result is the number of contacts that were resolved.
     """
     bridge = Bridge(mass)
     bridge.world.resolver = HeapResolver(iterations)
@@ -142,9 +142,11 @@ def places(world: ParticleWorld) -> list[Numbers]:
 def in_frames(
     aggregate: MassAggregate, frames: Sequence[float], measure: Callable[[], float], fixed: bool
 ) -> tuple[Track, list[tuple[int, list[Numbers]]]]:
-    """Run an aggregate in frames of given times, either in steps of these times or by FixedStep.
+    """Run an aggregate for frames whose durations vary.
 
-    The second result contains, for each frame, the number of steps so far and all positions.
+    If ``fixed`` is true, FixedStep divides the time into equal steps. Otherwise each frame is one
+    step. Return the measured values, and for each frame the number of steps so far and all
+    positions.
     """
     resolve_by_heap(aggregate.world)
     stepper = FixedStep(aggregate.step, FRAME)
@@ -168,13 +170,13 @@ def in_frames(
 
 
 def spin_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track:
-    """Return the spin in rad/s of a driven wheel."""
+    """Return the spin in rad/s of a driven wheel over time."""
     wheel = Wheel(force, driven)
     return _driven(wheel, lambda: spin(wheel.hub, wheel.rim), rate, seconds)
 
 
 def deformation_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track:
-    """Return the deformation of a driven wheel."""
+    """Return the deformation of a driven wheel over time."""
     wheel = Wheel(force, driven)
     return _driven(wheel, lambda: deformation(wheel.rods), rate, seconds)
 
@@ -186,7 +188,7 @@ def spread_of_blob(speed: float, cables: bool, seconds: float) -> Track:
 
 
 def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
-    """Return the number of intact bonds over time, of the same blob."""
+    """Return how many bonds of the same blob are still intact, over time."""
     blob = _thrown(speed, cables)
 
     def holding() -> float:
@@ -196,9 +198,10 @@ def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
 
 
 def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Particle]]:
-    """Return a world of balls in a row that land one after the other, and a late ball.
+    """Return a world of balls that land one after the other, and these balls.
 
-    The late ball falls from LATE_HEIGHT between two of the others and pushes all of them apart.
+    The last ball is a late one. It falls from LATE_HEIGHT between two of the others and pushes all
+    of them apart.
     """
     down = Vector3(0.0, -9.81)
     places = [Vector3(1.2 * i, 2.0 * RADIUS + 0.6 * i) for i in range(BALLS)]

@@ -25,7 +25,12 @@ from studies.runs.mass_aggregate import resolve_by_heap
 
 @dataclass(frozen=True)
 class Release:
-    """A possible release: its angle in degrees, its range in m, and its fraction of the energy."""
+    """A moment at which the sling could release the projectile.
+
+    ``angle`` is the direction of flight in degrees, and ``range`` is how far the projectile flies
+    in m. ``share`` is the fraction of the counterweight's lost energy that the projectile has
+    gained.
+    """
 
     angle: float
     range: float
@@ -69,7 +74,7 @@ def releases(design: Design) -> list[Release]:
 
 
 def jumps(found: Sequence[Release], degrees: float = 5.0) -> list[Release]:
-    """Return the releases with a NaN wherever the angle jumps, so that no line is drawn there."""
+    """Insert a NaN wherever the angle jumps, so that a plot draws no line across the gap."""
     shown = list(found[:1])
     for before, release in pairwise(found):
         if before.angle - release.angle > degrees:

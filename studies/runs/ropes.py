@@ -1,4 +1,4 @@
-"""A rope that hangs between two nails: simulated with rods or with DirectChain, and exact.
+"""Let a rope hang between two nails, simulated with rods or with a DirectChain, or exact.
 
 The nails are at height 0, and the distance between them is SPAN. The length of the rope is LENGTH.
 There is a particle of 1 kg wherever two links meet.
@@ -28,7 +28,7 @@ Place = tuple[float, float]
 
 @dataclass(frozen=True)
 class Hanging:
-    """A hanging rope: its positions, its sag in m, and its excess length in m.
+    """A rope that hangs at rest: its positions, its sag in m, and its excess length in m.
 
     ``work`` is the number of contacts that were resolved, or of rod forces that were solved for.
     """
@@ -77,7 +77,7 @@ def polygon_sag(links: int, span: float = SPAN, length: float = LENGTH) -> float
 
 
 def straight_v(links: int) -> list[Place]:
-    """Return the positions of a rope that is pulled down at its middle."""
+    """Return the positions of a rope whose middle is pulled straight down, so that it forms a V."""
     depth = math.sqrt(0.25 * LENGTH * LENGTH - 0.25 * SPAN * SPAN)
     shares = [i / links for i in range(links + 1)]
     return [(SPAN * share, -depth * (1.0 - abs(2.0 * share - 1.0))) for share in shares]
@@ -126,7 +126,7 @@ def _measured(particles: list[Particle], work: int) -> Hanging:
 
 
 def _solve(of: Callable[[float], float], low: float, high: float) -> float:
-    """Return where a function changes sign, by bisection between two positive numbers."""
+    """Find where a function changes sign between two positive numbers, by bisection."""
     rises = of(high) > 0.0
     for _ in range(200):
         middle = math.sqrt(low * high)

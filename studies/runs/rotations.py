@@ -1,7 +1,7 @@
-"""Provide orientations in plain numbers, for comparison with an engine, and motions for plots.
+"""Compute orientations in plain numbers, so that they can be compared with those of an engine.
 
 An orientation is described either by its components r, i, j and k, or by its arrows. The arrows are
-the directions of its own axes X, Y and Z in the world.
+the directions of its own axes X, Y and Z in the world. The motions in this module are for plots.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ def components(q: Any) -> Components:
 
 
 def turn(axis: Numbers, angle: float) -> Components:
-    """Return the components of a rotation about ``axis``. Its length must not be zero."""
+    """Return the components of a rotation by ``angle`` about ``axis``, which must not be zero."""
     share = math.sin(0.5 * angle) / math.hypot(*axis)
     return math.cos(0.5 * angle), axis[0] * share, axis[1] * share, axis[2] * share
 
@@ -95,7 +95,7 @@ def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
 
 
 def off_right_angles(found: Arrows) -> float:
-    """Return how far the angles between the arrows are from 90 degrees, at most, in degrees."""
+    """Return by how many degrees the angle between two arrows differs from 90, at most."""
     x, y, z = found
     return largest([abs(angle_between(a, b) - 90.0) for a, b in ((x, y), (y, z), (z, x))])
 
@@ -129,7 +129,10 @@ TILTED = turn((0.0, 0.0, -1.0), TILT)  # the disc's own Y along its axis
 
 @dataclass(frozen=True)
 class Throw:
-    """The engine's arrows, the exact arrows, and the error if the run ended early."""
+    """A thrown disc: its arrows from the engine, and the exact arrows at the same times.
+
+    If an error of the engine ended the throw early, ``message`` is the text of this error.
+    """
 
     times: list[float]
     found: list[Arrows]
@@ -137,7 +140,7 @@ class Throw:
     message: str
 
     def worst(self, measure: Callable[[Arrows], float]) -> float:
-        """Return the largest measurement of the engine's arrows."""
+        """Apply ``measure`` to the engine's arrows at each time, and return the largest result."""
         return largest([measure(found) for found in self.found])
 
     def worst_direction(self) -> float:
@@ -166,7 +169,7 @@ def disc_acceleration(time: float) -> Numbers:
 
 
 def throw_disc(rate: int) -> Throw:
-    """Rotate the disc with integrate_rotation. ``rate`` is in steps per second."""
+    """Throw the disc, and rotate it with integrate_rotation in ``rate`` steps per second."""
     orientation = Quaternion(*TILTED)
     velocity = Vector3(SPIN * AXIS[0], SPIN * AXIS[1] + PRECESSION, 0.0)
     times: list[float] = []
@@ -185,18 +188,18 @@ def throw_disc(rate: int) -> Throw:
 
 
 def by_first_order(q: Quaternion, velocity: Numbers, duration: float) -> None:
-    """Step by Eq. 9.5."""
+    """Rotate ``q`` for one step by the book's first-order formula, Eq. 9.5."""
     q.add_scaled(Vector3(*velocity), duration)
 
 
 def by_first_order_normalized(q: Quaternion, velocity: Numbers, duration: float) -> None:
-    """Step by Eq. 9.5, and then normalize."""
+    """Rotate ``q`` for one step by Eq. 9.5, and then normalize it."""
     q.add_scaled(Vector3(*velocity), duration)
     q.normalize()
 
 
 def by_exponential(q: Quaternion, velocity: Numbers, duration: float) -> None:
-    """Step by the exponential of the rotation vector."""
+    """Rotate ``q`` for one step by the exponential of the rotation vector."""
     q.rotate_by(Vector3(*(component * duration for component in velocity)))
 
 
@@ -237,7 +240,7 @@ def coning_orientation(time: float) -> Components:
 def turn_by_steps(
     step: Step, velocity: Velocity, steps: int, rate: float, share: float = 0.0
 ) -> tuple[list[Components], str]:
-    """Return the orientations at the start and after each step, and any error that ended the run.
+    """Rotate START step by step. Return all orientations, and any error that ended the run.
 
     ``share`` is the fraction of a step after which the velocity is evaluated. It is 0 for the start
     of the step and 0.5 for the middle.
@@ -257,7 +260,7 @@ def turn_by_steps(
 def worst_axis(distance: float, z: float) -> Numbers:
     """Return the rotation axis with the largest Euler rates, if y is ``distance`` below 90 degrees.
 
-    It is halfway between the world's Z axis and the rotated X axis.
+    It lies halfway between the world's Z axis and the rotated X axis.
     """
     up = math.sin(0.5 * distance)
     along = math.cos(0.5 * distance)

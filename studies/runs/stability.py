@@ -1,4 +1,4 @@
-"""The stability of integrators: oscillations of springs, growth per step, and theoretical limits.
+"""Measure the stability of integrators with springs: oscillations, growth per step, and limits.
 
 A spring pulls a particle of 1 kg toward 0 along X. Every method is wrapped as an integrator of
 chapter 6, even a solver for one linear spring, so that all methods run in the same way.
@@ -70,7 +70,7 @@ class Swing:
 
 
 def solving(solver: Solver, stiffness: float, damping: float = 0.0) -> Integrator:
-    """Return an integrator that moves particles along X by a solver of one linear spring."""
+    """Wrap a solver for one linear spring as an integrator that moves particles along X."""
 
     def step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
         del apply_forces
@@ -163,7 +163,7 @@ def growth_of(name: str, kappa: float, damping: float, duration: float) -> float
 
 
 def period(places: Sequence[float]) -> float:
-    """Return the number of steps per oscillation, from its zero crossings, or NaN without any."""
+    """Measure the number of steps per oscillation, from its zero crossings. It may be NaN."""
     found = [i + a / (a - b) for i, (a, b) in enumerate(pairwise(places)) if a * b < 0.0]
     return 2.0 * (found[-1] - found[0]) / (len(found) - 1) if len(found) > 1 else math.nan
 
@@ -185,7 +185,7 @@ def faked_growth(angle: float, share: float, duration: float) -> float:
 
 
 def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, str]:
-    """Return the steps until a knot of the cloth is faster than 1000 m/s, and any error."""
+    """Count the steps until a knot of the cloth is faster than 1000 m/s. Also return any error."""
     knots, registry = make_cloth(damping)
     step = watching(INTEGRATORS[name], 1000.0)
     steps = 0
@@ -233,7 +233,7 @@ def spectral_radius(a: float, b: float, c: float, d: float) -> float:
 
 
 def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float = 1e3) -> float:
-    """Return the k h^2 / m above which oscillations grow, between low and high, by bisection."""
+    """Find the k h^2 / m between low and high above which oscillations grow, by bisection."""
     while high > low * (1.0 + 1e-14):
         middle = math.sqrt(low * high)
         if not low < middle < high:
@@ -246,7 +246,7 @@ def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float
 
 
 def limits(name: str, duration: float) -> list[tuple[float, float, float]]:
-    """Return d^h, and the measured and theoretical limits of k h^2 / m, for several dampings.
+    """Measure the limit of k h^2 / m for several d^h. Return each d^h, its limit and its theory.
 
     Explicit Euler without damping is left out, because its limit is 0.
     """

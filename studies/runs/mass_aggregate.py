@@ -213,7 +213,7 @@ def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Part
 
 
 def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, Track]:
-    """Return the number of awake balls, the resolutions per step, and the kinetic energy."""
+    """Return the number of awake balls, the resolutions and the kinetic energy after each step."""
     world, balls = balls_on_ground(kind)
 
     def move(duration: float) -> None:

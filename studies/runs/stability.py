@@ -163,7 +163,7 @@ def growth_of(name: str, kappa: float, damping: float, duration: float) -> float
 
 
 def period(places: Sequence[float]) -> float:
-    """Measure the number of steps per oscillation, from its zero crossings. It may be NaN."""
+    """Return the steps per oscillation, from the zero crossings, or NaN if there are too few."""
     found = [i + a / (a - b) for i, (a, b) in enumerate(pairwise(places)) if a * b < 0.0]
     return 2.0 * (found[-1] - found[0]) / (len(found) - 1) if len(found) > 1 else math.nan
 

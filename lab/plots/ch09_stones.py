@@ -1,4 +1,4 @@
-"""A picture of chapter 9: the balance lines of a box of stones, and the errors of these lines."""
+"""A picture of chapter 9: the balance lines of a box of stones, and how exact they are."""
 
 from __future__ import annotations
 

@@ -41,7 +41,7 @@ class Watchdog:
         stop_clock()
 
     def hear(self, _: int, frame: FrameType | None) -> None:
-        """Report the current line of the code to the page, and then wait until the page ends us."""
+        """Report the current line to the page, and then wait until the page ends the worker."""
         stack = stack_of(frame)
         post("hung", stack=stack, **self.explain(stack))
         while True:

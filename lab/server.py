@@ -23,7 +23,7 @@ REFERENCE = "solutions"
 
 
 class Lab(Site):
-    """What all requests to the server share: the available engines and the open sockets."""
+    """The state that all requests share: the available engines, and the sockets of open pages."""
 
     def __init__(self, engine: str, given: str = "") -> None:
         super().__init__()

@@ -23,7 +23,7 @@ RATES = (15.0, 30.0, 60.0, 120.0, 240.0, 480.0)
 class Stepped(Scene):
     """A scene whose particles move under the forces of a registry.
 
-    The method ``build`` of a subclass must create both.
+    The method ``build`` of a subclass must create ``particles`` and ``registry``.
     """
 
     integrator = Choice("semi-implicit Euler", "integrator", [*STEPS], live=True)

@@ -28,7 +28,7 @@ Move = Callable[[], object]
 
 
 def main(arguments: list[str]) -> int:
-    """Measure, print and draw the costs. Return 0."""
+    """Measure what the unnecessary parts cost, and print and draw the results. Return 0."""
     parser = argparse.ArgumentParser(prog="python -m studies economy", description=__doc__)
     parser.add_argument(
         "--out",
@@ -99,10 +99,7 @@ def parts() -> list[tuple[str, Move, Move]]:
     )
 
     def falling(acceleration: bool = True) -> list[Particle]:
-        """Return two hundred falling particles.
-
-        They are far from the ground and from each other.
-        """
+        """Return two hundred falling particles, far from the ground and from each other."""
         return [
             Particle(Vector3(10.0 * i, 1e7), acceleration=DOWN if acceleration else None)
             for i in range(COUNT)

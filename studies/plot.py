@@ -73,8 +73,8 @@ def draw_chapter(chapter: Chapter, folder: Path) -> bool:
 def draw(plot: Callable[[], Picture], folder: Path, limit: float = TIME_LIMIT) -> bool:
     """Draw a plot and write it as name.png, with its numbers as name.csv.
 
-    If the plot fails, print why. Older files are deleted first, so that nobody mistakes them for
-    new.
+    If the plot fails, print why. Older files are deleted first, so that they cannot be mistaken for
+    new ones.
     """
     name = plot.__name__
     png, table = folder / f"{name}.png", folder / f"{name}.csv"

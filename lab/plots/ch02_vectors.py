@@ -61,7 +61,7 @@ def projection() -> Picture:
 
 
 def cross_product() -> Picture:
-    """Draw the vector product of two vectors. Plot its length against the angle between them."""
+    """Draw the vector product of two vectors, and plot its length against their angle."""
     a, b = (0.3, 0.1, 1.2), (1.0, 0.0, 0.2)
     product = numbers(Vector3(*a).cross(Vector3(*b)))
     figure = pyplot.figure(figsize=(10, 5), layout="constrained")

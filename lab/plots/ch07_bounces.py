@@ -222,7 +222,7 @@ def _falling(height: float, restitution: float, rule: Resolve | None) -> Callabl
 
 
 def _finite(runs: Iterable[Track]) -> list[float]:
-    """Return the heights that fit into a picture. With a wrong engine, the ball may fly away."""
+    """Return the heights that fit into a picture. A wrong engine may let the ball fly away."""
     return [height for run in runs for height in run.values if abs(height) < 10.0 * HEIGHT]
 
 

@@ -23,9 +23,9 @@ from studies.runs.piles import pile, residuals, stack
 
 
 def resolver_convergence() -> Picture:
-    """Plot what the resolver leaves in a pile of spheres, against the number of iterations.
+    """Plot the errors that remain in a pile of spheres against the number of resolutions.
 
-    This is the largest closing velocity and the largest depth.
+    The errors are the largest closing velocity and the largest depth.
     """
     figure, panels = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     counts = [*range(31), *range(32, 100, 4), *range(100, 401, 20)]

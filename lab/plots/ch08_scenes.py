@@ -196,7 +196,7 @@ def blob_bonds() -> Picture:
 
 
 def sleeping_balls() -> Picture:
-    """Plot what balls cost that land one after another, until a late ball wakes them all."""
+    """Plot the cost of balls that land one after another, until a late ball wakes them all."""
     figure, panels = pyplot.subplots(2, 1, figsize=(11, 6.4), layout="constrained", sharex=True)
     kinds: dict[type[ParticleWorld], tuple[str, str]] = {
         ParticleWorld: ("ParticleWorld", RED),

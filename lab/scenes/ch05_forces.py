@@ -16,9 +16,9 @@ G = 9.81  # m/s^2
 
 
 def lands_first(scene: FallInAir) -> int:
-    """Return which ball lands first: 0 for the left ball, 1 for the right, or 2 for both together.
+    """Return which ball lands first: 0 for the left, 1 for the right, or 2 if they land together.
 
-    The ball with the higher terminal speed is the first.
+    The ball with the higher terminal speed lands first.
     """
     heavy, light = (terminal_speed(mass * G, 0.0, k2) for mass, k2, _ in scene.balls())
     return 0 if heavy > 1.001 * light else 1 if light > 1.001 * heavy else 2
@@ -124,7 +124,10 @@ class FallInAir(Scene):
 
 
 class Orbit(Scene):
-    """A planet whose time step updates the position either first, as in the book, or last."""
+    """A planet that orbits a star, with two forms of the time step.
+
+    A step updates the position either before the velocity, as in the book, or after it.
+    """
 
     chapter = 5
     title = "An orbit that should close"

@@ -24,9 +24,10 @@ def no_forces(duration: float) -> None:
 
 
 class Ropes(Scene):
-    """Three equal ropes, each of which should keep its length by another method.
+    """Three copies of a rope, each simulated by a different method.
 
-    The methods are one step per frame, substeps, and a direct solve.
+    The methods are one step per frame, substeps, and a direct solve. A rope should keep its length,
+    so the picture shows by how much each of them is too long.
     """
 
     chapter = 7

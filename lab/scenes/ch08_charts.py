@@ -95,10 +95,7 @@ class Charts(Scene):
 
 
 def points(place: Place) -> list[tuple[float, float]]:
-    """Split the coordinates of a place into points.
-
-    They are pairs of x and y. If there is only a single number, it is a height.
-    """
+    """Split the coordinates of a place into points (x, y). A single coordinate is a height."""
     numbers = [float(number) for number in place]
     if len(numbers) == 1:
         return [(0.0, numbers[0])]

@@ -170,7 +170,10 @@ class Orientations(Scene):
 
 
 class FirstOrder(Scene):
-    """A clock hand that rotates by Eq. 9.5, which moves its quaternion along a straight line."""
+    """A hand that rotates by Eq. 9.5, beside one that rotates steadily.
+
+    Each step of Eq. 9.5 moves the quaternion along a straight line, so the hand falls behind.
+    """
 
     chapter = 9
     title = "What Eq. 9.5 leaves out"

@@ -81,7 +81,10 @@ class Scene:
     differs: Callable[[], float] | None = None
 
     def error(self, outcome: Outcome) -> float:
-        """Return the largest error of a coordinate as a fraction of the scale, or inf for NaN."""
+        """Return the largest error of any coordinate in any frame, as a fraction of the scale.
+
+        If a coordinate is not a finite number, the error is infinite.
+        """
         worst = 0.0
         for frame, place in enumerate(outcome.places, 1):
             for found, true in zip(place, self.truth(frame / RATE), strict=True):

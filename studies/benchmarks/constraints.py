@@ -143,7 +143,7 @@ def by_pymunk(rate: int) -> tuple[float, float]:
 
 
 def matching_rate() -> int:
-    """Return the frame rate at which pymunk's tip is as accurate as ours.
+    """Find the step rate at which pymunk is as accurate as DirectChain at the tip of the chain.
 
     The search starts at four times our rate and doubles the rate until pymunk is accurate enough.
     DirectChain at 16 times its rate serves as the exact position, because its error is then 256

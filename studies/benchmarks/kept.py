@@ -66,7 +66,7 @@ def with_quotations(page: str, ratios: dict[str, float]) -> str:
     The figures are rounded to two digits.
 
     Raises:
-        ValueError: The description in a quotation does not match exactly one of the ratios.
+        ValueError: A quotation matches the descriptions of several ratios, or of none.
     """
 
     def renewed(match: re.Match[str]) -> str:
@@ -85,10 +85,10 @@ def pages() -> list[Path]:
 
 
 def write_quotations() -> None:
-    """Update the figures that all pages quote.
+    """Update the figures that all pages quote to those of the last run.
 
     Raises:
-        ValueError: The description in a quotation does not match exactly one stored ratio.
+        ValueError: A quotation matches the descriptions of several ratios, or of none.
     """
     ratios = kept()
     for path in pages():

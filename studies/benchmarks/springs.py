@@ -84,7 +84,7 @@ def steps(knots: list[Particle], registry: ForceRegistry) -> float:
 def cloth_arithmetic() -> float:
     """Run the same cloth with lists of floats, and return the height of its lowest knot.
 
-    In each step, the forces of the springs are computed first.
+    Each step computes the forces of all springs before it moves the knots.
     """
     count = KNOTS * KNOTS
     x = [REST_LENGTH * (i % KNOTS) for i in range(count)]

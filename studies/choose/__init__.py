@@ -24,7 +24,7 @@ ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
 
 
 def main(arguments: list[str]) -> int:
-    """Measure the models and report. Return 1 if none of our models meets the tolerance."""
+    """Measure the models and report the cheapest one. Return 1 if no model is accurate enough."""
     parser = argparse.ArgumentParser(prog="python -m studies choose", description=__doc__)
     parser.add_argument("scene", help="part of a scene's name, such as pendulum, or a .py file")
     parser.add_argument(

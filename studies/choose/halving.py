@@ -46,9 +46,11 @@ def halved(
     failed is None. Its error is infinite, and so are the errors of all runs before it.
 
     ``order`` is the highest order that the model can have. If a higher order is observed, it is a
-    coincidence and is not used. Two equal runs normally show that both are exact. Set
-    ``may_repeat`` if they do not, because the model takes a tolerance. Several tolerances can lead
-    to the same steps.
+    coincidence and is not used.
+
+    Two equal runs normally show that both are exact. This is not true for a model that takes a
+    tolerance, because several tolerances can lead to the same steps. Set ``may_repeat`` for such a
+    model.
     """
     first = max((i + 1 for i, run in enumerate(runs) if run is None), default=0)
     good: list[Run] = [run for run in runs[first:] if run is not None]

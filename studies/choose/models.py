@@ -109,7 +109,7 @@ def _resolving(name: str) -> Model:
 
 
 def _exact(world: ParticleWorld) -> Step:
-    """Step by the closed form for a constant acceleration and linear drag."""
+    """Step the particles by the closed form for a constant acceleration and linear drag."""
 
     def step(duration: float) -> None:
         for particle in world.particles:

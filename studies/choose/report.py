@@ -87,7 +87,10 @@ def _table(found: list[Tried], scene: OwnScene, tolerance: float) -> Table:
 
 
 def _order(tried: Tried) -> str:
-    """Compare the order of a model's last runs with the order that it should have."""
+    """Describe the order of convergence of a model's last runs, as in "1.9 of 2" or "exact".
+
+    The second number is the order that the model should have.
+    """
     if tried.halved.is_exact:
         return "exact"
     seen = f"{tried.halved.orders[-1]:.1f}" if tried.halved.orders else "?"
@@ -123,7 +126,10 @@ def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
 
 
 def _seen(tried: Tried) -> str:
-    """Return the name of a model and its last orders, or the reason why it has no orders."""
+    """Name a model that does not converge with the expected order, and the orders that it shows.
+
+    If its runs show no order at all, name the reason instead.
+    """
     shown = ", ".join(f"{each:.1f}" for each in tried.halved.orders[-3:])
     if not shown:
         return f"{tried.model.name} ({tried.failure or 'its runs hardly differ'})"

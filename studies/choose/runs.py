@@ -102,7 +102,7 @@ def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> l
 
 
 def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, float]:
-    """Run a scene once. Return the measured values or the reason of a failure, and the time in s.
+    """Run a scene once. Return the measured values, or why the run failed, and the time in s.
 
     The time is processor time. A run fails if its steps are too long for its forces, or if its
     numbers are not finite.

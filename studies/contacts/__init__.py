@@ -23,7 +23,7 @@ QUICK, FULL = (1, 0.02), (3, 0.3)  # rounds, and the time in s for the slowest r
 
 
 def main(arguments: list[str]) -> int:
-    """Measure, print, draw and store the results. Return 0."""
+    """Measure all solvers, and print, draw and store the results. Return 0."""
     parser = argparse.ArgumentParser(prog="python -m studies contacts", description=__doc__)
     parser.add_argument(
         "--quick", action="store_true", help="at most a minute: fewer steps, one round, not stored"

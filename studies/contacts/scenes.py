@@ -149,7 +149,10 @@ def run(make: Callable[[], Bodies], solver: str, steps: int) -> Outcome:
 
 
 def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> Scene:
-    """Return a scene with one model for each solver. SmallSteps does not need two-sided rods."""
+    """Return a scene with one model for each solver.
+
+    SmallSteps runs with ordinary rods, because it does not need two-sided rods.
+    """
     models = []
     for solver in solvers:
         one_sided = solver == SMALL and NET in solvers

@@ -31,7 +31,7 @@ WORST = 0.05  # largest relative error allowed for a limit
 
 
 def main(arguments: list[str]) -> int:
-    """Print, draw and write the results. Return 1 if a limit is more than 5 % off its theory."""
+    """Print, draw and write the results. Return 1 if a limit and its theory differ by over 5 %."""
     parser = argparse.ArgumentParser(prog="python -m studies limits", description=__doc__)
     parser.add_argument(
         "--out",

@@ -43,10 +43,10 @@ Growth = Callable[[float], float]
 
 
 class Bound(NamedTuple):
-    """The measured and the theoretical limit of a method in one case. Infinity means no limit.
+    """The stability limit of a method in one case, as measured and as predicted by theory.
 
-    ``steps`` is the number of steps in which an oscillation just outside the limit grows by the
-    factor HUGE. It is NaN if nothing grows.
+    Infinity means that there is no limit. ``steps`` is the number of steps in which an oscillation
+    just outside the limit grows by the factor HUGE. It is NaN if nothing grows.
     """
 
     method: str
@@ -59,7 +59,11 @@ class Bound(NamedTuple):
 def pymunk_step(
     by_hand: bool, x: float, v: float, k: float, c: float, mass: float, duration: float
 ) -> State:
-    """Step a pymunk body on a spring. Return its position and velocity, like a Solver."""
+    """Make one step of a pymunk body on a spring. Return its position and velocity.
+
+    If ``by_hand`` is true, the force of the spring is applied as a plain force. Otherwise pymunk's
+    own spring exerts it.
+    """
     space = pymunk.Space()
     body = pymunk.Body(mass, 1.0)
     body.position, body.velocity = (x, 0.0), (v, 0.0)
@@ -110,7 +114,7 @@ def growth_at(name: str, damping: float, kappa: float) -> float:
 
 
 def theory_at(name: str, damping: float) -> float:
-    """Return the largest stable k h^2 / m of a spring. ``damping`` has the meaning of ``stepping``.
+    """Return the largest k h^2 / m that is stable in theory, with ``damping`` as in ``stepping``.
 
     Pymunk steps its spring by p' = p + v h, v' = (v + a' h) e^(-c h / m). This is semi-implicit
     Euler with D = e^(-c h / m). With a force by hand, its step is explicit Euler. The determinant 1
@@ -143,7 +147,7 @@ def spring_limits() -> list[Bound]:
 
 
 def spring_limit(name: str, damping: float, at: str) -> Bound:
-    """Measure the limit of one method. ``damping`` has the meaning of ``stepping``."""
+    """Measure the limit of one method for a spring, with ``damping`` as in ``stepping``."""
     return bound(name, at, partial(growth_at, name, damping), theory_at(name, damping))
 
 
@@ -218,7 +222,7 @@ def drag_factor(name: str, z: float) -> float:
 
 
 def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
-    """Find the smallest value at which a motion grows, and compare it with its theory.
+    """Find the smallest value at which a motion grows, and return it beside the theoretical limit.
 
     The result includes the number of steps to divergence just above this value.
     """
@@ -258,7 +262,7 @@ def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
 
 
 def energies_after(matrix: tuple[float, float, float, float], swings: list[int]) -> list[float]:
-    """Return the energy after each number of oscillations in ``swings``, if it is 1 at the start.
+    """Return the energy after each number of oscillations, relative to the energy at the start.
 
     Each value is the mean over one oscillation, because the energy of a symplectic method
     oscillates around a constant mean. ``matrix`` is the matrix of a step of (x, v h).

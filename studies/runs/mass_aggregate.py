@@ -35,7 +35,7 @@ Measure = Callable[[], float]
 
 
 class MassAggregate(Protocol):
-    """What the bridge, the platform, the blob and the wheel have in common."""
+    """The interface that the bridge, the platform, the blob and the wheel have in common."""
 
     @property
     def world(self) -> ParticleWorld: ...

@@ -1,4 +1,4 @@
-"""Let a rope hang between two nails, simulated with rods or with a DirectChain, or exact.
+"""Let a rope hang between two nails: with rods, with a DirectChain, and as the exact solution.
 
 The nails are at height 0, and the distance between them is SPAN. The length of the rope is LENGTH.
 There is a particle of 1 kg wherever two links meet.

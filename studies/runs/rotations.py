@@ -65,20 +65,20 @@ def rotated(q: Components, v: Numbers) -> Numbers:
 
 
 def arrows(q: Components) -> Arrows:
-    """Return the arrows of an orientation of length 1."""
+    """Return where an object's axes X, Y and Z point after the rotation ``q`` of length 1."""
     return rotated(q, X), rotated(q, Y), rotated(q, Z)
 
 
 def arrows_by_engine(q: Quaternion) -> Arrows:
-    """Return the arrows of an orientation, rotated by the engine."""
+    """Let the engine rotate the axes X, Y and Z by ``q``, and return where they point."""
     x, y, z = (numbers(q.rotate(Vector3(*axis))) for axis in (X, Y, Z))
     return x, y, z
 
 
 def degrees_apart(a: Components, b: Components) -> float:
-    """Return the angle of the rotation from a to b, regardless of their lengths.
+    """Return the angle in degrees between two orientations. Their lengths do not matter.
 
-    Returns NaN if a or b has no direction.
+    If one of the lengths is 0 or not finite, return NaN.
     """
     if not (0.0 < math.hypot(*a) < math.inf and 0.0 < math.hypot(*b) < math.inf):
         return math.nan
@@ -87,7 +87,7 @@ def degrees_apart(a: Components, b: Components) -> float:
 
 
 def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
-    """Return the angle of the rotation from a to b, from the trace of its matrix, 1 + 2 cos."""
+    """Return the angle in degrees between two orientations, from the trace of the rotation."""
     if not is_drawable(*a, *b):
         return math.nan
     cosine = 0.5 * (math.fsum(dot(p, q) for p, q in zip(a, b, strict=True)) - 1.0)
@@ -95,18 +95,18 @@ def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
 
 
 def off_right_angles(found: Arrows) -> float:
-    """Return by how many degrees the angle between two arrows differs from 90, at most."""
+    """Return how far the worst pair of arrows is from being perpendicular, in degrees."""
     x, y, z = found
     return largest([abs(angle_between(a, b) - 90.0) for a, b in ((x, y), (y, z), (z, x))])
 
 
 def off_unit_length(found: Arrows) -> float:
-    """Return the largest deviation of an arrow's length from 1."""
+    """Return how far the length of the worst arrow is from 1."""
     return largest([abs(math.hypot(*v) - 1.0) for v in found])
 
 
 def off_directions(found: Arrows, wanted: Arrows) -> float:
-    """Return the largest angle in degrees between an arrow and the wanted arrow."""
+    """Return the largest angle in degrees between an arrow and its wanted direction."""
     return largest([angle_between(a, b) for a, b in zip(found, wanted, strict=True)])
 
 
@@ -144,7 +144,7 @@ class Throw:
         return largest([measure(found) for found in self.found])
 
     def worst_direction(self) -> float:
-        """Return the largest angle in degrees between an arrow and the closed form."""
+        """Return the largest angle in degrees between an arrow and its exact direction."""
         pairs = zip(self.found, self.wanted, strict=True)
         return largest([off_directions(found, wanted) for found, wanted in pairs])
 
@@ -230,7 +230,7 @@ def coning_velocity(time: float) -> Numbers:
 
 
 def coning_orientation(time: float) -> Components:
-    """Return the exact orientation of the second rotation.
+    """Return the exact orientation of the rotation whose axis moves around Z.
 
     It is a rotation about a fixed axis, followed by a rotation about Z.
     """
@@ -276,7 +276,7 @@ def columns(matrix: Any) -> Arrows:
 def singular_values(matrix: Any) -> Numbers:
     """Return the singular values of an engine's Matrix3, largest first.
 
-    If it is wrong, return NaN.
+    If its entries are not nine finite numbers, return NaN.
     """
     found = nine(matrix)
     if not all(map(math.isfinite, found)):
@@ -286,6 +286,6 @@ def singular_values(matrix: Any) -> Numbers:
 
 
 def nine(matrix: Any) -> list[float]:
-    """Return the nine numbers of an engine's Matrix3, row by row. If it is wrong, return NaN."""
+    """Return the entries of an engine's Matrix3, row by row, or NaN if they are not nine."""
     found = [number(entry) for entry in getattr(matrix, "entries", ())]
     return found if len(found) == 9 else [math.nan] * 9

@@ -169,7 +169,7 @@ def period(places: Sequence[float]) -> float:
 
 
 def true_place(k: float, c: float, time: float) -> float:
-    """Return the exact position of a particle of 1 kg that was released at 1 m."""
+    """Return the exact position of a body of 1 kg on a spring that was released at 1 m."""
     state = damped_spring_state(1.0, 0.0, k, c, 1.0, time)
     return number(state[0]) if isinstance(state, tuple) else math.nan
 
@@ -201,7 +201,7 @@ def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, s
 
 
 def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
-    """Return the heights of 1 kg that falls onto an undamped penalty ground, at 60 Hz."""
+    """Drop a body of 1 kg onto an undamped penalty ground at 60 Hz, and return its heights."""
     particle = Particle(Vector3(0.0, fall), acceleration=Vector3(0.0, -10.0))
     ground = PenaltyGround(0.0, stiffness)
     step = watching(semi_implicit_euler, 1e4)

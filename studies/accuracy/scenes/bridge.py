@@ -97,7 +97,7 @@ def sleeping() -> Scene:
 
 
 def truth(_: float) -> Place:
-    """Return the positions of both ends of each row, seen from the side. They do not change."""
+    """Return where both ends of each row are, seen from the side. The bridge does not move."""
     return tuple(part for place in hanging() for part in place * 2)
 
 
@@ -125,7 +125,10 @@ def hanging(extra: float = 0.0) -> list[Place]:
     held = cables()
 
     def off(state: Any) -> Any:
-        """Return what is 0 at rest: the forces on the rows in N, and the excess lengths in m."""
+        """Return the net force on each row in N, and the excess length of each cable in m.
+
+        At rest, with all cables taut, all of these are 0.
+        """
         rows, pulls = state[: 2 * ROWS].reshape(ROWS, 2), state[2 * ROWS :]
         forces = numpy.outer(MASSES, (GRAVITY.x, GRAVITY.y))
         too_long = []
@@ -183,7 +186,7 @@ def by_world(
 
 
 def hung(links: Links) -> tuple[list[Particle], list[Row], list[ContactGenerator]]:
-    """Build the bridge slightly below its rest position.
+    """Build the bridge slightly below its rest position, so that all cables are taut.
 
     Return the ends of its rows, the rows and the links.
     """
@@ -196,7 +199,7 @@ def hung(links: Links) -> tuple[list[Particle], list[Row], list[ContactGenerator
 
 
 def whole() -> tuple[list[Particle], list[Any]]:
-    """Build the bridge. Return the ends of its rows, and all of its rods and cables."""
+    """Build the bridge as it is in chapter 8. Return the ends of its rows and all of its links."""
     ends, _, held = hung(links_of)
     return ends, held
 
@@ -244,7 +247,7 @@ def by_sleep(steps: int) -> Outcome:
 
 
 def place_of(ends: list[Particle]) -> Place:
-    """Return the positions of the ends as seen from the side, so without z."""
+    """Return the x and y coordinates of all ends, which show them as seen from the side."""
     return tuple([part for end in ends for part in (end.position.x, end.position.y)])
 
 

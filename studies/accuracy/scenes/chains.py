@@ -1,7 +1,8 @@
-"""Run a chain of rods with each of our models and with pymunk's pin joints, and solve it exactly.
+"""Run a chain of rods with each of our models and with pymunk, and compute its exact path.
 
 The work is the number of resolved contacts. A model that solves for all rods at once counts every
-rod once per evaluation, and pymunk counts every joint in each iteration.
+rod once per evaluation. In pymunk, pin joints act as the rods, and each of them is counted in every
+iteration.
 """
 
 from __future__ import annotations

@@ -120,7 +120,10 @@ def by_time_division(balls: Balls, frames: int, steps: int) -> Outcome:
 
 
 def by_its_impacts(balls: Balls, frames: int, _: int) -> Outcome:
-    """Compute the height of a single ball from its impacts alone, once for each frame."""
+    """Compute the height of a single ball from its impacts alone, at the end of each frame.
+
+    Between two impacts the height is a closed form, so this needs no steps.
+    """
     (height,) = balls.heights
     heights = heights_in_frames(height - RADIUS, 0.0, balls.ground, 1.0 / RATE, frames, G)
     return Outcome([(RADIUS + height,) for height in heights], frames)

@@ -65,7 +65,7 @@ def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) ->
 
 
 def bridge_ties() -> list[Tie]:
-    """Return the cables of one side of the rope bridge as ties, as long as seen from the side."""
+    """Return the cables of one side of the rope bridge, with their lengths seen from the side."""
     return [(start, end, length, 1) for start, end, length in cables()]
 
 
@@ -77,7 +77,7 @@ def hung() -> list[tuple[float, float]]:
 def settled(plane: Plane, wind: float = 0.0) -> Plane:
     """Let a net come to rest in a steady wind, and return it with its knots in these positions.
 
-    ``wind`` is an acceleration along X in m/s^2. It has stopped in the result.
+    ``wind`` is an acceleration along X in m/s^2. In the result it no longer blows.
     """
     knots = plane.particles()
     for knot in knots:

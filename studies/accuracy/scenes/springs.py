@@ -47,7 +47,7 @@ def spring(stiffness: float, damping: float) -> Scene:
     def truth(time: float) -> Place:
         """Return the exact motion as the sum of two complex exponentials.
 
-        The formula would fail if both roots were equal, but in these scenes they never are.
+        The formula would fail for critical damping, but no spring of these scenes has that.
         """
         root = cmath.sqrt(0.25 * damping * damping - stiffness)
         a, b = -0.5 * damping + root, -0.5 * damping - root

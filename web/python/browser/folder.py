@@ -28,7 +28,7 @@ class Folder:
         self.there = dict(self.stubs)
 
     def lay(self, files: Mapping[str, str]) -> None:
-        """Write the files that the page has sent into the folder, and stubs in place of all others.
+        """Write the page's files into the folder, and write stubs for all other files.
 
         Raises:
             ValueError: A path does not have the form chNN_name/name.

@@ -8,7 +8,7 @@ import sys
 
 from autograder.commands import prepare, sentence
 
-# A hand-out contains only the first of these.
+# A hand-out for students contains only the first of these commands.
 COMMANDS = ("plot", "figures", "bench", "charts", "choose", "limits", "economy", "soak", "contacts")
 
 

@@ -24,7 +24,7 @@ from autograder.make_venv import shown_python
 
 Timer = Callable[[], float]  # returns seconds
 Figure = Callable[[], float]  # returns the figure of one round, such as a ratio of two times
-Statements = dict[str, dict[str, str]]  # of a library, by operation; "setup" comes first
+Statements = dict[str, dict[str, str]]  # for each library, its "setup" and its operations
 ROUNDS = 15
 TIMES = 20_000  # runs of a single statement per round
 LEAST = 5e-3  # s; a shorter time is measured several times per round

@@ -42,7 +42,7 @@ def _faces(sides: tuple[float, float, float]) -> list[tuple[list[Vector3], int]]
     faces = []
     for axis in range(3):
         for sign in (-1, 1):
-            signs = [(sign, *pair) for pair in around[::sign]]  # along the axis and the next two
+            signs = [(sign, *pair) for pair in around[::sign]]  # along this axis and the next two
             corners = [Vector3(*(0.5 * sides[i] * s[i - axis] for i in range(3))) for s in signs]
             faces.append((corners, axis))
     return faces

@@ -24,7 +24,7 @@ MASS = 2.0
 G = 9.81
 DOWN = (0.0, -G, 0.0)
 
-# The orbit: its smallest distance is half of its semi-major axis, and its period is 2 pi s.
+# The planet's smallest distance is half of its semi-major axis, and its period is 2 pi s.
 ECCENTRICITY = 0.5
 TURNS = 20
 PERIOD = 2.0 * math.pi

@@ -153,8 +153,8 @@ def energy_over_time() -> Picture:
         off = [max(abs(energy - 1.0), 1e-17) for energy in energies[1:]]
         if off and max(off) < 0.5:
             label = f"{name}: at most {max(off):.1g}"
-            # The error of leapfrog is almost the same with the opposite sign. A wide line shows
-            # behind that of leapfrog.
+            # Leapfrog's error is almost the same with the opposite sign, so the line of velocity
+            # Verlet is drawn wider, to be visible behind leapfrog's line.
             wide, order = (4.0, 1.9) if name == "velocity Verlet" else (1.0, 2.0)
             right.semilogy(times[1:], off, color=COLORS[name], lw=wide, label=label, zorder=order)
         elif energies[-1] > 0.0:
@@ -199,7 +199,7 @@ def error_against_work() -> Picture:
                 work = pull.count or len(run.places) - 1  # one solution of a solver counts as one
                 error = math.inf if run.message else largest_error(run.places, chi, steps)
                 rows.append((k, name, steps, work, error))
-                # As long as watched is not written, an exploded run may have such an error.
+                # An exploded run may have such an error as long as watched is not written.
                 if not error < 1e6:
                     axes.plot(steps * cost, 10.0 * 3.0**height, "x", color=color, ms=4)
                 else:

@@ -40,10 +40,11 @@ from studies.runs.mass_aggregate import (
 
 SETTLED = 10.0  # s, after which scenes should be at rest
 STEADY = 0.1  # %, by which the energy of a scene at rest may vary
-# The color and duration in s for each rate. 120 Hz takes the longest and varies the least.
+# The color and the duration in s for each rate. At 120 Hz, a run takes the longest and its energy
+# varies the least, so a shorter run is enough.
 RATES = {30: (RED, 30.0), 60: (BLUE, 30.0), 120: (GREEN, 15.0)}
 
-Way = tuple[Callable[[], MassAggregate], int, float, str]  # with Hz, s and color
+Way = tuple[Callable[[], MassAggregate], int, float, str]  # with rate, time, color
 
 
 def energy_of_bridge() -> Picture:

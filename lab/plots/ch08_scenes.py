@@ -130,7 +130,8 @@ def wheel_deformation() -> Picture:
         )
         lags.append(f"{lag:.2g} % at {rate} Hz")
         right.plot(run.times, run.values, color=color, lw=1.5, label=f"{rate} Hz")
-        # At this spin, a frame loses as much as the drive adds, which is half the square of w h.
+        # At this spin w, each frame loses as much spin as the drive adds. It loses the fraction
+        # (w h)^2 / 2.
         limit = (2.0 * alpha * rate) ** (1.0 / 3.0)
         label = f"$\\sqrt[3]{{2 \\alpha / h}}$ = {limit:.3g} rad/s at {rate} Hz"
         right.axhline(limit, color=color, lw=1, ls=":", label=label)

@@ -206,7 +206,7 @@ class Artillery(Scene):
 
     def landing(self, elevation: float) -> tuple[float, float]:
         """Find how far a shell flies in m, and for how long in s, by bisection."""
-        low, high = 0.01, 20.0  # s; the shell is above the ground at first and below it at last
+        low, high = 0.01, 20.0  # s; the shell is above the ground at low and below it at high
         while high - low > 1e-9:
             middle = 0.5 * (low + high)
             above = self.place_after(middle, elevation)[1] > 0.0

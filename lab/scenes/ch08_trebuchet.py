@@ -10,7 +10,7 @@ from lab.parameters import Choice, Slider
 from lab.scene import Question
 from lab.world_scene import WorldScene
 
-# A second, enlarged picture of the machine: its scale, and its position above the flight in m.
+# The machine is drawn a second time, enlarged by this factor and at this position in m.
 LARGER, MACHINE = 2.2, (27.0, 33.0)
 DESIGN = trebuchet.Design(400.0, 1.0, 4.0, 3.0, 40.0)  # used if my_design is not written
 

@@ -31,7 +31,7 @@ from studies.timing import quartiles
 
 EXACT = 1e-13  # an error that more steps cannot reduce, because it comes from rounding
 LEAST = 2e-3  # s for one measurement; a faster run is repeated
-LONG, FEW = 1.0, 2  # s, rounds: a run that takes longer is timed only in the first two rounds
+LONG, FEW = 1.0, 2  # a run that takes longer than LONG s is timed in only FEW rounds
 
 
 @dataclass

@@ -14,8 +14,8 @@ from studies.accuracy.measure import EXACT, Point
 
 TOLERANCES = (1e-2, 1e-4, 1e-6)
 EIGHTFOLD = 8  # an order is measured over the last three doublings of the steps
-STEADY = 0.1  # largest difference in order from doubling to doubling
-FARTHEST = 1000.0  # an error is extrapolated to a thousandth of the smallest error at most
+STEADY = 0.1  # how much the order may vary between one doubling of the steps and another
+FARTHEST = 1000.0  # an error is extrapolated at most to a thousandth of the smallest one
 
 
 @dataclass(frozen=True)

@@ -32,7 +32,7 @@ def lines() -> list[Measurement]:
             "one particle on a spring: a semi-implicit Euler step / the same arithmetic",
             versus(once, timer(arithmetic)),
             ROUNDS,
-            Target("at most", 6.6),  # nine tenths of the cost before kick and drift
+            Target("at most", 6.6),  # nine tenths of the cost before kick and drift existed
         ),
         Measurement(
             "one particle on a spring: a leapfrog step / a semi-implicit Euler step",

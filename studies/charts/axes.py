@@ -33,7 +33,7 @@ class Axis:
         """Return the coordinates and labels of at most MOST powers of ten."""
         first, last = math.ceil(math.log10(self.low)), math.floor(math.log10(self.high))
         stride = max(1, math.ceil((last - first + 1) / MOST))
-        first = math.ceil(first / stride) * stride  # so that 1 is one of them
+        first = math.ceil(first / stride) * stride  # so that 1 gets a label
         return [(self.at(10.0**n), shown(n)) for n in range(first, last + 1, stride)]
 
 

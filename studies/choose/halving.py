@@ -18,7 +18,7 @@ from itertools import pairwise
 Run = Sequence[Sequence[float]]  # what is measured, for each frame
 
 ROUNDING = 1e-12  # fraction of the measured values below which a difference is rounding
-NEAR = 0.3  # between orders that agree, and between an order and the expected one, as a fraction
+NEAR = 0.3  # orders agree if they differ by at most this (for the expected order, as a fraction)
 LEAST = 0.7  # below this order, a model does not converge
 
 

@@ -16,8 +16,8 @@ from studies.choose.models import Model, models_of
 from studies.choose.scene import OwnScene, SceneError, why
 
 ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
-ORDERS = 3  # orders to observe before a model is given up, for which five runs are needed
-STILL = 1e-12  # fraction of the measured values below which a displacement is not a motion
+ORDERS = 3  # a slow model is given up only after this many orders, which takes five runs
+STILL = 1e-12  # a change by less than this fraction of the measured values is only rounding
 
 
 @dataclass

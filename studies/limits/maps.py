@@ -31,7 +31,7 @@ SHADES = COLORS | {"pymunk's spring": BLACK, "pymunk, by hand": GRAY}
 MARKS = dict(zip(SHADES, "oo^vsoox+", strict=True))
 KAPPAS = [0.01 * 10.0 ** (i / 16.0) for i in range(56)]
 DOTS = (0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0, 1.5, 2.0)  # dampings at which limits are measured
-# The damping at which each method has a limit above 0: d^h, or c h / m.
+# For each method, a damping at which its limit is above 0. The damping is d^h, or c h / m.
 LOST = {
     "explicit Euler": 0.5,
     "semi-implicit Euler": 1.0,

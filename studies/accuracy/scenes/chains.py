@@ -34,7 +34,7 @@ from ch07_constraints.smooth_net import hermite
 from studies.accuracy.scene import MANY, RATE, STEPS, Model, Outcome, Place, in_frames, solved
 from studies.runs.constraints import resolving
 
-LONG = 12  # frames, in which long steps are counted
+LONG = 12  # frames; the number of long steps is given per this many frames
 LONG_STEPS = (1, 2, 3, 4, 6, 8, 9, 10)
 COUNTED = "contacts resolved, or rods solved for"
 

@@ -25,8 +25,8 @@ from studies.accuracy.scene import RATE, Outcome, Place, in_frames
 from studies.accuracy.scenes.taut import TautMotion, Tie
 
 COUNTED = "links solved for"
-LONG = 12  # frames, in which a net of order 4 makes few steps
-FAR = 1e3  # m: no slide joint gets as long
+LONG = 12  # frames; the number of long steps is given per this many frames
+FAR = 1e3  # m, more than the length that any slide joint reaches
 
 
 @dataclass(frozen=True)

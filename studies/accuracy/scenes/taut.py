@@ -21,7 +21,8 @@ import numpy
 from scipy.integrate import solve_ivp  # type: ignore[import-untyped]
 from scipy.optimize import nnls  # type: ignore[import-untyped]
 
-# From which knot, or anchor, to which knot; the length in m; 1 for a cable, -1 for a strut.
+# A tie leads from a knot or an anchor to a knot. Its length is in m. Its kind is 1 for a cable and
+# -1 for a strut.
 Tie = tuple[int | tuple[float, float], int, float, int]
 Load = Callable[[float, Any], Any]  # the forces in N on all knots, at a time and at their positions
 NEAR, SLOW = 1e-9, 1e-9  # m and m/s; a tie this close to its limit is at its limit

@@ -48,7 +48,7 @@ def entries() -> tuple[Entry, ...]:
 
 
 def find(name: str) -> Entry:
-    """Return the entry of the scene ``name``.
+    """Return the entry of the scene with this name.
 
     Raises:
         ValueError: The scene does not exist. The message lists all scenes.

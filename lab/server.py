@@ -34,7 +34,7 @@ class Lab(Site):
         self.sockets: set[EngineSocket] = set()
 
     def application(self) -> Application:
-        """Return the tornado application."""
+        """Create the tornado application that handles all requests."""
         below, shared = f"/{self.token}", {"site": self}
         return Application(
             [

@@ -60,7 +60,7 @@ def main(arguments: list[str]) -> int:
 
 
 def draw(lines: list[Line], png: Path) -> None:
-    """Draw the bars, with the most expensive part at the top."""
+    """Draw the costs as bars, with the most expensive part at the top."""
     pyplot.switch_backend("agg")
     figure, axes = pyplot.subplots(figsize=(11, 5), layout="constrained")
     ordered = sorted(lines, key=lambda line: line.median)

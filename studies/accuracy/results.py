@@ -149,7 +149,7 @@ def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None
 
 
 def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
-    """Group the points by their models. The points of a model stay in their order."""
+    """Group measured points by their models, and keep the order of each model's points."""
     found: dict[str, list[Point]] = {}
     for point in points:
         found.setdefault(point.model, []).append(point)
@@ -198,7 +198,7 @@ def row(points: Sequence[Point], tolerance: float) -> Row:
 
 
 def extrapolated(side: Side, points: Sequence[Point], tolerance: float) -> Side:
-    """Give a side that did not meet ``tolerance`` an extrapolated time.
+    """Estimate a time for a side that did not meet ``tolerance``, by extrapolation.
 
     It is the shortest time in which any of its models would meet the tolerance. If no model has a
     steady order of convergence, the side is returned unchanged.

@@ -191,7 +191,7 @@ def by_forces(
 
 
 def by_formula(place_at: Callable[[float], Place], frames: int) -> Model:
-    """Return the model that evaluates a closed form once per frame."""
+    """Return a model that needs no steps, because it evaluates a closed form once per frame."""
 
     def run(_: int) -> Outcome:
         return Outcome([place_at(frame / RATE) for frame in range(1, frames + 1)], frames)
@@ -228,7 +228,7 @@ def by_pymunk(
 
 
 def space_with(place: Place, velocity: Place, mass: float) -> tuple[pymunk.Space, pymunk.Body]:
-    """Return a pymunk space without gravity that contains one body."""
+    """Return a pymunk space without gravity, and the only body in it."""
     import pymunk  # here, because a chapter's plots do not need it
 
     space = pymunk.Space()

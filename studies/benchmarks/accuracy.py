@@ -120,7 +120,7 @@ def line(
 
 
 def model_of(scene: Scene, name: str) -> Model:
-    """Return the model with this name."""
+    """Return the model of ``scene`` that has this name."""
     return next(model for model in scene.models if model.name == name)
 
 

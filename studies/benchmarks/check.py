@@ -20,6 +20,6 @@ def lines() -> list[Measurement]:
 
 
 def running(*command: str) -> Timer:
-    """Return a timer that runs Python with these arguments."""
+    """Return a timer for a run of Python with these arguments."""
     call = [sys.executable, *command]
     return timer(lambda: subprocess.run(call, cwd=ROOT, stdout=subprocess.DEVNULL, check=False))

@@ -28,7 +28,7 @@ RATE = 240  # Hz, at which DirectChain keeps every rod to 1e-6 of its length
 
 
 def lines() -> list[Measurement]:
-    """Return all measurements of contacts."""
+    """Return the measurements of how much time contacts take."""
     many, few = spread(1000), spread(100)
     rate = matching_rate()
     return [

@@ -14,7 +14,7 @@ FRAMES = [FRAME] * STEPS
 
 
 def lines() -> list[Measurement]:
-    """Return all measurements of forces."""
+    """Return the measurements of how much time forces take."""
     chapter_3 = timer(lambda: steps(make_particle(PROJECTILE), FRAMES))
     free = timer(lambda: steps(make_particle_with_forces(), FRAMES))
     forced = timer(lambda: forced_steps(FRAMES))
@@ -40,7 +40,7 @@ def lines() -> list[Measurement]:
 
 
 def make_particle_with_forces() -> Particle:
-    """Return a particle of chapter 5 in the initial state of the flight."""
+    """Return the projectile of the drag flights as a particle of chapter 5, which takes forces."""
     start = PROJECTILE.start
     return Particle(
         Vector3(*start.position),

@@ -80,7 +80,7 @@ def with_quotations(page: str, ratios: dict[str, float]) -> str:
 
 
 def pages() -> list[Path]:
-    """Return the pages that may quote a figure."""
+    """Return the READMEs and lessons that may quote a figure of make bench."""
     return [path for pattern in PAGES for path in sorted(ROOT.glob(pattern))]
 
 

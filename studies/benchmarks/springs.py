@@ -28,7 +28,7 @@ ROUNDS = 21
 
 
 def lines() -> list[Measurement]:
-    """Return all measurements of springs.
+    """Return the measurements of how much time a cloth of springs takes.
 
     Each cloth is built once and continues to fall in every round.
     """

@@ -25,7 +25,7 @@ DOWN = Vector3(0.0, -GRAVITY)
 
 
 def lines() -> list[Measurement]:
-    """Return all measurements of worlds."""
+    """Return the measurements of how much time worlds and ropes take."""
     bare = flying()
     return [
         Measurement(

@@ -58,7 +58,7 @@ def write(scenes: Sequence[Scene], points: Sequence[Point], how: str, out: Path)
 
 
 def csv_of(scenes: Sequence[Scene], own: dict[str, list[Point]]) -> str:
-    """Return all points as a CSV table."""
+    """Return all measured points as the text of a CSV file, scene by scene."""
     file = io.StringIO()
     writer = csv.writer(file, lineterminator="\n")
     writer.writerow(COLUMNS)

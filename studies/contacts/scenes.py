@@ -141,7 +141,7 @@ def swinging(two_sided: bool = True) -> Bodies:
 
 
 def run(make: Callable[[], Bodies], solver: str, steps: int) -> Outcome:
-    """Run a scene with ``solver``. Return the error at the end of every frame."""
+    """Run a stack or a rope with ``solver``. Return its error at the end of every frame."""
     bodies, duration = make(), 1.0 / (RATE * steps)
     step = SOLVERS[solver](bodies.particles, bodies.generators)
     places = in_frames(step, lambda: (bodies.error(duration),), FRAMES, steps)
@@ -163,7 +163,7 @@ def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> 
 
 
 def exact(_: float) -> Place:
-    """Return the exact error at any time, which is 0."""
+    """Return the error of an exact solver, which is 0 at any time."""
     return (0.0,)
 
 
@@ -173,7 +173,7 @@ def named(name: str, ratio: int) -> str:
 
 
 def scenes() -> list[Scene]:
-    """Return all scenes, in the order of the table."""
+    """Return all scenes of the comparison, in the order in which the table lists them."""
     of_stacks = [BOOK, COLD, IMPULSES, SMALL]
     of_ropes = [BOOK, IMPULSES, SMALL, NET]
     return [

@@ -56,8 +56,8 @@ Loss = tuple[str, float, float, float, int, int]
 def draw_maps(png: Path) -> None:
     """Draw a map for each method that shows how stiffness and damping affect its stability.
 
-    A color shows by which factor an oscillation grows in a step. The limit by theory is a line, and
-    the limits that were found by bisection are marks.
+    Colors show by which factor an oscillation grows in a step. A line shows the theoretical limit,
+    and dots show the limits that bisection has found.
     """
     figure, panels = pyplot.subplots(3, 3, figsize=(14, 12), layout="constrained")
     off = []

@@ -96,10 +96,11 @@ PYMUNK: dict[str, Solver] = {
 
 
 def stepping(name: str, kappa: float, damping: float) -> tuple[Integrator, Pull, float]:
-    """Return a method, its spring, and the damping d of the particle.
+    """Set up a method and a spring, so that the growth of oscillations can be measured.
 
-    The spring has k h^2 / m = ``kappa``. For an integrator, ``damping`` is d^h of the particle. For
-    every other method it is c h / m of the spring.
+    Return the method as an integrator, the spring, and the damping d of the particle. The spring
+    has k h^2 / m = ``kappa``. For an integrator, ``damping`` is d^h of the particle. For every
+    other method it is c h / m of the spring.
     """
     k = kappa / FRAME**2
     if name in INTEGRATORS:

@@ -31,7 +31,7 @@ class BalanceLine:
 
 
 def center(stones: Sequence[Stone]) -> tuple[float, float]:
-    """Return the center of mass of the stones."""
+    """Return the exact center of mass of the stones, as x and y in m."""
     total = math.fsum(mass for _, mass, _, _ in stones)
     x = math.fsum(mass * x for _, mass, x, _ in stones) / total
     y = math.fsum(mass * y for _, mass, _, y in stones) / total

@@ -76,7 +76,7 @@ def track(move: Move, measure: Callable[[], float], frames: int, duration: float
 
 
 def no_forces(duration: float) -> None:
-    """Add no forces. Gravity is each particle's own acceleration."""
+    """Add no forces, because gravity is each particle's own acceleration."""
     del duration
 
 

@@ -135,7 +135,7 @@ def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[fl
 
 
 def places(world: ParticleWorld) -> list[Numbers]:
-    """Return the positions of all particles of a world."""
+    """Return the positions of all particles of a world as plain numbers."""
     return [numbers(particle.position) for particle in world.particles]
 
 

@@ -58,7 +58,7 @@ def product(b: Components, a: Components) -> Components:
 
 
 def rotated(q: Components, v: Numbers) -> Numbers:
-    """Return a vector rotated by an orientation of length 1."""
+    """Rotate a vector by an orientation of length 1."""
     back = (q[0], -q[1], -q[2], -q[3])
     _, x, y, z = product(product(q, (0.0, *v)), back)
     return x, y, z

@@ -88,10 +88,10 @@ def methods(stiffness: float) -> dict[str, Integrator]:
 
 
 def watching(integrator: Integrator, limit: float) -> Integrator:
-    """Return the integrator, wrapped by ``watched`` with this limit in m/s if it is written.
+    """Wrap an integrator so that it raises an error when a speed exceeds ``limit`` in m/s.
 
-    An unwatched integrator also ends when it explodes, because particles reject forces that are not
-    finite.
+    If ``watched`` is not written yet, return the integrator itself. It also ends when it explodes,
+    because particles reject forces that are not finite.
     """
     try:
         step = watched(integrator, limit)

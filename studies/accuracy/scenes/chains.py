@@ -54,7 +54,7 @@ class Chain:
     frames: int
 
     def particles(self) -> list[Particle]:
-        """Return new particles in their initial positions, from the first one to the tip."""
+        """Create the chain's particles in their initial positions, from the first to the tip."""
         x, y = self.length * math.sin(self.angle), -self.length * math.cos(self.angle)
         down = Vector3(0.0, -self.gravity)
         return [
@@ -236,7 +236,7 @@ def by_pin_joints(chain: Chain, iterations: int, steps: int) -> Outcome:
 
 
 def places_of(particles: Sequence[Particle]) -> Place:
-    """Return the coordinates of all particles in the X-Y plane."""
+    """Return the x and y coordinates of all particles in one flat tuple."""
     return flat([particle.position for particle in particles])
 
 

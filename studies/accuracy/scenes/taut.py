@@ -52,7 +52,11 @@ class TautMotion:
         self.events = 0
 
     def gaps(self, places: Any) -> Any:
-        """Return each tie's distance in m from its limit. It is negative beyond the limit."""
+        """Return by how many meters each tie could still move before it reaches its limit.
+
+        This is how much longer a cable could become, or how much shorter a strut could become. The
+        number is negative if the tie is beyond its limit.
+        """
         ways = self.ends @ places.reshape(-1, 2) - self.anchors
         return self.kinds * (self.lengths - numpy.linalg.norm(ways, axis=1))
 
@@ -83,7 +87,7 @@ class TautMotion:
         return pulls
 
     def accelerations(self, time: float, state: Any, taut: Any) -> tuple[Any, Any]:
-        """Return the accelerations of the knots, and the pulls of the taut ties."""
+        """Return the accelerations of the knots, and the pulls of the taut ties that hold them."""
         places, speeds = numpy.split(state, 2)
         matrix, bent = self.rows(places, speeds)
         free = self.inverse * self.load(time, places)

@@ -33,7 +33,7 @@ class Watchdog:
         signal.signal(signal.SIGALRM, self.hear)
 
     def start(self, seconds: float) -> None:
-        """Start the clock, which runs out after this many seconds."""
+        """Start the clock. When it runs out, the worker sends the signal."""
         start_clock(seconds)
 
     def stop(self) -> None:

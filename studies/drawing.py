@@ -104,7 +104,10 @@ def axes_3d(figure: Figure, place: Any, size: float) -> Any:
 
 
 def slope(x: Sequence[float], y: Sequence[float]) -> float:
-    """Fit a line to y over x on logarithmic axes. Return its slope, or NaN if a value is 0."""
+    """Return the power with which y grows with x, from a line fitted on logarithmic axes.
+
+    Return NaN if a value is not positive.
+    """
     if not all(value > 0.0 for value in (*x, *y)):
         return math.nan
     return statistics.linear_regression([*map(math.log, x)], [*map(math.log, y)]).slope

@@ -81,7 +81,11 @@ def draw(lines: list[Line], png: Path) -> None:
 
 
 def parts() -> list[tuple[str, Move, Move]]:
-    """List the unnecessary parts. Each has a name, a frame with it, and a frame without it."""
+    """Return the parts whose cost is measured, such as gravity as a force generator.
+
+    Each part has a name, a function that makes a frame with the part, and a function that makes the
+    same frame without it.
+    """
     # These modules import chapters.
     from ch02_vectors.vector import Vector3
     from ch05_forces.forces import ForceRegistry, Gravity

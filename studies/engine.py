@@ -21,7 +21,7 @@ _limited: set[tuple[Path, ...]] = set()
 
 
 def add_engine_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options that choose an engine to a student's command."""
+    """Add the options ``--engine`` and ``--given`` to a student's command."""
     parser.add_argument("--engine", default="chapters", help="the folder with your work")
     parser.add_argument("--given", default="", help="chapters to take from the reference")
 

@@ -25,7 +25,7 @@ TIME_LIMIT = 30.0  # s for one plot, which normally takes about 1 s
 
 
 def main(arguments: list[str]) -> int:
-    """Draw the chapters that the arguments name. Return 1 if a plot could not be drawn."""
+    """Draw the plots of the chapters that the arguments name. Return 1 if one was not drawn."""
     parser = argparse.ArgumentParser(prog="python -m studies plot", description=__doc__)
     parser.add_argument("--chapter", default="", help="chapters such as 2 or 2-4 (default: all)")
     add_engine_options(parser)

@@ -36,10 +36,10 @@ def stopped(act: Callable[[], object]) -> str:
 
 
 def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
-    """Run scenes and return their results by key. Leave out scenes that need unwritten code.
+    """Run the scenes for which all code is written, and return their results by key.
 
     Raises:
-        NotImplementedError: If all scenes need unwritten code.
+        NotImplementedError: Every scene needs code that is not written yet.
     """
     found: dict[Key, Found] = {}
     stub: NotImplementedError | None = None

@@ -22,7 +22,7 @@ class ContactView(ContactResolver):
         self.pairs: list[tuple[Vector3, Vector3]] = []
 
     def resolve_contacts(self, contacts: Iterable[Contact], duration: float) -> None:
-        """Resolve the contacts and record each particle's change of momentum."""
+        """Resolve the contacts, and record how much the momentum of each particle changes."""
         listed = [*contacts]
         touched = {id(one): one for c in listed for one in (c.particle, c.other) if one is not None}
         before = {key: one.velocity.copy() for key, one in touched.items()}

@@ -213,19 +213,19 @@ def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers
 
 
 def _momentum_drift(h: float) -> float:
-    """Return the angular momentum that the book's step adds during one exact orbit.
+    """Predict how much angular momentum the book's step adds during one orbit.
 
-    A step changes r x v by h^2 v x a, since r x a is 0. Here v x a = L / r^3 with L = (1 -
-    e^2)^(1/2), and the mean of 1 / r^3 over a turn is (1 - e^2)^(-3/2).
+    A step changes r x v by h^2 v x a, because r x a is 0. On an exact orbit, v x a is L / r^3 with
+    L = (1 - e^2)^(1/2), and the mean of 1 / r^3 over a turn is (1 - e^2)^(-3/2).
     """
     return h * PERIOD / (1.0 - ECCENTRICITY**2)
 
 
 def _energy_drift(h: float) -> float:
-    """Return the energy that the book's step adds during one exact orbit.
+    """Predict how much energy the book's step adds during one orbit.
 
-    A step adds h^2 / 2 times a^2 + v . H v, where H is the Hessian of -1 / r. This is 1 / r^4 +
-    (v^2 - 3 v_r^2) / r^3, and the function sums it over the angles of a turn.
+    A step adds h^2 / 2 times a^2 + v . H v, where H is the Hessian of -1 / r. On an exact orbit,
+    this is 1 / r^4 + (v^2 - 3 v_r^2) / r^3, which the function sums over the angles of a turn.
     """
     p = 1.0 - ECCENTRICITY**2
     count = 2000

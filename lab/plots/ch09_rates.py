@@ -216,9 +216,10 @@ def _ends(way: str, notes: list[str]) -> list[float]:
 
 
 def _worst_rate(x: float, distance: float, z: float) -> tuple[float, str]:
-    """Return the size of the Euler rates for the worst axis near gimbal lock, and any error.
+    """Measure how large the Euler rates become near gimbal lock, about the worst axis.
 
-    ``distance`` is the distance from gimbal lock in degrees.
+    Return their magnitude in rad/s, and the text of any error. ``distance`` is the distance from
+    gimbal lock in degrees.
     """
     left = math.radians(distance)
     found: list[float] = []
@@ -232,6 +233,6 @@ def _worst_rate(x: float, distance: float, z: float) -> tuple[float, str]:
 
 
 def _refuses(x: float, z: float) -> bool:
-    """Return whether euler_rates raises an error for a rotation about the lost axis."""
+    """Return whether euler_rates rejects a rotation about the axis that gimbal lock has lost."""
     lost = worst_axis(0.0, z)
     return bool(stopped(lambda: euler_rates(x, 0.5 * math.pi, z, Vector3(*lost))))

@@ -58,7 +58,7 @@ class Fireworks(Scene):
     def ended(self) -> bool:
         """Return whether the game is over.
 
-        It is never over if the student has not written its rules.
+        The game never ends as long as the student has not written its rules.
         """
         return self.plays and is_over(self.display)
 
@@ -113,7 +113,7 @@ class Fireworks(Scene):
 
 
 def can_turn() -> bool:
-    """Return whether the student has written the Catherine wheel far enough to throw sparks."""
+    """Return whether the student's Catherine wheel is written far enough to throw sparks."""
     trial = FireworksShow([WHEEL_SPARK], capacity=9, seed=1)
     return is_written(lambda: make_wheel(trial, Vector3()).update(1.0))
 

@@ -97,7 +97,7 @@ class Orientations(Scene):
         return Matrix3(x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z)
 
     def turns(self) -> dict[str, list[Vector3]]:
-        """Return the directions of the axes of each box, by the way it stores its orientation."""
+        """Return where the axes of each box point, by the way it stores its orientation."""
         angles = euler_to_quaternion(self.angles.x, self.angles.y, self.angles.z)
         q = self.quaternion.copy()
         q.normalize()

@@ -169,8 +169,8 @@ def side_of(points: Sequence[Point], tolerance: float) -> Side:
 def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, Point | None]:
     """Return the cheapest point that reliably meets a tolerance, and the next cheaper point.
 
-    A point is reliable if its model still meets the tolerance with more steps. If there is no such
-    point, the result for it is None.
+    A point meets it reliably if its model also meets it with more steps. A point that does not
+    exist is None.
     """
     within = []
     for own in models_of(points).values():

@@ -113,7 +113,7 @@ def by_direct_solve(rate: int) -> tuple[float, float]:
 
 
 def by_direct_net(rate: int) -> tuple[float, float]:
-    """Simulate the same chain as a net of rods. Return the position of its tip."""
+    """Simulate the chain as a net of rods for 1 s, and return the position of its tip."""
     particles = chain_particles(LINKS, ANGLE)[1:]
     first = AnchoredRod(particles[0], Vector3(), LINK)
     net = DirectNet([first, *(Rod(a, b, LINK) for a, b in pairwise(particles))])
@@ -124,7 +124,7 @@ def by_direct_net(rate: int) -> tuple[float, float]:
 
 
 def by_pymunk(rate: int) -> tuple[float, float]:
-    """Simulate the same chain with pymunk's pin joints. Return the position of its tip.
+    """Simulate the chain with pymunk's pin joints for 1 s, and return the position of its tip.
 
     The solver makes its default of 10 iterations.
     """

@@ -40,7 +40,7 @@ def lines() -> list[Measurement]:
 
 
 def make_particle_with_forces() -> Particle:
-    """Return the projectile of the drag flights as a particle of chapter 5, which takes forces."""
+    """Create the projectile of the benchmarks as a particle of chapter 5, which takes forces."""
     start = PROJECTILE.start
     return Particle(
         Vector3(*start.position),

@@ -72,7 +72,7 @@ def stepping(integrator: Integrator) -> Callable[[], None]:
 
 
 def arithmetic() -> tuple[float, float, float]:
-    """Make the same steps of semi-implicit Euler in local variables. Return the last position."""
+    """Make STEPS steps of semi-implicit Euler in local variables. Return the last position."""
     x, y, z = 1.0, 2.0, 3.0
     u, v, w = 1.0, 2.0, 3.0
     for _ in range(STEPS):

@@ -93,7 +93,7 @@ def steps(particle: Particle, frames: list[float]) -> None:
 
 
 def operator_steps(particle: Particle, frames: list[float]) -> None:
-    """Make the same steps with vector operators, each of which creates a new vector.
+    """Step a particle with vector operators, each of which creates a new vector.
 
     The particle also checks and copies every vector that is assigned to it.
     """
@@ -104,7 +104,7 @@ def operator_steps(particle: Particle, frames: list[float]) -> None:
 
 
 def in_place_steps(particle: Particle, frames: list[float]) -> None:
-    """Make the same steps with the methods of Vector3 that change a vector in place."""
+    """Step a particle with the methods of Vector3 that change a vector in place."""
     position, velocity = particle.position, particle.velocity
     for frame in frames:
         position.add_scaled(velocity, frame)
@@ -113,11 +113,11 @@ def in_place_steps(particle: Particle, frames: list[float]) -> None:
 
 
 def arithmetic(frames: list[float]) -> Numbers:
-    """Make the same steps in local variables, and return the final position.
+    """Make the steps of Particle.integrate in local variables, and return the final position.
 
-    This shows what a step costs without any objects. There is one more difference. This function
-    computes a power in every frame, while Particle.integrate reuses it as long as all frames have
-    the same length.
+    The time shows what a step costs without any objects. The comparison is not perfect, because
+    this function computes a power in every frame. Particle.integrate reuses its last power if the
+    frame is as long as the previous one.
     """
     x, y, z = PROJECTILE.start.position
     vx, vy, vz = PROJECTILE.start.velocity

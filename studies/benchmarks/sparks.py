@@ -68,13 +68,13 @@ def burst() -> FireworksShow:
 
 
 def speeds_of(show: FireworksShow) -> list[list[float]]:
-    """Return the velocity components of all sparks along X, Y and Z."""
+    """Return the velocity components of all sparks along X, Y and Z, as three lists."""
     velocities = [firework.particle.velocity for firework in show.fireworks]
     return [[v.x for v in velocities], [v.y for v in velocities], [v.z for v in velocities]]
 
 
 def step(show: FireworksShow, frames: int, axes: str) -> list[list[float]]:
-    """Step ``show`` for ``frames`` frames. Return the sparks' coordinates along ``axes``."""
+    """Advance a show by ``frames`` frames. Return the sparks' coordinates along ``axes``."""
     for _ in range(frames):
         show.update(FRAME)
     places = [firework.particle.position for firework in show.fireworks]

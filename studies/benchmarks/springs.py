@@ -62,7 +62,7 @@ class VectorSpring(Spring):
 
 
 def make_cloth_of_ends() -> tuple[list[Particle], ForceRegistry]:
-    """Return the same cloth with two generators per spring, one for each end."""
+    """Return the cloth with two force generators per spring, one for each end."""
     knots, _ = make_cloth(DAMPING)
     registry = ForceRegistry()
     for i, j in neighbors():
@@ -82,7 +82,7 @@ def steps(knots: list[Particle], registry: ForceRegistry) -> float:
 
 
 def cloth_arithmetic() -> float:
-    """Run the same cloth with lists of floats, and return the height of its lowest knot.
+    """Run the cloth without any objects, in lists of floats. Return the height of its lowest knot.
 
     Each step computes the forces of all springs before it moves the knots.
     """

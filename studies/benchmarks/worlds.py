@@ -102,7 +102,7 @@ def stepping(world: ParticleWorld) -> Callable[[], None]:
 
 
 def stepping_bare(step: Integrator, particles: Sequence[Particle]) -> Callable[[], None]:
-    """Return a function that steps ``particles`` for a frame with ``step``, without a world."""
+    """Return a function that advances particles by one frame with an integrator only."""
     return lambda: step(particles, no_forces, FRAME)
 
 

@@ -30,7 +30,10 @@ class Axis:
         return round(self.start + min(max(share, 0.0), 1.0) * (self.end - self.start), 1)
 
     def ticks(self) -> list[tuple[float, str]]:
-        """Return the coordinates and labels of at most MOST powers of ten."""
+        """Return where to draw labels on the axis, which are at most MOST powers of ten.
+
+        Each label is a tuple of its coordinate and its text.
+        """
         first, last = math.ceil(math.log10(self.low)), math.floor(math.log10(self.high))
         stride = max(1, math.ceil((last - first + 1) / MOST))
         first = math.ceil(first / stride) * stride  # so that 1 gets a label

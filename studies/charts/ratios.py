@@ -32,7 +32,7 @@ class Ratio:
 
 
 def ratios(rows: Sequence[Row]) -> tuple[Axis, list[Ratio]]:
-    """Return the axis of the marks, and the rows of the table."""
+    """Prepare the table from its rows. Return the axis of the marks, and a Ratio for each row."""
     marks = [_mark(row) for row in rows]
     axis = axis_for([1.0, *(value for value, _ in marks if value)], 0.0, 100.0)
     return axis, [
@@ -50,7 +50,7 @@ def ratios(rows: Sequence[Row]) -> tuple[Axis, list[Ratio]]:
 
 
 def _mark(row: Row) -> tuple[float | None, str]:
-    """Return the ratio or bound at which a mark is drawn, and the kind of the mark."""
+    """Return the ratio or bound at which the mark of a row is drawn, and the kind of the mark."""
     if row.ratio:
         return row.ratio, "extrapolated" if row.is_extrapolated else "exact"
     low, high = row.bounds

@@ -75,7 +75,10 @@ def halved(
 
 
 def _is_steady(orders: Sequence[float], order: float) -> bool:
-    """Return whether the last two orders match the expected order, or the last three agree."""
+    """Return whether the observed orders are steady enough to estimate an error.
+
+    They are if the last two match the expected order, or if the last three agree with each other.
+    """
     if len(orders) >= 2 and all(abs(seen - order) <= NEAR * order for seen in orders[-2:]):
         return True
     last = orders[-3:]

@@ -51,7 +51,10 @@ class Model:
         return "once per frame" if choice == 1 else f"{choice} steps per frame"
 
     def steps_of(self, world: ParticleWorld, choice: int) -> tuple[Step, int]:
-        """Return the function that steps ``world``, and the number of steps per frame."""
+        """Prepare a run of ``world`` with one of the choices.
+
+        Return the function that makes a step, and the number of steps per frame.
+        """
         if self.takes_tolerance:
             world.integrator = adaptive(1.0 / choice)
             return self.step_of(world), 1
@@ -75,7 +78,7 @@ def models_of(world: ParticleWorld) -> list[Model]:
 
 
 def _special(world: ParticleWorld) -> list[Model]:
-    """Return the special models for worlds that have only links, or only detectors."""
+    """Return models for worlds whose contacts come only from links, or only from detectors."""
     generators = world.contact_generators
     if all(isinstance(g, LINKS) and not getattr(g, "restitution", 0.0) for g in generators):
         return [Model("direct net", 2, _direct_net), Model("smooth net", 4, _smooth_net)]

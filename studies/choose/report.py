@@ -23,7 +23,9 @@ APART = 3.0  # factor of the estimated errors beyond which two models contradict
 
 
 def choose(path: Path, tolerance: float, console: Console) -> int:
-    """Measure the models, and report the cheapest. Return 1 if no model meets the tolerance.
+    """Measure all models of a reader's scene, and report the cheapest one.
+
+    Return 1 if no model meets the tolerance.
 
     Raises:
         SceneError: The file does not describe a scene.

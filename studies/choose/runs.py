@@ -47,7 +47,11 @@ class Tried:
         self.halved = halved(self.runs, ratio, model.order, may_repeat=may_repeat)
 
     def is_enough(self, tolerance: float) -> bool:
-        """Return whether the errors are known, and the last three runs meet ``tolerance``."""
+        """Return whether the model needs no further runs.
+
+        This is so if its runs are exact, or if its errors are known and the last three meet
+        ``tolerance``.
+        """
         found = self.halved
         within = all(error <= tolerance for error in found.errors[-3:])
         return found.is_exact or (found.is_steady and within)

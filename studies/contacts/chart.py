@@ -53,9 +53,10 @@ def time_within(points: Sequence[Point], scene: str, solver: str, tolerance: flo
 
 
 def table(points: Sequence[Point]) -> list[list[str]]:
-    """Create a table with a row of text for each scene and error.
+    """Create the table that the command prints, with a row for each scene and error.
 
-    A dash means that the error was not reached.
+    A row shows how long each solver takes to reach the error. A dash means that it did not reach
+    it.
     """
     rows = []
     for scene in dict.fromkeys(point.scene for point in points):

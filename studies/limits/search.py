@@ -78,7 +78,7 @@ def pymunk_step(
 
 
 def pymunk_damping(x: float, v: float, k: float, c: float, mass: float, duration: float) -> State:
-    """Step a pymunk body without a spring, in a space with damping d = e^(-c / m)."""
+    """Make one step of a pymunk body without a spring, in a space with damping d = e^(-c / m)."""
     del k
     space = pymunk.Space()
     space.damping = math.exp(-c / mass)
@@ -115,11 +115,12 @@ def growth_at(name: str, damping: float, kappa: float) -> float:
 
 
 def theory_at(name: str, damping: float) -> float:
-    """Return the largest k h^2 / m that is stable in theory, with ``damping`` as in ``stepping``.
+    """Return the largest k h^2 / m at which a spring is stable in theory.
 
-    Pymunk steps its spring by p' = p + v h, v' = (v + a' h) e^(-c h / m). This is semi-implicit
-    Euler with D = e^(-c h / m). With a force by hand, its step is explicit Euler. The determinant 1
-    - c h / m + kappa is then 1 at kappa = c h / m, which is the limit up to c h / m = 2.
+    ``damping`` has the same meaning as in ``stepping``. Pymunk steps its spring by p' = p + v h, v'
+    = (v + a' h) e^(-c h / m), which is semi-implicit Euler with D = e^(-c h / m). If the force is
+    applied by hand, pymunk's step is explicit Euler. The determinant of this step, 1 - c h / m +
+    kappa, is 1 at kappa = c h / m, so this is the limit up to c h / m = 2.
     """
     if name in SOLVERS:
         return math.inf
@@ -195,9 +196,9 @@ DRAG_THEORY = {
 
 
 def drag_limits() -> list[Bound]:
-    """Measure the limits of k1 h / m of each method.
+    """Measure how strong drag may be before a step makes a body faster or reverses its velocity.
 
-    Above the limits, a step makes the body faster, or reverses its velocity.
+    The limits are values of k1 h / m, measured for each method.
     """
     rows = []
     for name, (grows, turns) in DRAG_THEORY.items():
@@ -249,10 +250,11 @@ def first(growth: Growth) -> float:
 
 
 def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
-    """Return the energy of each method after each number of oscillations in ``swings``.
+    """Measure how the energy of a spring drifts over many oscillations, with each method.
 
-    The numbers are in ascending order. The initial energy is 1. Explicit Euler is left out, because
-    it explodes at this stiffness.
+    Return the energy after each number of oscillations in ``swings``, relative to the energy at the
+    start. The numbers are in ascending order. Explicit Euler is left out, because it explodes at
+    this stiffness.
     """
     ways = methods(STIFFNESS) | {"pymunk's spring": solving(PYMUNK["pymunk's spring"], STIFFNESS)}
     del ways["explicit Euler"]

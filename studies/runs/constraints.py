@@ -62,7 +62,10 @@ class Track:
 
 
 def track(move: Move, measure: Callable[[], float], frames: int, duration: float = FRAME) -> Track:
-    """Measure a value at the start and after each step, until the engine raises an error."""
+    """Run a scene step by step, and measure a value at the start and after each step.
+
+    The run ends early if the engine raises an error.
+    """
     times, values = [0.0], [measure()]
 
     def run() -> None:
@@ -169,7 +172,7 @@ def ball(
 
 
 def ball_by_time_division(height: float, restitution: float, frames: int) -> Track:
-    """Return the height of the same ball with time_division_step, at most until its last impact.
+    """Drop the same ball with time_division_step, and return its height over time.
 
     When the ball comes to rest, time_division_step raises TooManyImpacts. The run then ends at the
     time given by the exception.
@@ -193,7 +196,7 @@ def ball_by_time_division(height: float, restitution: float, frames: int) -> Tra
 
 
 def chain_particles(count: int, angle: float = 0.0) -> list[Particle]:
-    """Return an immovable particle and a straight chain that hangs from it.
+    """Return the particles of a straight chain that hangs from an immovable first particle.
 
     ``angle`` is measured from straight down, in degrees.
     """
@@ -223,7 +226,7 @@ def chain(
 
 
 def chain_by_direct_solve(count: int, frames: int, angle: float = 0.0) -> tuple[Track, Track]:
-    """Return the same two values as ``chain``, for a DirectChain."""
+    """Release the same chain as a DirectChain, and return the same two values as ``chain``."""
     particles = chain_particles(count, angle)
     return _lengths(DirectChain(particles[1:], Vector3()).step, particles, frames)
 

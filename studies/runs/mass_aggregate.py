@@ -44,7 +44,10 @@ class MassAggregate(Protocol):
 
 
 def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float) -> list[Track]:
-    """Measure values at the start and after each step, until the engine raises an error."""
+    """Run a scene step by step, and measure several values at the start and after each step.
+
+    The run ends early if the engine raises an error.
+    """
     times, rows = [0.0], [[number(measure()) for measure in measures]]
 
     def run() -> None:
@@ -121,7 +124,7 @@ def load_on_bridge(
 
 
 def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[float]:
-    """Return frame times of 5 to 30 ms, with a frame of SPIKE at each of the given times."""
+    """Return random frame times of 5 to 30 ms, with a frame of SPIKE at each time in ``spikes``."""
     rng = random.Random(seed)
     frames, time, left = [], 0.0, [*spikes]
     while time < seconds:
@@ -213,7 +216,10 @@ def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Part
 
 
 def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, Track]:
-    """Return the number of awake balls, the resolutions and the kinetic energy after each step."""
+    """Run the balls on the ground, and measure how much work their contacts cause.
+
+    Return the number of awake balls, the resolutions per step and the kinetic energy, over time.
+    """
     world, balls = balls_on_ground(kind)
 
     def move(duration: float) -> None:

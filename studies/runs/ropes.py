@@ -95,8 +95,8 @@ def rope_particles(places: list[Place]) -> list[Particle]:
 def hang_by_rods(links: int, rate: int, substeps: int, seconds: float) -> Hanging:
     """Simulate a rope of two-sided rods in a ParticleWorld, with substeps in each step.
 
-    The rope starts in its exact shape. A HeapResolver resolves the contacts. It gives the same
-    results as a ContactResolver in less time.
+    The rope starts in its exact shape, so any further sag is an error. A HeapResolver resolves the
+    contacts, because it has the same results as a ContactResolver but takes less time.
     """
     particles = rope_particles(polygon(links))
     rods = [TwoSidedRod(a, b, LENGTH / links) for a, b in pairwise(particles)]
@@ -110,7 +110,10 @@ def hang_by_rods(links: int, rate: int, substeps: int, seconds: float) -> Hangin
 
 
 def hang_by_direct_chain(links: int, rate: int, seconds: float, from_v: bool = False) -> Hanging:
-    """Simulate the same rope with a DirectChain, which keeps its initial lengths."""
+    """Simulate the same rope with a DirectChain, which keeps its initial lengths.
+
+    If ``from_v`` is true, the rope starts in the shape of a V, and not in its exact shape.
+    """
     particles = rope_particles(straight_v(links) if from_v else polygon(links))
     chain = DirectChain(particles[1:], particles[0].position)
     frames = round(seconds * rate)

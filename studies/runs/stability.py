@@ -217,7 +217,7 @@ def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
 
 
 def largest_error(places: list[float], chi: float, steps: int) -> float:
-    """Return the largest deviation of the positions from cos(chi t), at up to 64 times."""
+    """Return how far a simulated spring is from the exact cos(chi t), at the worst of 64 times."""
     every = max(1, steps // 64)
     found = [abs(places[i] - math.cos(chi * i / steps)) for i in range(every, len(places), every)]
     return max(found, default=math.nan)

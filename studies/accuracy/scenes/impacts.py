@@ -201,7 +201,7 @@ def bouncing_ball(restitution: float) -> Scene:
 def two_balls() -> Scene:
     """Return the scene of a light ball on a heavy ball, both dropped from 1 m (exercise 7.3).
 
-    The scene takes 1.5 s.
+    The scene lasts 1.5 s.
     """
     gap = 1e-3
     balls = Balls((1.0 + RADIUS, 1.0 + 3.0 * RADIUS + gap), (1.0, 0.1), 0.9, 0.8)

@@ -70,7 +70,7 @@ def bridge_ties() -> list[Tie]:
 
 
 def hung() -> list[tuple[float, float]]:
-    """Return the rest positions of the rows on one side, with a load on the third row."""
+    """Return where the rows of the bridge hang on one side, with a load on the third row."""
     return [(x, y) for x, y in hanging()]
 
 

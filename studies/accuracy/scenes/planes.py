@@ -94,9 +94,9 @@ def borne(xs: Sequence[float], x: float) -> tuple[int, float]:
 
 
 class Walker:
-    """A force generator for the weight of a walker.
+    """A force generator that puts the weight of a walker on the knots of a net.
 
-    Register the generator for only one knot. It adds forces to both knots beside the walker.
+    Register it for one knot only, because it adds forces to both knots beside the walker.
     """
 
     def __init__(self, knots: Sequence[Particle], walker: Particle, weight: float) -> None:

@@ -6,10 +6,9 @@ tensions keep the taut cables at their lengths. This phase ends when a tension d
 when a slack cable reaches its full length. After that, a different set of cables is taut, and the
 velocities may jump.
 
-Both the new set and the jump are found by solving a least-squares problem in which the unknowns,
-the tensions, must not be negative. This works because an impact without bounce removes as little
-kinetic energy as possible (Moreau, in Nonsmooth Mechanics and Applications, 1988). SciPy has a
-solver for such problems.
+To find the new set and the jump, SciPy solves a least-squares problem whose unknowns, the tensions,
+must not be negative. This works because an impact without bounce removes as little kinetic energy
+as possible (Moreau, in Nonsmooth Mechanics and Applications, 1988).
 """
 
 from __future__ import annotations
@@ -61,7 +60,7 @@ class TautMotion:
         return self.kinds * (self.lengths - numpy.linalg.norm(ways, axis=1))
 
     def rows(self, places: Any, speeds: Any) -> tuple[Any, Any]:
-        """Return how the ties' lengths depend on the coordinates, and the effect of their rotation.
+        """Return the derivatives of the ties' lengths that the equations of motion need.
 
         The first result is the Jacobian matrix of the lengths, with one row per tie. The second
         result is the part of each length's second derivative that comes from the tie's rotation.
@@ -76,10 +75,10 @@ class TautMotion:
         return self.kinds[:, None] * matrix, self.kinds * bent
 
     def least(self, matrix: Any, wanted: Any) -> Any:
-        """Find the pulls of the ties that are just strong enough, where no pull may be negative.
+        """Find the pulls that keep the ties within their limits, where no tie can push.
 
-        With A = J M^-1 J^T, the pulls p satisfy A p >= wanted. A tie pulls only if the two sides
-        are equal for it, which is the condition p (A p - wanted) = 0.
+        With A = J M^-1 J^T, the pulls p satisfy A p >= wanted. A tie pulls only where the two sides
+        are equal, so p (A p - wanted) = 0.
         """
         weighted = (matrix * numpy.sqrt(self.inverse)).T
         target, *_ = numpy.linalg.lstsq(weighted.T, wanted, rcond=None)

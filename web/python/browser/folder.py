@@ -1,4 +1,4 @@
-"""Keep a folder with the student's files, as the checks and the scenes expect it."""
+"""Keep the student's files in a folder, from which the checks and the scenes import them."""
 
 from __future__ import annotations
 

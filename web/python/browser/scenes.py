@@ -44,7 +44,8 @@ class Link:
     def receive(self, message: Message) -> list[Message]:
         """Answer a message about the scene.
 
-        If the message loads a scene, it contains the student's files.
+        A message that loads a scene also contains the student's files, from which its engine is
+        built.
         """
         try:
             if message.get("kind") == "load":

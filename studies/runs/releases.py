@@ -38,11 +38,12 @@ class Release:
 
 
 def releases(design: Design) -> list[Release]:
-    """Simulate a sling that does not release, and return each release that an angle can select.
+    """Simulate a sling that never releases, and return each release that some angle would cause.
 
-    A sling releases in the first step in which the projectile's flight direction is below the
-    release angle. So each step with a lower direction than ever before is a possible release, down
-    to the horizon. Ranges and fractions are computed as in Trebuchet.throw, but in plain numbers.
+    A sling releases in the first step in which the projectile's direction of flight is below the
+    release angle. Each step with a lower direction than ever before is therefore a possible
+    release, down to the horizon. Ranges and fractions are computed as in Trebuchet.throw, but in
+    plain numbers.
     """
     machine = Trebuchet(design)
     resolve_by_heap(machine.world)

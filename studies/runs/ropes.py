@@ -72,7 +72,7 @@ def polygon(links: int, span: float = SPAN, length: float = LENGTH) -> list[Plac
 
 
 def polygon_sag(links: int, span: float = SPAN, length: float = LENGTH) -> float:
-    """Return the sag in m of a rope with this number of links."""
+    """Return the sag in m of a rope with this number of links when it hangs at rest."""
     return -min(y for _, y in polygon(links, span, length))
 
 

@@ -155,7 +155,7 @@ def disc_place(time: float) -> Numbers:
 
 
 def disc_orientation(time: float) -> Components:
-    """Return the exact orientation: the spin about the axis, followed by the precession."""
+    """Return the exact orientation of the disc: its own spin, followed by the precession."""
     return product(turn(Y, PRECESSION * time), product(turn(AXIS, SPIN * time), TILTED))
 
 

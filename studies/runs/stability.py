@@ -45,7 +45,7 @@ SOLVERS: dict[str, Solver] = {"backward Euler": backward_euler, "trapezoidal rul
 
 
 class Pull:
-    """A spring toward 0 in plain numbers, so that mistakes in the engine's springs have no effect.
+    """A spring toward 0 in plain numbers, which mistakes in the engine's springs cannot affect.
 
     ``count`` is the number of force evaluations.
     """
@@ -62,7 +62,7 @@ class Pull:
 
 @dataclass(frozen=True)
 class Swing:
-    """The positions and velocities before and after each step, and any error that ended the run."""
+    """The positions and velocities of an oscillation, and any error that ended its run early."""
 
     places: list[float]
     velocities: list[float]
@@ -108,7 +108,7 @@ def swing(
     limit: float,
     damping: float = 1.0,
 ) -> Swing:
-    """Release 1 kg at x = 1 m, and let it oscillate until its speed exceeds the limit."""
+    """Release a body of 1 kg at x = 1 m, and let it oscillate until it is faster than ``limit``."""
     particle = Particle(Vector3(1.0), damping=damping)
     step = watching(integrator, limit)
     places, velocities = [1.0], [0.0]

@@ -98,7 +98,8 @@ class Host:
     def _set(self, name: str, value: object) -> list[Message]:
         """Change a parameter of the scene.
 
-        A running scene continues if the parameter is live. Otherwise the scene is built again.
+        If the parameter is live, a running scene continues with the new value. Otherwise the scene
+        is built again.
         """
         assert self.kind is not None, "a scene must be loaded first"
         if refused := self._keep(name, value):

@@ -18,7 +18,7 @@ class Question:
     """A prediction that the reader makes before the scene runs.
 
     ``answer`` is a function that returns the index of the correct option for the current
-    parameters. The scene runs for ``seconds``. Then ``why`` explains what the reader has seen.
+    parameters. After the scene has run for ``seconds``, ``why`` explains what the reader has seen.
     """
 
     words: str

@@ -97,9 +97,10 @@ def both(first: Timer, second: Timer) -> tuple[float, float]:
 
 
 def warm(timed: Timer) -> float:
-    """Measure a time. If it is shorter than LEAST, return the mean of further runs instead.
+    """Measure a time, or the mean of several times if the first one is shorter than LEAST.
 
-    In the first run, the caches still contain other data, which would dominate a short time.
+    The mean leaves out the first run, in which the caches still contain other data. This would
+    dominate a short time.
     """
     taken = timed()
     if taken >= LEAST:
@@ -176,8 +177,8 @@ def against_peers(
     """Return measurements that compare other libraries' times with ours.
 
     Each figure is the geometric mean of the ratios over the operations that both libraries have.
-    ``name`` is the name of our module. A peer is given by its module, a title and a target. A peer
-    that is not installed is reported and left out.
+    ``name`` is the name of our module, and a peer is given by its module, a title and a target. A
+    peer that is not installed is reported and left out.
     """
     ours = statements["ours"]
     found = []

@@ -29,9 +29,9 @@ Item = list[Any]
 
 
 class Pen:
-    """A pen that a scene draws with. It records what is drawn.
+    """The pen with which a scene draws. It records each item, so that it can be drawn later.
 
-    Each item is a list that begins with its kind, such as "circle", and its color.
+    An item is a list that begins with its kind, such as "circle", and its color.
     """
 
     def __init__(self) -> None:

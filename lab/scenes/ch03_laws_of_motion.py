@@ -108,7 +108,7 @@ class FrameRates(Scene):
 class DampingForms(Scene):
     """Lets three identical pucks slide, each with a different form of damping.
 
-    The first puck follows Eq. 3.5, the second follows Eq. 3.6, and the third follows the exact
+    The first puck follows Eq. 3.5 and the second follows Eq. 3.6, while the third is the exact
     solution.
     """
 

@@ -132,7 +132,8 @@ def seconds_of(model: Model, steps: int) -> float:
 def save(measured: Measured, path: Path, sign: str) -> None:
     """Save the results, so that an interrupted study can resume from them.
 
-    The file is replaced atomically. ``sign`` is the signature of the study (see ``sign_of``).
+    ``sign`` is the signature of the study, from ``sign_of``. The file is replaced atomically, so
+    that an interruption cannot damage it.
     """
     data = {"sign": sign, "rounds": measured.rounds, "points": [*map(asdict, measured.points)]}
     replace_bytes(path, json.dumps(data).encode())

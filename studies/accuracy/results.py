@@ -221,9 +221,10 @@ def table(points: Sequence[Point]) -> list[Row]:
 
 
 def front(points: Sequence[Point]) -> list[Point]:
-    """Return the best trade-offs: the points that no other point beats in both time and error.
+    """Return the points that no other point beats in both time and error, sorted by time.
 
-    They are sorted by time. Errors that come only from rounding all count as equal.
+    These are the best trade-offs between speed and accuracy. Errors that come only from rounding
+    all count as equal.
     """
     kept: list[Point] = []
     nearest = math.inf

@@ -96,8 +96,8 @@ def line(
 ) -> Measurement:
     """Measure pymunk's time as a multiple of ours, at the same tolerance.
 
-    ``part`` is a part of the scene's name, and ``theirs`` is the name of pymunk's model. ``ours``
-    is the name of our model. If it is None, our fastest exact model is used.
+    ``part`` is a part of the scene's name, and ``ours`` and ``theirs`` are the names of the two
+    models. If ``ours`` is None, our fastest exact model is used.
     """
     (scene,) = scenes_with(part)
     mine = model_of(scene, ours) if ours else fastest_exact(scene)

@@ -91,7 +91,7 @@ def resolving(kind: type[ContactResolver], count: int) -> Timer:
 def spread(count: int) -> ParticlePairs:
     """Scatter ``count`` spheres in a cube, and return the detector of their contacts.
 
-    The spheres have a radius of 0.5 m. On average, there is one sphere per 8 m^3.
+    The spheres have a radius of 0.5 m, and on average there is one of them in 8 m^3.
     """
     rng = random.Random(1)
     size = 2.0 * count ** (1.0 / 3.0)

@@ -37,9 +37,9 @@ FULL = (9, 0.6, 6.0)
 
 
 def main(arguments: list[str]) -> int:
-    """Measure all models and draw the charts. Return 0.
+    """Measure all models and draw the charts.
 
-    If no scene has the name that was asked for, the command ends with a usage error.
+    Return 0, or end the command with a usage error if no scene has the given name.
     """
     parser = argparse.ArgumentParser(prog="python -m studies charts", description=__doc__)
     parser.add_argument(

@@ -24,8 +24,8 @@ STILL = 1e-12  # a change by less than this fraction of the measured values is o
 class Tried:
     """A model that has been tried, with its runs and the times of each run in s.
 
-    ``halved`` contains the estimated errors of the runs. If the last run failed, ``failure`` is the
-    reason.
+    ``halved`` contains the estimated errors of the runs, and ``failure`` is the reason if the last
+    run failed.
     """
 
     model: Model

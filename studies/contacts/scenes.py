@@ -51,7 +51,7 @@ Move = Callable[[float], object]
 class Bodies:
     """Particles with the constraints that hold them, and a function that measures an error.
 
-    ``error`` takes the duration of a step in s. Its result has no unit.
+    ``error`` takes the duration of a step in s and returns a number without a unit.
     """
 
     particles: list[Particle]
@@ -86,7 +86,7 @@ SOLVERS: dict[str, Callable[[list[Particle], list[Any]], Move]] = {
 def stack(ratio: float) -> Bodies:
     """Return a stack of spheres on the ground that just touch each other.
 
-    The mass of the top sphere is ``ratio``, in kg. The measured error is the largest overlap.
+    The top sphere has the mass ``ratio`` in kg, and the measured error is the largest overlap.
     """
     spheres = [
         Particle(Vector3(0.0, (2 * i + 1) * RADIUS), acceleration=DOWN) for i in range(COUNT)
@@ -104,7 +104,7 @@ def stack(ratio: float) -> Bodies:
 def rope(ratio: float, angle: float = 0.0, two_sided: bool = True) -> Bodies:
     """Return a straight rope of rods that hangs from an immovable particle at an angle.
 
-    The mass of the weight at its end is ``ratio``, in kg. The measured error is the change in
+    The weight at its end has the mass ``ratio`` in kg, and the measured error is the change in
     length.
     """
     along = Vector3(LENGTH * math.sin(angle), -LENGTH * math.cos(angle))

@@ -59,10 +59,10 @@ class Bound(NamedTuple):
 def pymunk_step(
     by_hand: bool, x: float, v: float, k: float, c: float, mass: float, duration: float
 ) -> State:
-    """Make one step of a pymunk body on a spring. Return its position and velocity.
+    """Make one step of a pymunk body on a spring, and return its position and velocity.
 
-    If ``by_hand`` is true, the force of the spring is applied as a plain force. Otherwise pymunk's
-    own spring exerts it.
+    If ``by_hand`` is true, the force of the spring is applied as a plain force instead of by
+    pymunk's own spring.
     """
     space = pymunk.Space()
     body = pymunk.Body(mass, 1.0)
@@ -213,8 +213,8 @@ def drag_limits() -> list[Bound]:
 def drag_factor(name: str, z: float) -> float:
     """Return the factor by which one step multiplies a speed if only drag acts.
 
-    ``z`` is k1 h / m. Integrators use the force of chapter 5. The other methods use their damper
-    without a spring.
+    ``z`` is k1 h / m. Integrators use the force of chapter 5, and the other methods use their
+    damper without a spring.
     """
     k1 = z / FRAME
     if name in INTEGRATORS:

@@ -16,7 +16,7 @@ GRAVITY = 9.81
 class BalanceLine:
     """A line on which a box of stones balances, as the engine found it and as it should be.
 
-    ``angle`` is in degrees. ``left`` and ``right`` are the masses on its sides in kg.
+    ``angle`` is in degrees, and ``left`` and ``right`` are the masses on both sides in kg.
     """
 
     angle: int

@@ -93,7 +93,7 @@ def resolving(
 ) -> Move:
     """Return a function that advances a scene by one frame, in ``substeps`` equal steps.
 
-    ``step`` moves the particles. After each substep, ``resolve`` resolves the contacts.
+    ``step`` moves the particles, and ``resolve`` resolves their contacts after each substep.
     """
     every = [*generators]
 
@@ -155,8 +155,8 @@ def ball(
 ) -> Track:
     """Drop a ball above the ground, and return its height over time.
 
-    If ``generated`` is true, gravity comes from a generator. Otherwise it is the particle's
-    constant acceleration. If ``resolve`` is None, a ContactResolver resolves the contacts.
+    If ``generated`` is true, gravity comes from a force generator instead of from the particle's
+    own acceleration. If ``resolve`` is None, a ContactResolver resolves the contacts.
     """
     down = Vector3(0.0, -GRAVITY)
     particle = Particle(Vector3(0.0, height), acceleration=None if generated else down)

@@ -101,10 +101,10 @@ def variation(run: Track, since: float) -> float:
 def load_on_bridge(
     mass: float, iterations: int | None, substeps: int, seconds: float
 ) -> tuple[Track, int]:
-    """Return by how much a bridge's cables are too long under a ball of this mass, at 60 Hz.
+    """Load a bridge with a ball, and measure how much too long its cables become, at 60 Hz.
 
-    The excess length is in percent. It is infinite if the ball has fallen through. The second
-    result is the number of contacts that were resolved.
+    Return the excess length of the worst cable in percent, over time, and the number of contacts
+    that were resolved. The excess length is infinite once the ball has fallen through.
     """
     bridge = Bridge(mass)
     bridge.world.resolver = HeapResolver(iterations)
@@ -148,8 +148,8 @@ def in_frames(
     """Run an aggregate for frames whose durations vary.
 
     If ``fixed`` is true, FixedStep divides the time into equal steps. Otherwise each frame is one
-    step. Return the measured values, and for each frame the number of steps so far and all
-    positions.
+    step. The results are the measured values and, for each frame, the number of steps so far and
+    all positions.
     """
     resolve_by_heap(aggregate.world)
     stepper = FixedStep(aggregate.step, FRAME)

@@ -76,9 +76,9 @@ def arrows_by_engine(q: Quaternion) -> Arrows:
 
 
 def degrees_apart(a: Components, b: Components) -> float:
-    """Return the angle in degrees between two orientations. Their lengths do not matter.
+    """Return the angle in degrees between two orientations, whose lengths do not matter.
 
-    If one of the lengths is 0 or not finite, return NaN.
+    Return NaN if one of the lengths is 0 or not finite.
     """
     if not (0.0 < math.hypot(*a) < math.inf and 0.0 < math.hypot(*b) < math.inf):
         return math.nan
@@ -240,10 +240,10 @@ def coning_orientation(time: float) -> Components:
 def turn_by_steps(
     step: Step, velocity: Velocity, steps: int, rate: float, share: float = 0.0
 ) -> tuple[list[Components], str]:
-    """Rotate START step by step. Return all orientations, and any error that ended the run.
+    """Rotate START step by step, and return all orientations and any error that ended the run.
 
-    ``share`` is the fraction of a step after which the velocity is evaluated. It is 0 for the start
-    of the step and 0.5 for the middle.
+    The velocity is evaluated after the fraction ``share`` of each step, so at the start for 0 and
+    in the middle for 0.5.
     """
     q = Quaternion(*START)
     found = [components(q)]

@@ -55,8 +55,8 @@ Links = Callable[[list[Row]], list[ContactGenerator]]
 def bridge() -> Scene:
     """Return the scene of the bridge with 5 kg on its third row, at rest for 1 s.
 
-    The scale is the length of a cable between two rows. In pymunk, slide joints act as the cables.
-    Its solver makes 10 iterations by default.
+    The scale is the length of a cable between two rows. In pymunk, slide joints act as the cables,
+    and the solver makes 10 iterations, which is its default, or 50.
     """
     few, some = STEPS[:5], STEPS[:8]
 

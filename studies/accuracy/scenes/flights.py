@@ -40,7 +40,7 @@ G = 9.81  # m/s^2
 def projectile() -> Scene:
     """Return the scene of a shot with linear drag.
 
-    Some of its models use the closed form. The others treat the drag as the particle's damping, or
+    Some of its models use the closed form, while others treat the drag as the particle's damping or
     as a force.
     """
     frames = round(PROJECTILE.duration * RATE)
@@ -109,7 +109,8 @@ def quadratic_drag() -> Scene:
 def orbit(e: float, turns: int, period: float) -> Scene:
     """Return the scene of an orbit with the eccentricity ``e`` and a semi-major axis of 1 m.
 
-    ``period`` is in s. The orbit begins at the point nearest to the center of attraction.
+    The orbit begins at the point nearest to the center of attraction, and each turn takes
+    ``period`` s.
     """
     frames = math.floor(turns * period * RATE)
     rate = 2.0 * math.pi / period

@@ -1,8 +1,8 @@
 """Scenes of bouncing balls: a ball with and without losses, and one ball on top of another.
 
-The work is the number of searches for contacts. Most models search once per step. Time division
-searches once per impact and once per frame. A model that computes a ball's height from its impacts
-alone counts these heights instead.
+The work is the number of searches for contacts. Most models search once per step, while time
+division searches once per impact and once per frame. A model that computes a ball's height from its
+impacts alone counts these heights instead.
 """
 
 from __future__ import annotations

@@ -106,8 +106,8 @@ def swinging() -> Scene:
 def walked_over() -> Scene:
     """Return the scene of one side of the bridge with a ball that walks across. It lasts 3.6 s.
 
-    The ball has a mass of 5 kg and walks at 2 m/s. This side carries half of its weight, which is
-    divided between the two rows beside the ball. All cables stay taut.
+    The ball has a mass of 5 kg and walks at 2 m/s. This side of the bridge carries half of its
+    weight, which is divided between the two rows beside the ball, and all cables stay taut.
     """
 
     def make() -> Plane:

@@ -48,7 +48,7 @@ def install_limits() -> None:
 def compile_once() -> None:
     """Keep the compiled code of every module, because each check imports up to 40 modules again.
 
-    Call this once. It saves a third of the time of a short check.
+    This saves a third of the time of a short check. Call it only once.
     """
     compiled = lru_cache(maxsize=1000)(compile)
 

@@ -121,10 +121,7 @@ def rope(ratio: float, angle: float = 0.0, two_sided: bool = True) -> Bodies:
 
 
 def swinging(two_sided: bool = True) -> Bodies:
-    """Return a rope without a weight, which is released at an angle.
-
-    The measured error is the change in energy.
-    """
+    """Return a rope without a weight that swings from an angle, to measure its change in energy."""
     bodies = rope(1.0, ANGLE, two_sided)
     start = mechanical_energy(bodies.particles)
     lowest = mechanical_energy(rope(1.0).particles)

@@ -174,8 +174,8 @@ def _draw_steps(axes: Axes, losses: Sequence[Loss]) -> None:
 def _draw_errors(axes: Axes, losses: Sequence[Loss]) -> None:
     """Draw the relative difference between the simulated and the predicted number of steps.
 
-    An oscillation from rest is the sum of two eigenvectors. Near a limit the two are almost equal,
-    so the growing part may be much larger than the sum, or half of it. The oscillation then reaches
+    An oscillation from rest is the sum of two eigenvectors, which are almost equal near a limit.
+    The growing part may then be much larger than the sum, or half of it, so the oscillation reaches
     a million times its size sooner or later than predicted. Far outside the limit, rounding to
     whole steps makes a difference.
     """

@@ -104,8 +104,8 @@ def truth(_: float) -> Place:
 def cables() -> list[tuple[int | tuple[float, float], int, float]]:
     """List the cables on one side of the bridge. Each is a tuple of start, end and length.
 
-    A cable starts at an anchor (a position) or at a row (its index), and ends at a row. The length
-    is in m, as seen from the side.
+    A cable starts at an anchor, given by its position, or at a row, given by its index. It ends at
+    a row. The length is in m, as seen from the side.
     """
     found: list[tuple[int | tuple[float, float], int, float]] = []
     for i, (end, _) in enumerate(make_rows()):

@@ -122,7 +122,10 @@ class EngineSocket(WebSocketHandler):
                 pass
 
     async def saved(self, files: list[str]) -> None:
-        """Stop the old engine, and tell the page to load its scene again with the changed files."""
+        """Stop the old engine, and tell the page which files have changed.
+
+        The page then loads its scene again, which starts a new engine.
+        """
         if self.engine is not None and self.get_query_argument("engine", "yours") == "yours":
             async with self.turn:
                 await self.engine.end()

@@ -16,7 +16,7 @@ FILE = Path(__file__).with_name("figures.json")
 
 
 def rounded(points: Sequence[Point]) -> list[Point]:
-    """Reduce the times of each point to their median in ms per frame, with three digits."""
+    """Round each point to three digits, with the median of its times in ms per frame."""
 
     def digits(value: float) -> float:
         return float(f"{value:.3g}")

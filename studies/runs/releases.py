@@ -27,9 +27,9 @@ from studies.runs.mass_aggregate import resolve_by_heap
 class Release:
     """A moment at which the sling could release the projectile.
 
-    ``angle`` is the direction of flight in degrees, and ``range`` is how far the projectile flies
-    in m. ``share`` is the fraction of the counterweight's lost energy that the projectile has
-    gained.
+    ``angle`` is the direction of flight in degrees, and ``range`` is the distance in m from the
+    pivot to where the projectile lands. ``share`` is the fraction of the counterweight's lost
+    energy that the projectile has gained.
     """
 
     angle: float

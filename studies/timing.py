@@ -123,7 +123,7 @@ def versus(first: Timer, second: Timer) -> Figure:
 
 
 def measure(measurements: Sequence[Measurement]) -> list[Line]:
-    """Take all rounds of all measurements in mixed order. Return the lines in the original order.
+    """Take all rounds of all measurements, in mixed order. Return a line for each measurement.
 
     On a terminal, a bar shows the current measurement and the time left. It is drawn only between
     rounds, so that it does not slow them down.

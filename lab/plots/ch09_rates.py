@@ -196,7 +196,7 @@ def _drift(duration: float, steps: int) -> tuple[float, float]:
 
 
 def _of_drift(off: Sequence[float], unit: str) -> str:
-    """Return a part of a title: how far first_order_drift is from the measurement."""
+    """Say, as a part of a title, how far first_order_drift is from the measured error."""
     if not is_written(lambda: first_order_drift(TAU, 1.0, 10)):
         return ""
     return f",\nfirst_order_drift differs from the measurement by {largest([*off]):.2g}{unit}"

@@ -141,7 +141,7 @@ class Throw(Scene):
     def is_in(self, beyond: float | None) -> bool:
         """Return whether a ball goes through the hoop.
 
-        ``beyond`` is the result of ``past_hoop``.
+        ``beyond`` says how far from the center of the rim it comes down (see ``past_hoop``).
         """
         return beyond is not None and abs(beyond) < self.RIM
 

@@ -70,9 +70,9 @@ def table(points: Sequence[Point]) -> list[list[str]]:
 def draw(points: Sequence[Point]) -> Figure:
     """Draw four panels that compare the contact solvers.
 
-    The upper panels plot the error over the computing time, for a stack and a swinging rope. The
-    lower panels plot the time that keeps the error below 1 % over the mass ratio, for a stack and a
-    rope.
+    The upper panels plot the error against the computing time, for a stack and a swinging rope. The
+    lower panels plot the time that a solver needs for an error below 1 % against the mass ratio,
+    for a stack and a rope.
     """
     figure, panels = pyplot.subplots(2, 2, figsize=(11, 8.4), layout="constrained")
     stack, swing = of_scene(points, named(STACK, 1)), of_scene(points, f"{SWING}, energy")

@@ -175,7 +175,7 @@ def true_place(k: float, c: float, time: float) -> float:
 
 
 def faked_growth(angle: float, share: float, duration: float) -> float:
-    """Return the growth per step of the faked spring.
+    """Return the factor by which an oscillation of the faked stiff spring grows in each step.
 
     ``angle`` is chi h, and ``share`` is a fraction of critical damping.
     """

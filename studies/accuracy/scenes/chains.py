@@ -43,8 +43,8 @@ COUNTED = "contacts resolved, or rods solved for"
 class Chain:
     """A straight chain of rods that hangs from the origin and is released from rest.
 
-    All rods have the same ``length`` in m. ``masses`` are in kg, from the first particle to the
-    tip. ``angle`` is measured from straight down, in radians. ``gravity`` is in m/s^2.
+    All rods have the same ``length`` in m, and ``masses`` are in kg, from the first particle to the
+    tip. ``angle`` is measured from straight down in radians, and ``gravity`` is in m/s^2.
     """
 
     length: float
@@ -75,7 +75,7 @@ class Chain:
     def by_its_angles(self) -> AngleChain:
         """Describe the chain by the angles of its rods, instead of by its particles.
 
-        If all masses are equal, the result is an AngleRope.
+        If all masses are equal, the result is an AngleRope, which takes less time per step.
         """
         _, masses, angles = self.angles()
         if len(set(masses)) == 1:

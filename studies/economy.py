@@ -169,7 +169,7 @@ def parts() -> list[tuple[str, Move, Move]]:
 
 
 def plain(dimensions: int) -> Move:
-    """Return a function that moves the same particles by one frame, in plain numbers.
+    """Return a function that moves the falling particles by one frame, in plain numbers.
 
     ``dimensions`` is 2 or 3.
     """

@@ -101,7 +101,7 @@ class OneSpring(Stepped):
 
 
 class ExactSpring(OneSpring):
-    """The same ball, moved by the closed form instead of by an integrator."""
+    """The scene OneSpring, in which the closed form moves the ball instead of an integrator."""
 
     def step(self, duration: float) -> None:
         passed = self.time + duration - self.since
@@ -111,7 +111,7 @@ class ExactSpring(OneSpring):
 
 
 class PymunkSpring(OneSpring):
-    """The same ball on a damped spring of pymunk."""
+    """The scene OneSpring in pymunk, whose own damped spring pulls the ball."""
 
     def build(self) -> None:
         import pymunk  # not needed by the other scenes

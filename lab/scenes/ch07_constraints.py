@@ -129,7 +129,7 @@ class Bounce(Scene):
 
 
 class PymunkBounce(Bounce):
-    """The same ball in pymunk, where it bounces on a segment with the same restitution."""
+    """The scene Bounce in pymunk, where the ball bounces on a segment with the same restitution."""
 
     def build(self) -> None:
         import pymunk  # not needed without this peer
@@ -227,7 +227,7 @@ class Stack(Scene):
 
 
 class PymunkStack(Stack):
-    """The same spheres in pymunk, as circles above a segment."""
+    """The scene Stack in pymunk, where the spheres are circles above a segment."""
 
     def build(self) -> None:
         import pymunk  # not needed without this peer

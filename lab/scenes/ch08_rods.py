@@ -85,7 +85,7 @@ class Wheel(WorldScene):
 
 
 class PymunkWheel(Wheel):
-    """The same wheel in pymunk, where it is made of pin joints."""
+    """The scene Wheel in pymunk, where pin joints act as the rods."""
 
     def build(self) -> None:
         import pymunk  # not needed without this peer

@@ -165,7 +165,7 @@ def exact(_: float) -> Place:
 
 
 def named(name: str, ratio: int) -> str:
-    """Return the name of the scene with this mass ratio."""
+    """Return the name of a scene with this mass ratio, such as "stack, ratio 10"."""
     return f"{name}, ratio {ratio:,}"
 
 

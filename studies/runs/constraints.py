@@ -172,7 +172,7 @@ def ball(
 
 
 def ball_by_time_division(height: float, restitution: float, frames: int) -> Track:
-    """Drop the same ball with time_division_step, and return its height over time.
+    """Drop a ball with time_division_step instead of a resolver, and return its height over time.
 
     When the ball comes to rest, time_division_step raises TooManyImpacts. The run then ends at the
     time given by the exception.
@@ -226,7 +226,7 @@ def chain(
 
 
 def chain_by_direct_solve(count: int, frames: int, angle: float = 0.0) -> tuple[Track, Track]:
-    """Release the same chain as a DirectChain, and return the same two values as ``chain``."""
+    """Release a chain as a DirectChain. Return the same two values over time as ``chain``."""
     particles = chain_particles(count, angle)
     return _lengths(DirectChain(particles[1:], Vector3()).step, particles, frames)
 

@@ -185,13 +185,13 @@ def deformation_of_wheel(force: float, driven: int, rate: int, seconds: float) -
 
 
 def spread_of_blob(speed: float, cables: bool, seconds: float) -> Track:
-    """Return the spread over time of a blob that is thrown down from 2 m."""
+    """Throw a blob down from a height of 2 m, and return its spread over time."""
     blob = _thrown(speed, cables)
     return tracks(blob.step, [lambda: spread(blob.particles)], round(seconds / FRAME), FRAME)[0]
 
 
 def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
-    """Return how many bonds of the same blob are still intact, over time."""
+    """Throw a blob down from a height of 2 m, and return how many bonds are intact over time."""
     blob = _thrown(speed, cables)
 
     def holding() -> float:

@@ -110,7 +110,7 @@ def hang_by_rods(links: int, rate: int, substeps: int, seconds: float) -> Hangin
 
 
 def hang_by_direct_chain(links: int, rate: int, seconds: float, from_v: bool = False) -> Hanging:
-    """Simulate the same rope with a DirectChain, which keeps its initial lengths.
+    """Simulate a hanging rope with a DirectChain, which keeps its initial lengths.
 
     If ``from_v`` is true, the rope starts in the shape of a V, and not in its exact shape.
     """

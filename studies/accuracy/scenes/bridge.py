@@ -84,7 +84,7 @@ def bridge() -> Scene:
 
 
 def sleeping() -> Scene:
-    """Return the scene in which the same bridge sleeps for 10 s, because nothing touches it.
+    """Return the scene in which the rope bridge sleeps for 10 s, because nothing touches it.
 
     Pymunk's bridge is asleep too.
     """

@@ -20,7 +20,7 @@ from studies.reason import reason, shown
 
 
 def main() -> int:
-    """Run the command given on the command line and return its exit status."""
+    """Run the given command and return its exit status."""
     parser = argparse.ArgumentParser(prog="python -m lab", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     serve = commands.add_parser("serve", help="serve the page on this machine")
@@ -61,7 +61,7 @@ def main() -> int:
 
 
 def _serve(options: argparse.Namespace) -> int:
-    """Serve the page until the user presses Ctrl-C."""
+    """Serve the lab's page until the user presses Ctrl-C."""
     from lab.server import Lab, serve  # only this command needs a server
 
     find_engine(options.engine)
@@ -116,7 +116,7 @@ def _play(options: argparse.Namespace) -> int:
 
 
 def settings_of(options: argparse.Namespace) -> dict[str, str]:
-    """Return the parameter values set on the command line."""
+    """Return the scene parameters that were set on the command line, by name."""
     return dict(setting.partition("=")[::2] for setting in options.set)
 
 

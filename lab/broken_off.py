@@ -1,4 +1,4 @@
-"""Explain why an engine stopped before it had answered a message."""
+"""Explain to a student why their engine stopped before it had answered a message."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ TIME_LIMIT = 2.5  # s per message; a message normally takes a few milliseconds
 
 
 def why_it_broke_off(stack: str, engine: list[Path]) -> str:
-    """Explain why the process of the engine stopped.
+    """Explain why the process that ran a student's engine stopped.
 
-    If the process ran out of time, ``stack`` is the stack trace that it wrote. If ``stack`` is
+    ``stack`` is the stack trace that the process wrote if it ran out of time. If ``stack`` is
     empty, the process ended by itself.
     """
     if stack:

@@ -15,7 +15,10 @@ FOLDER = Path(__file__).parent / "scenes"
 
 @dataclass(frozen=True)
 class Entry:
-    """The place where a scene is defined. Reading an entry does not import an engine."""
+    """A scene that the lab can open, with the module that defines it.
+
+    Entries are read from the source of the modules, so no engine is imported yet.
+    """
 
     name: str
     title: str
@@ -45,7 +48,7 @@ def entries() -> tuple[Entry, ...]:
 
 
 def find(name: str) -> Entry:
-    """Return the entry of the scene ``name``.
+    """Return the entry of the scene with this name.
 
     Raises:
         ValueError: The scene does not exist. The message lists all scenes.
@@ -59,7 +62,7 @@ def find(name: str) -> Entry:
 
 
 def load(name: str) -> type[Scene]:
-    """Import the scene ``name``, and return its class. This also imports the engine's chapters."""
+    """Import a scene and return its class. This also imports chapters of the engine."""
     entry = find(name)
     scene: type[Scene] = getattr(importlib.import_module(entry.module), entry.kind)
     return scene

@@ -1,7 +1,7 @@
-"""Run a student's code in a process that exchanges JSON messages, one per line.
+"""Run a student's engine in its own process, which exchanges JSON messages with the lab's server.
 
-If an answer takes longer than TIME_LIMIT, the process writes a stack trace to the file that
-``--stack`` names, and exits.
+Each line is one message. If an answer takes longer than TIME_LIMIT, the process writes a stack
+trace to the file that ``--stack`` names, and exits.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from studies.reason import reason
 
 
 def main() -> None:
-    """Answer messages from standard input until it is closed."""
+    """Answer messages from standard input until the server closes it."""
     parser = argparse.ArgumentParser(prog="python -m lab.child", description=__doc__)
     add_engine_options(parser)
     parser.add_argument("--stack", type=Path, required=True)
@@ -37,7 +37,8 @@ def main() -> None:
             answers.write("".join(f"{answer}\n" for answer in answered(host, line)) + "\n")
             answers.flush()
             faulthandler.cancel_dump_traceback_later()
-    # The server is gone, perhaps without a chance to clean up. Never remove /dev/null.
+    # The server is gone and may not have cleaned up. Only a regular file is removed, because
+    # ``--stack`` may also name /dev/null.
     if options.stack.is_file():
         with contextlib.suppress(OSError):
             options.stack.unlink()
@@ -45,9 +46,9 @@ def main() -> None:
 
 
 def answered(host: Host, line: bytes) -> list[str]:
-    """Return the answers to a message as lines of JSON.
+    """Return the answers to one message as lines of JSON.
 
-    A line that is not a message is rejected.
+    If the line is not a message, the only answer says that it could not be read.
     """
     try:
         message = json.loads(line)

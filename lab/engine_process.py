@@ -21,7 +21,7 @@ LONGEST_RECORDING = 120.0  # s
 
 
 class EngineProcess:
-    """The process that runs an engine for one open page.
+    """A process that runs a student's engine for one open page.
 
     The process starts when the first message arrives.
     """
@@ -36,8 +36,8 @@ class EngineProcess:
     async def ask(self, message: str) -> AsyncIterator[str]:
         """Send a message to the process, and yield its answers as lines of JSON.
 
-        If the process exits or takes too long, it is killed. The last answer then explains the
-        reason.
+        If the process exits or takes too long, it is killed. The last answer then explains what
+        happened.
         """
         limit = TIME_LIMIT + GRACE
         if self.process is None:
@@ -95,16 +95,16 @@ class EngineProcess:
         )
 
     def _why(self) -> str:
-        """Return an explanation of why the process has stopped."""
+        """Explain why the process has stopped."""
         stack = self.stack.read_text(encoding="utf-8") if self.stack.exists() else ""
         return why_it_broke_off(stack, [ROOT / self.engine])
 
 
 async def recording(engine: str, given: str, scene: str, values: dict[str, str]) -> bytes:
-    """Record an animation of a scene, and return it as a GIF.
+    """Record an animation of a scene in a separate process, and return it as a GIF.
 
     Raises:
-        ValueError: The recording fails. The message is the last line of its output.
+        ValueError: The recording failed. The message is the last line that the process printed.
     """
     settings = [f"--set={name}={value}" for name, value in values.items()]
     with tempfile.TemporaryDirectory(prefix="lab-") as folder:

@@ -1,4 +1,4 @@
-"""Run one scene on an engine, controlled by messages.
+"""Run one scene on an engine, controlled by messages from a page.
 
 The host does not depend on pages, sockets or processes, so both the local server and the course's
 site can use it. A message is a dict with a ``kind``. It contains only numbers, texts, lists and
@@ -22,7 +22,7 @@ FAR = 1e12  # m, J and so on; a larger number means that the scene has exploded
 
 
 class Host:
-    """Answers messages about one scene.
+    """Runs a scene and answers messages about it.
 
     ``explain`` is a function that turns an exception in the student's code into an explanation.
     """
@@ -35,7 +35,7 @@ class Host:
         self.cost = 0.0  # microseconds per frame, a running mean
 
     def receive(self, message: Message) -> list[Message]:
-        """Carry out ``message``, and return the answers. An invalid message gets an answer too."""
+        """Carry out a message, and return the answers. Even an invalid message gets an answer."""
         try:
             return self._answer(message)
         except (Exception, SystemExit) as error:
@@ -73,7 +73,10 @@ class Host:
         return [self._frame()]
 
     def _load(self, name: str, values: dict[str, object], peer: str) -> list[Message]:
-        """Build the scene ``name``. If a value is invalid, use the default and report the error."""
+        """Build the scene with this name, and return its description and its first frame.
+
+        An invalid value of a parameter is reported, and the default is used instead.
+        """
         self.scene = None
         kind = load(name)
         if peer and peer not in kind.peers:
@@ -93,7 +96,11 @@ class Host:
         return [self._frame()]
 
     def _set(self, name: str, value: object) -> list[Message]:
-        """Change a parameter. Rebuild the scene, unless it is running and the parameter is live."""
+        """Change a parameter of the scene.
+
+        If the parameter is live, a running scene continues with the new value. Otherwise the scene
+        is built again.
+        """
         assert self.kind is not None, "a scene must be loaded first"
         if refused := self._keep(name, value):
             return refused
@@ -103,7 +110,7 @@ class Host:
         return [self._frame()]
 
     def _keep(self, name: str, value: object) -> list[Message]:
-        """Store the value of a parameter. If it is invalid, return a message with the reason."""
+        """Store the value of a parameter, or return a message that says why it is invalid."""
         assert self.kind is not None
         parameter = parameters_of(self.kind).get(name)
         if parameter is None:
@@ -124,7 +131,7 @@ class Host:
         return [self._frame()]
 
     def _frame(self) -> Message:
-        """Describe the current state: drawn items, charted values, the cost and a sentence."""
+        """Describe the current state of the scene, with everything that the page shows of it."""
         scene = self.scene
         assert scene is not None
         pen = Pen()

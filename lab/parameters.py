@@ -1,4 +1,4 @@
-"""The parameters of a scene, which are numbers and choices that the reader can change."""
+"""Define the parameters of a scene: the numbers and choices that the reader can change."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from typing import Any
 
 
 class Parameter:
-    """A value that the reader can change. It is defined as a class attribute of a scene.
+    """A value of a scene that the reader can change, defined as an attribute of the scene's class.
 
     On an instance of the scene, the attribute is the current value, so ``self.stiffness`` is a
-    number. A ``live`` parameter can change while the scene runs. When another parameter changes,
-    the scene is rebuilt.
+    number. A ``live`` parameter can change while the scene runs. When any other parameter changes,
+    the scene is built again.
     """
 
     def __init__(self, default: Any, label: str, unit: str, *, live: bool) -> None:
@@ -33,7 +33,7 @@ class Parameter:
         raise NotImplementedError
 
     def described(self) -> dict[str, Any]:
-        """Return the data that a page needs to show the parameter."""
+        """Return the data from which a page creates the control for this parameter."""
         return {
             "name": self.name,
             "label": self.label,
@@ -82,7 +82,7 @@ class Slider(Parameter):
         return float(value)
 
     def described(self) -> dict[str, Any]:
-        """Return the data that a page needs to show a slider."""
+        """Return the data from which a page creates the slider."""
         own = {"kind": "slider", "low": self.low, "high": self.high}
         return super().described() | own | {"step": self.step, "log": self.log}
 
@@ -118,11 +118,11 @@ class Choice(Parameter):
         raise ValueError(f"{self.name} must be one of {options}, got {value!r}")
 
     def described(self) -> dict[str, Any]:
-        """Return the data that a page needs to show a choice."""
+        """Return the data from which a page creates the list of options."""
         return super().described() | {"kind": "choice", "options": self.options}
 
 
 def _plain(name: object) -> str:
-    """Convert the name of an option to the form that is typed on a command line."""
+    """Convert an option's name to the form in which it is typed on a command line."""
     text = f"{name:g}" if isinstance(name, float) else str(name)
     return text.lower().replace(" ", "-")

@@ -29,10 +29,10 @@ SIZE = (8.0, 5.0)  # inches
 
 
 def record(scene: Scene, folder: Path, seconds: float | None = None) -> list[Path]:
-    """Record the scripted run of a scene.
+    """Record a scripted run of ``scene`` to files in ``folder``, and return their paths.
 
-    Return the paths of the animation, the overview and the table. Older files with the same names
-    are deleted first. If the scene fails, none of the three files remains.
+    The files are an animation, an overview and a table. Older files with the same names are deleted
+    first. If the scene fails, none of the three files remains.
     """
     name = name_of(type(scene))
     folder.mkdir(parents=True, exist_ok=True)
@@ -71,7 +71,7 @@ def record(scene: Scene, folder: Path, seconds: float | None = None) -> list[Pat
 
 
 def show(scene: Scene) -> None:
-    """Play ``scene`` in a window until the window is closed. Errors of the engine are raised."""
+    """Play ``scene`` in a window until the window is closed or the engine raises an error."""
     for setting in matplotlib.rcParams:
         if setting.startswith("keymap."):  # leave the keys to the scene
             matplotlib.rcParams[setting] = ["q"] if setting == "keymap.quit" else []
@@ -113,7 +113,7 @@ def show(scene: Scene) -> None:
 
 
 def _row(scene: Scene) -> dict[str, float | None]:
-    """Return a row of the table: the time, the charted values, and the error if it is known."""
+    """Return a row of the table: the time, the charted values and, if it is known, the error."""
     error = scene.error()
     found: dict[str, float | None] = {"time, s": round(scene.time, 6), **scene.chart()}
     return found if error is None else found | {f"error, {scene.error_unit}": error}
@@ -127,7 +127,7 @@ def _image_of(figure: Figure) -> Any:
 
 
 def _sheet_of(tiles: list[Any]) -> Figure:
-    """Return a figure that shows these images as a grid."""
+    """Arrange still pictures in a grid, for the overview."""
     columns = 3
     rows = -(-len(tiles) // columns)
     sheet, places = pyplot.subplots(rows, columns, figsize=(12, 2.6 * rows), layout="constrained")

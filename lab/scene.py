@@ -1,4 +1,4 @@
-"""The base class of all scenes in the lab, which provides parameters, steps and drawing."""
+"""The base class of all scenes in the lab."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ FRAME = 1.0 / 60.0  # s per frame
 
 @dataclass(frozen=True)
 class Question:
-    """A question that the reader answers before the scene runs.
+    """A prediction that the reader makes before the scene runs.
 
     ``answer`` is a function that returns the index of the correct option for the current
-    parameters. The scene runs for ``seconds``. Then ``why`` explains what the reader has seen.
+    parameters. After the scene has run for ``seconds``, ``why`` explains what the reader has seen.
     """
 
     words: str
@@ -29,7 +29,7 @@ class Question:
 
 
 class Scene:
-    """A scene in its own units, which are meters unless the axes say otherwise.
+    """The base class of all scenes. Lengths are in meters unless a scene says otherwise.
 
     A subclass sets the class attributes, defines parameters, and overrides ``build``, ``step``,
     ``draw`` and any other methods that it needs. ``peers`` maps names, such as "exact" or "pymunk",
@@ -50,7 +50,11 @@ class Scene:
     cost: float | None = None  # microseconds per frame, if the scene measures it itself
 
     def __init__(self, **values: object) -> None:
-        """Build the scene. Raises ValueError for an unknown parameter or an invalid value."""
+        """Build the scene with these values of its parameters, and defaults for the others.
+
+        Raises:
+            ValueError: A parameter does not exist, or its value is not allowed.
+        """
         known = parameters_of(type(self))
         if unknown := values.keys() - known.keys():
             raise ValueError(f"{name_of(type(self))} has no parameter {', '.join(sorted(unknown))}")
@@ -78,7 +82,7 @@ class Scene:
         return {}
 
     def state(self) -> list[float]:
-        """Return the coordinates that are compared with the exact ones."""
+        """Return the coordinates that ``error`` compares with the exact ones."""
         return []
 
     def exact(self, time: float) -> list[float] | None:  # noqa: ARG002 - subclasses use it
@@ -94,18 +98,18 @@ class Scene:
         return ""
 
     def press(self, key: str) -> None:
-        """Respond to a key press."""
+        """Respond to a key that the reader has pressed."""
 
     def click(self, x: float, y: float) -> None:
-        """Respond to a click on a point."""
+        """Respond to a click on the point (x, y)."""
 
     def drag(self, name: str, x: float, y: float) -> None:
-        """Move the draggable circle with this name to a point."""
+        """Move the circle named ``name``, which the reader is dragging, to the point (x, y)."""
 
     def play(self, time: float) -> None:
-        """Do what a player would do at ``time``, which is in s.
+        """Do what a player would do at ``time``, which is in s, such as aiming and firing.
 
-        Recordings and tests call this method before each frame.
+        Recordings and tests call this method before each frame, because they have no player.
         """
 
     def advance(self, duration: float = FRAME) -> None:
@@ -114,9 +118,9 @@ class Scene:
         self.time += duration
 
     def error(self) -> float | None:
-        """Return the largest error of any coordinate.
+        """Return the largest difference between a coordinate and its exact value.
 
-        If there is no exact solution, return None.
+        If the scene has no exact solution, return None.
         """
         exact = self.exact(self.time)
         if exact is None:
@@ -126,7 +130,7 @@ class Scene:
 
 
 def parameters_of(scene: type[Scene]) -> dict[str, Parameter]:
-    """Return the parameters of a scene by name. Parameters of its base classes come last."""
+    """Return the parameters of a scene by name, with those of its base classes last."""
     found: dict[str, Parameter] = {}
     for kind in scene.__mro__:
         for name, value in vars(kind).items():
@@ -136,13 +140,13 @@ def parameters_of(scene: type[Scene]) -> dict[str, Parameter]:
 
 
 def name_of(scene: type[Scene]) -> str:
-    """Return the scene's name for addresses and commands: OneSpring becomes one-spring."""
+    """Return a scene's name for addresses and commands. OneSpring, for example, is one-spring."""
     letters = [f"-{c.lower()}" if c.isupper() else c for c in scene.__name__]
     return "".join(letters).removeprefix("-")
 
 
 def described(scene: type[Scene]) -> dict[str, Any]:
-    """Return the data with which a page shows ``scene`` before the scene runs."""
+    """Return the data with which a page shows a scene before it runs."""
     question = scene.predict
     return {
         "name": name_of(scene),

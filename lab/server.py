@@ -1,4 +1,4 @@
-"""Run the lab's web server. It serves the page and connects each open page to an engine."""
+"""Run the lab's web server, which serves the page and gives every open page its own engine."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ REFERENCE = "solutions"
 
 
 class Lab(Site):
-    """The data that all request handlers share: the available engines and the open sockets."""
+    """The state that all requests share: the available engines, and the sockets of open pages."""
 
     def __init__(self, engine: str, given: str = "") -> None:
         super().__init__()
@@ -34,7 +34,7 @@ class Lab(Site):
         self.sockets: set[EngineSocket] = set()
 
     def application(self) -> Application:
-        """Return the tornado application."""
+        """Create the tornado application that handles all requests."""
         below, shared = f"/{self.token}", {"site": self}
         return Application(
             [
@@ -47,7 +47,7 @@ class Lab(Site):
         )
 
     async def watch(self) -> None:
-        """Notify every open page when a file of the student's engine is saved."""
+        """Tell every open page when the student saves a file of their engine."""
         async for changes in awatch(find_engine(self.engines["yours"])[0]):
             files = sorted({Path(path).name for _, path in changes if path.endswith(".py")})
             for socket in list(self.sockets) if files else ():
@@ -55,7 +55,7 @@ class Lab(Site):
 
 
 class Scenes(Handler):
-    """Serves the list of scenes and engines. This does not import any engine."""
+    """Serves the list of scenes and engines, without importing any engine."""
 
     site: Lab
 
@@ -65,7 +65,7 @@ class Scenes(Handler):
 
 
 class Recording(Handler):
-    """Serves an animation of a scene with the parameters in the query."""
+    """Serves an animation of a scene, with the parameters that the query names."""
 
     site: Lab
 
@@ -85,7 +85,7 @@ class Recording(Handler):
 
 
 class EngineSocket(WebSocketHandler):
-    """A WebSocket for one open page, which has its own engine process."""
+    """The connection to one open page, which has its own engine process."""
 
     def initialize(self, lab: Lab) -> None:
         self.lab = lab
@@ -99,7 +99,7 @@ class EngineSocket(WebSocketHandler):
             raise HTTPError(403)
 
     def check_origin(self, origin: str) -> bool:
-        """Return whether our own page opens the socket. Sockets of other pages are refused."""
+        """Return whether our own page opens the socket. Other pages are refused."""
         return is_own_page(self.request, origin)
 
     def open(self) -> None:
@@ -122,7 +122,10 @@ class EngineSocket(WebSocketHandler):
                 pass
 
     async def saved(self, files: list[str]) -> None:
-        """Stop the old engine, and notify the page so that it reloads its scene."""
+        """Stop the old engine, and tell the page which files have changed.
+
+        The page then loads its scene again, which starts a new engine.
+        """
         if self.engine is not None and self.get_query_argument("engine", "yours") == "yours":
             async with self.turn:
                 await self.engine.end()
@@ -136,9 +139,9 @@ class EngineSocket(WebSocketHandler):
 
 
 async def serve(lab: Lab, port: int, ready: Any) -> None:
-    """Serve until the user presses Ctrl-C. When the server is listening, call ``ready`` once.
+    """Serve until the user presses Ctrl-C.
 
-    ``ready`` receives the address.
+    When the server accepts connections, it calls ``ready`` once with its address.
     """
     lab.listen(lab.application(), port)
     ready(lab.address)

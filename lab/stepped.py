@@ -1,4 +1,4 @@
-"""A base class for scenes whose integrator and steps per second the reader can choose."""
+"""A base class for scenes in which the reader chooses the integrator and the step rate."""
 
 from __future__ import annotations
 
@@ -21,7 +21,10 @@ RATES = (15.0, 30.0, 60.0, 120.0, 240.0, 480.0)
 
 
 class Stepped(Scene):
-    """A scene with particles and a force registry. The method ``build`` must create both."""
+    """A scene whose particles move under the forces of a registry.
+
+    The method ``build`` of a subclass must create ``particles`` and ``registry``.
+    """
 
     integrator = Choice("semi-implicit Euler", "integrator", [*STEPS], live=True)
     rate = Choice(60.0, "steps per second", RATES, "Hz", live=True)
@@ -31,9 +34,9 @@ class Stepped(Scene):
     owed = 0.0  # s that have passed but have not been simulated yet
 
     def step(self, duration: float) -> None:
-        """Make as many steps as fit into the frame.
+        """Advance the scene by a frame of ``duration`` s, in as many steps as fit into it.
 
-        Any time left over is used in the next frame.
+        Time that is left over is used in the next frame.
         """
         length = 1.0 / self.rate
         self.owed += duration

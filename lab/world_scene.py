@@ -1,6 +1,6 @@
-"""A base class for scenes of a particle world.
+"""A base class for scenes that run a ParticleWorld.
 
-The step rate and the iteration limit can change while such a scene runs.
+The reader can change the step rate and the iteration limit while such a scene runs.
 """
 
 from __future__ import annotations
@@ -18,22 +18,22 @@ from studies.runs.links import ends_of
 
 
 class WorldScene(Scene):
-    """A scene that advances a particle world. ``build`` must call ``run``."""
+    """A scene that advances a particle world. The ``build`` of a subclass must call ``run``."""
 
     rate = Choice(60, "steps per second", [30, 60, 120, 240], "Hz", live=True)
     iterations = Choice(100, "most iterations per phase", [1, 3, 10, 30, 100, 300], live=True)
 
     def run(self, step: Callable[[float], object], world: ParticleWorld) -> None:
-        """Advance ``world`` with the function ``step`` from now on, and record its contacts."""
+        """From now on, advance ``world`` with the function ``step``, and record its contacts."""
         self.make_step = step
         self.owed = 0.0  # s that have passed but have not been simulated yet
         self.contacts = ContactView(world.resolver)
         world.resolver = self.contacts
 
     def step(self, duration: float) -> None:
-        """Make as many steps as fit into the frame.
+        """Advance the scene by a frame of ``duration`` s, in as many steps as fit into it.
 
-        Any time left over is used in the next frame.
+        Time that is left over is used in the next frame.
         """
         length = 1.0 / self.rate
         self.owed += duration
@@ -48,7 +48,7 @@ class WorldScene(Scene):
         self.make_step(duration)
 
     def used(self) -> dict[str, float]:
-        """Return the number of iterations in the last step as a charted value."""
+        """Return the number of iterations in the last step, to be plotted over time."""
         return {"iterations used": float(self.contacts.iterations_used)}
 
 

@@ -1,1 +1,1 @@
-"""Studies of an engine: plots of it, and measurements of its speed, accuracy and stability."""
+"""Study an engine: plot its results, and measure its speed, its accuracy and its stability."""

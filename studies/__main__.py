@@ -1,4 +1,4 @@
-"""The commands of the studies, which are run as in python -m studies plot."""
+"""Run a study from the command line, for example with python -m studies plot."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ import sys
 
 from autograder.commands import prepare, sentence
 
-# A hand-out contains only the first of these.
+# A hand-out for students contains only the first of these commands.
 COMMANDS = ("plot", "figures", "bench", "charts", "choose", "limits", "economy", "soak", "contacts")
 
 
 def main() -> int:
-    """Run the command given as the first argument and return its exit status."""
+    """Run the study that the first argument names, and return its exit status."""
     there = [name for name in COMMANDS if importlib.util.find_spec(f"studies.{name}")]
     name = sys.argv[1] if len(sys.argv) > 1 else ""
     if name not in there:

@@ -1,4 +1,7 @@
-"""Measure the speed of the engine as ratios of times, and compare each ratio with its target."""
+"""Measure how fast the engine is, and report which speed targets it meets.
+
+Every figure is a ratio of two times, because ratios are similar on all machines.
+"""
 
 from __future__ import annotations
 
@@ -51,7 +54,7 @@ def main(arguments: list[str]) -> int:
 
 
 def every(console: Console) -> list[Measurement]:
-    """Take all measurements in order, and return them. Print which libraries are missing."""
+    """Prepare all measurements, in the order of the report. Print which libraries are missing."""
     # These modules import chapters.
     from studies.benchmarks import (
         accuracy,
@@ -75,13 +78,13 @@ def every(console: Console) -> list[Measurement]:
 
 
 def told(line: Line) -> str:
-    """Format a line's median, quartiles and verdict."""
+    """Format the result of a measurement: its median, its quartiles and its verdict."""
     spread = f"{number(line.median)} ({number(line.low)} to {number(line.high)})"
     return f"{spread}, target {line.target}: {line.verdict}" if line.target else spread
 
 
 def number(figure: float) -> str:
-    """Format a figure with at least three digits."""
+    """Format a figure with two decimals, or without decimals from 100 on."""
     return f"{figure:.2f}" if figure < 100.0 else f"{figure:,.0f}"
 
 

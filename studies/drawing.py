@@ -1,4 +1,4 @@
-"""Colors, labels and arrows that are shared by all plots."""
+"""The colors, labels and arrows that all plots share."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class Picture:
 
 
 def tell(figure: Figure, notes: Sequence[str]) -> None:
-    """Write ``notes`` below the picture. They explain why some scenes ended early.
+    """Write notes below the picture that explain why some scenes ended early.
 
     At most three notes are shown in full.
     """
@@ -104,7 +104,10 @@ def axes_3d(figure: Figure, place: Any, size: float) -> Any:
 
 
 def slope(x: Sequence[float], y: Sequence[float]) -> float:
-    """Fit a line to y over x on logarithmic axes. Return its slope, or NaN if a value is 0."""
+    """Return the power with which y grows with x, from a line fitted on logarithmic axes.
+
+    Return NaN if a value is not positive.
+    """
     if not all(value > 0.0 for value in (*x, *y)):
         return math.nan
     return statistics.linear_regression([*map(math.log, x)], [*map(math.log, y)]).slope
@@ -131,5 +134,9 @@ def growth_bar(figure: Figure, panels: Any, colored: Any) -> None:
 
 
 def _shade(growth: float) -> float:
-    """Return a growth factor for the color scale, with rounding errors removed."""
+    """Move a growth factor away from 1, so that its color shows whether an oscillation grows.
+
+    Even slow growth becomes at least 1.001, which is drawn in red. Any other factor becomes at most
+    0.999, which is drawn in blue. This includes a factor of 1 with a rounding error.
+    """
     return max(growth, 1.001) if growth > 1.0 + 1e-12 else max(min(growth, 0.999), 0.25)

@@ -1,8 +1,8 @@
-"""Measure what parts of a model cost that its scene does not need, and draw the costs as bars.
+"""Measure how much time a simulation spends on parts that its scene does not need.
 
-In the scene, two hundred particles fall, and nothing else happens. Each bar shows the time per
-frame with one unnecessary part, divided by the time per frame without this part. The two times are
-measured one after the other.
+In the scene, two hundred particles fall, and nothing else happens. Each bar of the chart shows the
+time per frame with one unnecessary part, divided by the time per frame without this part. The two
+times are measured directly one after the other.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ Move = Callable[[], object]
 
 
 def main(arguments: list[str]) -> int:
-    """Measure, print and draw the costs. Return 0."""
+    """Measure what the unnecessary parts cost, and print and draw the results. Return 0."""
     parser = argparse.ArgumentParser(prog="python -m studies economy", description=__doc__)
     parser.add_argument(
         "--out",
@@ -60,7 +60,7 @@ def main(arguments: list[str]) -> int:
 
 
 def draw(lines: list[Line], png: Path) -> None:
-    """Draw the bars, with the most expensive part at the top."""
+    """Draw the costs as bars, with the most expensive part at the top."""
     pyplot.switch_backend("agg")
     figure, axes = pyplot.subplots(figsize=(11, 5), layout="constrained")
     ordered = sorted(lines, key=lambda line: line.median)
@@ -81,7 +81,11 @@ def draw(lines: list[Line], png: Path) -> None:
 
 
 def parts() -> list[tuple[str, Move, Move]]:
-    """Return the name of each part, a frame with the part, and a frame without it."""
+    """Return the parts whose cost is measured, such as gravity as a force generator.
+
+    Each part has a name, a function that makes a frame with the part, and a function that makes the
+    same frame without it.
+    """
     # These modules import chapters.
     from ch02_vectors.vector import Vector3
     from ch05_forces.forces import ForceRegistry, Gravity
@@ -99,10 +103,7 @@ def parts() -> list[tuple[str, Move, Move]]:
     )
 
     def falling(acceleration: bool = True) -> list[Particle]:
-        """Return two hundred falling particles.
-
-        They are far from the ground and from each other.
-        """
+        """Return two hundred falling particles, far from the ground and from each other."""
         return [
             Particle(Vector3(10.0 * i, 1e7), acceleration=DOWN if acceleration else None)
             for i in range(COUNT)
@@ -168,7 +169,10 @@ def parts() -> list[tuple[str, Move, Move]]:
 
 
 def plain(dimensions: int) -> Move:
-    """Return a frame of the same particles in plain numbers. ``dimensions`` is 2 or 3."""
+    """Return a function that moves the falling particles by one frame, in plain numbers.
+
+    ``dimensions`` is 2 or 3.
+    """
     x, y, z, vx, vy, vz = ([1.0] * COUNT for _ in range(6))
 
     def two() -> None:

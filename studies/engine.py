@@ -21,7 +21,7 @@ _limited: set[tuple[Path, ...]] = set()
 
 
 def add_engine_options(parser: argparse.ArgumentParser) -> None:
-    """Add the options that choose an engine to a student's command."""
+    """Add the options ``--engine`` and ``--given`` to a student's command."""
     parser.add_argument("--engine", default="chapters", help="the folder with your work")
     parser.add_argument("--given", default="", help="chapters to take from the reference")
 
@@ -30,7 +30,7 @@ def use_engine(parser: argparse.ArgumentParser, engine: str, given: str = "") ->
     """Import chapters from the folder ``engine``, and ``given`` chapters from the reference.
 
     The code in the folder has the same restrictions as in grading. If a folder or a chapter does
-    not exist, ``parser`` reports this as an error in the command line.
+    not exist, ``parser`` ends the command with a usage error.
     """
     try:
         chapters = select_chapters(given) if given else []

@@ -1,4 +1,4 @@
-"""Draw the pictures of the lessons again, with the reference: `make figures`.
+"""Draw the pictures of all lessons again with the reference solution, for `make figures`.
 
 The pictures are plots of `make plot` and scenes of the lab, reduced to fewer colors. Scenes are
 also smaller and have fewer pictures per second, so that a page loads quickly.
@@ -64,7 +64,7 @@ TIME_LIMIT = 600.0  # s for one plot; the reference has no endless loop, but mac
 
 
 def main(arguments: list[str]) -> int:
-    """Draw all pictures into the chapters' folders. Return 1 if one could not be drawn."""
+    """Draw all pictures into the folders of the chapters. Return 1 if one could not be drawn."""
     parser = argparse.ArgumentParser(prog="python -m studies figures", description=__doc__)
     parser.add_argument("--engine", default="solutions", help="the engine to draw with")
     parser.add_argument("--out", type=Path, default=ROOT / "chapters", help="the chapters' folder")

@@ -25,7 +25,7 @@ TIME_LIMIT = 30.0  # s for one plot, which normally takes about 1 s
 
 
 def main(arguments: list[str]) -> int:
-    """Draw the chapters that the arguments name. Return 1 if a plot could not be drawn."""
+    """Draw the plots of the chapters that the arguments name. Return 1 if one was not drawn."""
     parser = argparse.ArgumentParser(prog="python -m studies plot", description=__doc__)
     parser.add_argument("--chapter", default="", help="chapters such as 2 or 2-4 (default: all)")
     add_engine_options(parser)
@@ -47,13 +47,13 @@ def main(arguments: list[str]) -> int:
 
 
 def note_engine(folder: Path, engine: Path) -> None:
-    """Record which engine drew the pictures, because students must see only their own pictures."""
+    """Record which engine drew the pictures, so that students see only pictures of their own."""
     if [*folder.glob("*.png")]:
         (folder / DRAWN_WITH).write_text(f"{engine.resolve()}\n", encoding="utf-8")
 
 
 def draw_chapter(chapter: Chapter, folder: Path) -> bool:
-    """Draw every plot of ``chapter``. Print the written files and the reason for each failure."""
+    """Draw every plot of a chapter. Print the written files, and why a plot was not drawn."""
     if not (ROOT / "lab" / "plots" / f"{chapter.name}.py").exists():
         print(f"chapter {chapter.number} has no plots")
         return True
@@ -71,7 +71,11 @@ def draw_chapter(chapter: Chapter, folder: Path) -> bool:
 
 
 def draw(plot: Callable[[], Picture], folder: Path, limit: float = TIME_LIMIT) -> bool:
-    """Write a plot as name.png and name.csv. If it fails, print why and delete older files."""
+    """Draw a plot and write it as name.png, with its numbers as name.csv.
+
+    If the plot fails, print why. Older files are deleted first, so that they cannot be mistaken for
+    new ones.
+    """
     name = plot.__name__
     png, table = folder / f"{name}.png", folder / f"{name}.csv"
     for older in (png, table):

@@ -1,6 +1,6 @@
 """Read numbers and vectors from an engine that may be wrong or unfinished.
 
-Vectors are returned as plain numbers.
+Vectors are returned as tuples of plain numbers.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ Found = TypeVar("Found")
 
 
 def is_written(call: Callable[[], object]) -> bool:
-    """Return whether ``call`` runs without reaching code that is not written yet."""
+    """Return whether ``call`` runs without reaching a function that is not written yet."""
     try:
         call()
     except NotImplementedError:
@@ -24,9 +24,9 @@ def is_written(call: Callable[[], object]) -> bool:
 
 
 def stopped(act: Callable[[], object]) -> str:
-    """Call ``act``.
+    """Run ``act``, and return the text of the error that stopped it.
 
-    Return the text of the error that the engine raised. If there was no error, return "".
+    If the engine raised no error, return an empty string.
     """
     try:
         act()
@@ -36,10 +36,10 @@ def stopped(act: Callable[[], object]) -> str:
 
 
 def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
-    """Run scenes and return their results by key, except for scenes that need unwritten code.
+    """Run the scenes for which all code is written, and return their results by key.
 
     Raises:
-        NotImplementedError: If all scenes need unwritten code.
+        NotImplementedError: Every scene needs code that is not written yet.
     """
     found: dict[Key, Found] = {}
     stub: NotImplementedError | None = None
@@ -56,7 +56,7 @@ def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
 def numbers(v: Any) -> Numbers:
     """Return the components of an engine's vector. A component that is not a number becomes NaN.
 
-    If the engine is wrong, the plot then lacks a curve, but drawing the plot does not fail.
+    If the engine is wrong, a curve is then missing from the plot, but the plot can still be drawn.
     """
     return (
         number(getattr(v, "x", None)),

@@ -31,4 +31,5 @@ def reason(error: BaseException) -> str:
 
 
 def shown(path: Path) -> Path:
+    """Shorten a path for a message, by making it relative to the current folder if possible."""
     return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

@@ -1,8 +1,8 @@
 """Measure times as ratios. Ratios are similar on all machines, while seconds are not.
 
 The two times of a ratio are measured directly one after the other, in one run on one machine. The
-rounds of all lines are mixed. If the machine is slow for a minute, this affects all lines a little
-instead of one line a lot. A line reports the median and the quartiles of its rounds.
+rounds of all measurements are mixed, so that a slow minute of the machine affects all of them a
+little instead of one of them a lot. The report shows the median and the quartiles of the rounds.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from autograder.make_venv import shown_python
 
 Timer = Callable[[], float]  # returns seconds
 Figure = Callable[[], float]  # returns the figure of one round, such as a ratio of two times
-Statements = dict[str, dict[str, str]]  # of a library, by operation; "setup" comes first
+Statements = dict[str, dict[str, str]]  # for each library, its "setup" and its operations
 ROUNDS = 15
 TIMES = 20_000  # runs of a single statement per round
 LEAST = 5e-3  # s; a shorter time is measured several times per round
@@ -32,7 +32,7 @@ LEAST = 5e-3  # s; a shorter time is measured several times per round
 
 @dataclass(frozen=True)
 class Target:
-    """The bound that a figure must meet. It is an upper or a lower bound."""
+    """A bound that a measured figure must meet, such as "at least 4"."""
 
     side: Literal["at least", "at most"]
     bound: float
@@ -47,7 +47,10 @@ class Target:
 
 @dataclass(frozen=True)
 class Measurement:
-    """A line to measure. ``once`` returns the figure of one round."""
+    """A figure that is measured in several rounds.
+
+    ``what`` describes the figure, and ``once`` measures it in one round.
+    """
 
     what: str
     once: Figure
@@ -57,7 +60,7 @@ class Measurement:
 
 @dataclass(frozen=True)
 class Line:
-    """A measured line, with the median and the quartiles of its rounds."""
+    """The result of a measurement: the median and the quartiles of its rounds."""
 
     what: str
     median: float
@@ -67,19 +70,19 @@ class Line:
 
     @property
     def verdict(self) -> str:
-        """Return "met" or "missed". If there is no target, return an empty string."""
+        """Whether the target is "met" or "missed". Without a target, this is an empty string."""
         if self.target is None:
             return ""
         return "met" if self.target.is_met(self.median) else "missed"
 
 
 def timer(run: Callable[[], object], times: int = 1) -> Timer:
-    """Return a function that times this number of runs."""
+    """Return a function that calls ``run`` this number of times, and returns the time in s."""
     return lambda: timeit.timeit(run, number=times)
 
 
 def statement_timer(code: str, setup: str) -> Timer:
-    """Return a function that times many runs of a statement."""
+    """Return a function that runs a statement many times, and returns the time in s."""
     prepared = timeit.Timer(code, setup)
     return lambda: prepared.timeit(TIMES)
 
@@ -94,9 +97,10 @@ def both(first: Timer, second: Timer) -> tuple[float, float]:
 
 
 def warm(timed: Timer) -> float:
-    """Measure a time. If it is shorter than LEAST, return the mean of further runs instead.
+    """Measure a time, or the mean of several times if the first one is shorter than LEAST.
 
-    In the first run, the caches still contain other data, which would dominate a short time.
+    The mean leaves out the first run, in which the caches still contain other data. This would
+    dominate a short time.
     """
     taken = timed()
     if taken >= LEAST:
@@ -109,7 +113,7 @@ def warm(timed: Timer) -> float:
 
 
 def versus(first: Timer, second: Timer) -> Figure:
-    """Return a figure for the ratio of two times, first / second."""
+    """Return a function that measures the ratio of two times, first / second."""
 
     def once() -> float:
         a, b = both(first, second)
@@ -119,7 +123,7 @@ def versus(first: Timer, second: Timer) -> Figure:
 
 
 def measure(measurements: Sequence[Measurement]) -> list[Line]:
-    """Take all rounds of all measurements in mixed order. Return the lines in the original order.
+    """Take all rounds of all measurements, in mixed order. Return a line for each measurement.
 
     On a terminal, a bar shows the current measurement and the time left. It is drawn only between
     rounds, so that it does not slow them down.
@@ -173,8 +177,8 @@ def against_peers(
     """Return measurements that compare other libraries' times with ours.
 
     Each figure is the geometric mean of the ratios over the operations that both libraries have.
-    ``name`` is the name of our module. A peer is given by its module, a title and a target. A peer
-    that is not installed is reported and left out.
+    ``name`` is the name of our module, and a peer is given by its module, a title and a target. A
+    peer that is not installed is reported and left out.
     """
     ours = statements["ours"]
     found = []
@@ -200,5 +204,5 @@ def against_peers(
 
 
 def geometric_mean(figures: Sequence[Figure]) -> Figure:
-    """Return the geometric mean of the figures as one figure."""
+    """Combine several figures into one figure, which is their geometric mean."""
     return lambda: statistics.geometric_mean([once() for once in figures])

@@ -1,1 +1,1 @@
-"""Draw scenes: pens and cameras, and the shapes and contacts that scenes share."""
+"""Draw the scenes of the lab, with pens, cameras, and the shapes that several scenes use."""

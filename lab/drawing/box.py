@@ -18,7 +18,7 @@ def draw_box(
     turn: Callable[[Vector3], Vector3],
     center: tuple[float, float] = (0.0, 0.0),
 ) -> None:
-    """Draw a box. ``sides`` are the lengths of its sides in m.
+    """Draw a box whose sides have the lengths ``sides``, in m.
 
     ``turn`` is a function that rotates a vector from the box's axes to the world's axes. ``center``
     is the position of the box's center in the picture.
@@ -34,7 +34,7 @@ def draw_box(
 
 
 def _faces(sides: tuple[float, float, float]) -> list[tuple[list[Vector3], int]]:
-    """Return the axis and the corners of each face.
+    """Return the corners of each face, and the index of the axis that is perpendicular to it.
 
     Seen from outside, the corners are counter-clockwise.
     """
@@ -42,7 +42,7 @@ def _faces(sides: tuple[float, float, float]) -> list[tuple[list[Vector3], int]]
     faces = []
     for axis in range(3):
         for sign in (-1, 1):
-            signs = [(sign, *pair) for pair in around[::sign]]  # along the axis and the next two
+            signs = [(sign, *pair) for pair in around[::sign]]  # along this axis and the next two
             corners = [Vector3(*(0.5 * sides[i] * s[i - axis] for i in range(3))) for s in signs]
             faces.append((corners, axis))
     return faces

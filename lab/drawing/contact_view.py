@@ -10,7 +10,10 @@ from lab.drawing.pen import Pen
 
 
 class ContactView(ContactResolver):
-    """Wraps another resolver, and records its contacts and impulses in the last step."""
+    """A resolver that lets a scene draw which contacts and impulses occurred in the last step.
+
+    It records them while another resolver does the actual work.
+    """
 
     def __init__(self, resolver: ContactResolver) -> None:
         self.resolver = resolver
@@ -19,7 +22,7 @@ class ContactView(ContactResolver):
         self.pairs: list[tuple[Vector3, Vector3]] = []
 
     def resolve_contacts(self, contacts: Iterable[Contact], duration: float) -> None:
-        """Resolve the contacts and record each particle's change of momentum."""
+        """Resolve the contacts, and record how much the momentum of each particle changes."""
         listed = [*contacts]
         touched = {id(one): one for c in listed for one in (c.particle, c.other) if one is not None}
         before = {key: one.velocity.copy() for key, one in touched.items()}
@@ -46,7 +49,7 @@ class ContactView(ContactResolver):
         self.impulses, self.pairs, self.iterations_used = [], [], 0
 
     def draw(self, pen: Pen, scale: float) -> None:
-        """Draw each impulse as an arrow and each contact as a dot.
+        """Draw each impulse as an arrow and each contact between two particles as a dot.
 
         ``scale`` is the length of the arrows in m per N s.
         """

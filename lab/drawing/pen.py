@@ -1,4 +1,4 @@
-"""Record what a scene draws as plain data. A page or matplotlib draws this data later.
+"""Record what a scene draws as plain data, which a page or matplotlib draws later.
 
 Coordinates are in the scene's own units, with +x to the right and +y up. A point is either a
 Vector3 or a pair (x, y). Colors are given by name, so that a page can choose suitable shades for a
@@ -29,7 +29,10 @@ Item = list[Any]
 
 
 class Pen:
-    """Records each drawn item as a list that begins with the item's kind and color."""
+    """The pen with which a scene draws. It records each item, so that it can be drawn later.
+
+    An item is a list that begins with its kind, such as "circle", and its color.
+    """
 
     def __init__(self) -> None:
         self.items: list[Item] = []
@@ -43,9 +46,9 @@ class Pen:
         grab: str = "",
         fill: bool = True,
     ) -> None:
-        """Draw a circle.
+        """Draw a circle, which the reader can drag if ``grab`` is set.
 
-        If ``grab`` is set, the reader can drag the circle, as in ``Scene.drag``.
+        ``grab`` is the name that ``Scene.drag`` then receives.
         """
         self._add("circle", color, *_xy(center), _short(radius), fill, grab)
 
@@ -71,7 +74,7 @@ class Pen:
         self._add("segments", color, _flat(end for pair in pairs for end in pair), width)
 
     def area(self, corners: Iterable[Point], color: str = "gray", *, solid: bool = False) -> None:
-        """Fill an area. Unless ``solid`` is true, it is translucent, like water."""
+        """Fill an area with a color. It is translucent, like water, unless ``solid`` is true."""
         self._add("area", color, _flat(corners), solid)
 
     def spring(self, a: Point, b: Point, color: str = "gray") -> None:
@@ -106,5 +109,5 @@ def _flat(points: Iterable[Point]) -> list[float]:
 
 
 def _short(value: float) -> float:
-    """Round ``value`` to the precision that a picture needs. This keeps messages short."""
+    """Round ``value`` to five digits, which is enough for a picture and keeps messages short."""
     return float(f"{value:.5g}")

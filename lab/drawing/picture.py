@@ -1,4 +1,4 @@
-"""Draw the items that a scene's pen has recorded, using matplotlib."""
+"""Draw a scene with matplotlib, from the items that its pen has recorded."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ TURNS = 24  # corners of a spring
 
 
 class Picture:
-    """A matplotlib figure of a scene. It can be drawn again after the scene has moved."""
+    """A matplotlib figure of a scene, which can be drawn again after every step."""
 
     def __init__(self, scene: Scene, figure: Figure, *, arrows: bool = True) -> None:
         self.scene = scene

@@ -14,7 +14,8 @@ export class Charts {
     this.place.replaceChildren();
   }
 
-  // Add a value at a time. `number` is the contender's index; `colors` has one color per contender.
+  // Add a value at a given time. `number` is the index of the contender, and `colors` has a color for
+  // each contender.
   add(title, time, number, colors, value) {
     if (!this.charts.has(title)) this.charts.set(title, this.make(title, colors));
     const chart = this.charts.get(title);

@@ -1,4 +1,4 @@
-// The contenders: the student's engine first, then the engines and methods to compare it with.
+// The contenders are the student's engine and, after it, the engines and methods to compare it with.
 
 import {showStages} from "./stages.js";
 

@@ -41,7 +41,7 @@ export class Stage {
     this.context.clearRect(0, 0, this.width, this.height);
   }
 
-  // Draw items. A tint replaces all their colors, to tell several engines apart.
+  // Draw items. If there are several engines, each has a tint, which replaces all colors.
   draw(items, hidden, tint) {
     for (const [kind, name, ...values] of items) {
       const paint = tint || color(name);

@@ -1,4 +1,4 @@
-// Buttons and keys of a lab.
+// The buttons and the keyboard shortcuts of a lab.
 
 import {compare} from "./contenders.js";
 import {showStages} from "./stages.js";
@@ -44,7 +44,7 @@ export function connectButtons(lab) {
   }
 }
 
-// Listen to keys: those of the whole page, or those that reach one lab of several.
+// Listen to the keys of the whole page or, if it has several labs, to those that reach one lab.
 export function listenToKeys(lab, target) {
   target.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented || lab.$("keys")?.open !== false) return;

@@ -1,16 +1,16 @@
 // A lab: one scene, its parameters, and one or more engines that play it.
 //
 // options:
-//   prefix         what stands before the ids of its parts
-//   compact        charts and comparison are folded away
-//   engines        names of the engines that a reader may choose from, the student's own first
-//   connect        connect(engine, onAnswer) returns a link to an engine: send, close and busy
-//   absent         what cannot be compared here, with the reason: {pymunk: "..."}
-//   opened         is called with the description of a scene that has been opened
-//   troubled       troubled(words, place) may add to what is shown where a scene cannot run
-//   address        address(lab) returns an address that brings all of this back
-//   changed        is called when that address changes
-//   record         record(scene, values) promises an animation, where there is a way to make one
+//   prefix         a text that is put before the ids of the lab's parts
+//   compact        whether the charts and the comparison are folded away at first
+//   engines        the names of the engines to choose from, starting with the student's own
+//   connect        connect(engine, onAnswer) returns a link to an engine, with send, close and busy
+//   absent         the engines that are not available here, each with the reason: {pymunk: "..."}
+//   opened         is called with the description of a scene after it has been opened
+//   troubled       troubled(words, place) may add to the message that a scene cannot run
+//   address        address(lab) returns an address that opens the lab again in the same state
+//   changed        is called when this address changes
+//   record         record(scene, values) returns a promise of an animation, if one can be made
 
 import {Charts} from "./charts.js";
 import {compare, load, showContenders, showRivals} from "./contenders.js";
@@ -37,8 +37,8 @@ export class Lab {
     this.values = {};
     this.contenders = [];
     this.playing = false;
-    this.target = 0; // frames that should have passed
-    this.until = Infinity; // frames after which a question is answered
+    this.target = 0; // how many frames should have passed by now
+    this.until = Infinity; // the number of frames after which a question is answered
     this.hidden = new Set(["force", "contact"]);
     this.charts = new Charts(this.$("charts"));
     this.controls = new Map();
@@ -48,7 +48,7 @@ export class Lab {
     requestAnimationFrame((now) => tick(this, now));
   }
 
-  // Open a scene. Rivals are the engines that the student's own is compared with.
+  // Open a scene. Rivals are the engines with which the student's own engine is compared.
   open(name, values, rivals = []) {
     for (const contender of this.contenders.splice(0)) contender.link.close();
     Object.assign(this, {spec: null, values, name, target: 0, until: Infinity});
@@ -97,7 +97,7 @@ export class Lab {
   // Show a scene that has been opened.
   show(spec) {
     this.spec = spec;
-    this.values = spec.values; // as the scene has understood them
+    this.values = spec.values; // as the scene has read them
     this.controls.clear();
     for (const parameter of spec.parameters) {
       const value = this.values[parameter.name] ?? parameter.default;
@@ -140,7 +140,7 @@ export class Lab {
     }
   }
 
-  // What a reader does with the scene.
+  // Change a parameter of the scene in all engines that do not have their own value for it.
   change(name, value) {
     this.values[name] = value;
     this.trouble("");
@@ -171,12 +171,12 @@ export class Lab {
     if (this.$("say").textContent !== words) this.$("say").textContent = words;
   }
 
-  // The color of a contender in the table, the charts and the picture.
+  // Return the color of a contender in the table, the charts and the picture.
   tint(contender) {
     return getComputedStyle(document.documentElement).getPropertyValue(TINTS[contender.number % TINTS.length]);
   }
 
-  // What brings this back: scene, parameters, contenders.
+  // Return the query of an address that opens this scene again, with its parameters and rivals.
   query() {
     const query = new URLSearchParams({scene: this.name, ...this.values});
     for (const {engine, peer, changes} of this.contenders.slice(1)) {
@@ -194,7 +194,7 @@ export class Lab {
   }
 }
 
-// What an address asks for: a scene, values of its parameters, and rivals.
+// Read the query of an address: a scene, the values of its parameters, and the rivals.
 export function asked(query, first) {
   const {scene = first, ...values} = Object.fromEntries([...query].filter(([key]) => key !== "with"));
   return {scene, values, rivals: query.getAll("with").map((rival) => JSON.parse(rival))};

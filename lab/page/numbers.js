@@ -1,4 +1,4 @@
-// The numbers of a lab: clock, facts, the table of contenders, and the charts.
+// Show the numbers of a lab: the clock, the facts, the table of contenders and the charts.
 
 import {drawTradeoff} from "./charts.js";
 

@@ -39,7 +39,7 @@ export function drawAll(lab) {
   });
 }
 
-// Whether the reader can drag this item: only circles with a name can be dragged.
+// Return whether the reader can drag this item, which must be a circle with a name.
 export const isGrabbed = (item) => item[0] === "circle" && item[6];
 
 // Return the name of the draggable circle at a point, or "".

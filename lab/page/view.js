@@ -1,5 +1,5 @@
-// The parts of a lab as HTML. `make lab` shows one, and the pages of the course show several: so each
-// lab puts its own prefix before the ids of its parts.
+// The parts of a lab as HTML. A page of the course may show several labs, so each lab puts its own
+// prefix before the ids of its parts.
 
 export function markup(p, compact) {
   return `

@@ -1,1 +1,1 @@
-"""Pictures for the chapters. The command `make plot` draws them with an engine's functions."""
+"""The pictures of the chapters, which `make plot` draws with the functions of an engine."""

@@ -1,7 +1,7 @@
 """Pictures of chapter 2, drawn with the vectors of the chosen engine: make plot CH=2.
 
-Each title states a quantity that was measured in the picture with plain numbers. A mistake in the
-engine therefore shows up in the title.
+Each title states a number that was measured in the picture without the engine, so a mistake in the
+engine shows up in the title.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def addition() -> Picture:
 
 
 def projection() -> Picture:
-    """Draw a vector, its projection onto a direction, and the rest of the vector."""
+    """Draw a vector, its projection onto a direction, and what is left of it."""
     a, b = (math.cos(0.3), math.sin(0.3), 0.0), (2.0, 4.0, 0.0)
     direction, v = Vector3(*a), Vector3(*b)
     along = direction * direction.dot(v)
@@ -61,7 +61,7 @@ def projection() -> Picture:
 
 
 def cross_product() -> Picture:
-    """Draw the vector product of two vectors. Plot its length against the angle between them."""
+    """Draw the vector product of two vectors, and plot its length against their angle."""
     a, b = (0.3, 0.1, 1.2), (1.0, 0.0, 0.2)
     product = numbers(Vector3(*a).cross(Vector3(*b)))
     figure = pyplot.figure(figsize=(10, 5), layout="constrained")
@@ -98,7 +98,7 @@ def cross_product() -> Picture:
 
 
 def basis() -> Picture:
-    """Draw an orthonormal basis and the two vectors from which it was made."""
+    """Draw an orthonormal basis, and the two vectors from which it was made."""
     a, b = (1.6, 0.6, 0.4), (0.2, 1.3, 0.6)
     made = make_orthonormal_basis(Vector3(*a), Vector3(*b))
     first, second, third = (numbers(v) for v in made)
@@ -125,9 +125,9 @@ PLOTS = (addition, projection, cross_product, basis)
 
 
 def _product_length(angle: float) -> float:
-    """Compute |a x b| with the engine for |a| = 2 and |b| = 3 in a tilted plane.
+    """Compute |a x b| with the engine for |a| = 2 and |b| = 3.
 
-    ``angle`` is the angle between a and b.
+    ``angle`` is the angle between a and b, which lie in a tilted plane.
     """
     along, across = 3.0 * math.cos(angle), 3.0 * math.sin(angle)
     a, b = Vector3(1.2, 1.6, 0.0), Vector3(0.6 * along, 0.8 * along, across)

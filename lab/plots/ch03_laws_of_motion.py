@@ -1,7 +1,7 @@
 """Pictures of chapter 3, drawn with the particle of the chosen engine: make plot CH=3.
 
-Each title states a quantity that was measured in the picture. A mistake in the engine therefore
-shows up in the title.
+Each title states a number that was measured in the picture, so a mistake in the engine shows up in
+the title.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ FORMS = (
 
 
 def damping_comparison() -> Picture:
-    """Plot the velocity lost in one second of free fall against the frame rate (exercise 3.5)."""
+    """Plot how much velocity a fall loses in one second, against the frame rate (exercise 3.5)."""
     fall = DragFlight("fall of a second", AT_REST, GRAVITY, KEPT, duration=1.0)
     undamped = -GRAVITY[1] * fall.duration
     exact = 1.0 + fall.exact(fall.duration).velocity[1] / undamped
@@ -78,7 +78,7 @@ def damping_comparison() -> Picture:
 
 
 def integration_error() -> Picture:
-    """Plot the error of the position in free fall against the time step (exercise 3.4)."""
+    """Plot the error of the position in free fall against the length of the step (exercise 3.4)."""
     counts = (10, 20, 50, 100, 200, 500, 1000, 3000)
     time, g = FREE_FALL.duration, -GRAVITY[1]
     rows = []
@@ -105,7 +105,7 @@ def integration_error() -> Picture:
 
 
 def trajectories() -> Picture:
-    """Draw a throw with long time steps, with and without damping, and the exact paths."""
+    """Draw a throw with and without damping, in long time steps and along its exact path."""
     frame = 0.1
     frames = round(PROJECTILE.duration / frame)
     undamped = DragFlight("projectile", PROJECTILE.start, GRAVITY, 1.0, PROJECTILE.duration)
@@ -141,8 +141,8 @@ PLOTS = (damping_comparison, integration_error, trajectories)
 def _losses(rate: float, undamped: float) -> tuple[float, float, float]:
     """Return the fraction of the velocity that each form of damping removes in 1 s of fall.
 
-    The frame durations are random around 1 / ``rate``, and the fractions are means over several
-    runs.
+    The durations of the frames are random around 1 / ``rate``, and each fraction is the mean of
+    several runs.
     """
     gravity = Vector3(*GRAVITY)
     per_frame = KEPT ** (1.0 / TUNED_AT)

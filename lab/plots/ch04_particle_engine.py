@@ -1,4 +1,4 @@
-"""Pictures of chapter 4: the five shots, all types of fireworks, and the integration error."""
+"""Pictures of chapter 4: the five shots, all types of fireworks, and the error of a step."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ LONGEST = 600  # frames, enough for every shot to land and every firework to bur
 
 
 def shots() -> Picture:
-    """Draw the paths of the five shots. Show the fraction of its energy that each shot keeps."""
+    """Draw the paths of the five shots, and plot how much of its energy each shot keeps."""
     figure, (paths, energies) = pyplot.subplots(
         2, 1, figsize=(9, 7), height_ratios=(2, 1), layout="constrained"
     )
@@ -84,7 +84,7 @@ def shots() -> Picture:
 
 
 def fireworks() -> Picture:
-    """Draw every type of firework, and the Catherine wheel, until all sparks have gone out."""
+    """Draw every type of firework and the Catherine wheel, until all sparks have gone out."""
     rules = [*FIREWORK_TYPES, *(own_types() if is_written(own_types) else [])]
     figure, panels = pyplot.subplots(3, 4, figsize=(12, 7.4), layout="constrained")
     rows = []
@@ -115,9 +115,9 @@ def fireworks() -> Picture:
 
 
 def step_error() -> Picture:
-    """Plot the error of the integration step against the duration of a frame.
+    """Plot the error of the book's step against the duration of a frame.
 
-    The error is the difference from the exact solution.
+    The error is the distance from the exact position after 2 s.
     """
     counts = (15, 30, 60, 120, 240, 480, 960, 1920)
     seconds = 2.0
@@ -157,9 +157,9 @@ PLOTS = (shots, fireworks, step_error)
 
 
 def _flight(name: str) -> Iterator[list[tuple[str, Numbers, Numbers]]]:
-    """Fire the shot ``name``.
+    """Fire a shot, and yield the state of all its particles after each frame.
 
-    After each frame, yield the type, the position and the velocity of each particle.
+    The state of a particle is its type, its position and its velocity.
     """
     at = BallisticRange()
     at.fire(name)
@@ -175,14 +175,14 @@ def _seen(shot: Shot) -> tuple[str, Numbers, Numbers]:
 
 
 def _energy(name: str, velocity: Numbers, height: float) -> float:
-    """Return the kinetic and potential energy per kilogram, in J/kg."""
+    """Return the kinetic plus the potential energy per kilogram of a shot, in J/kg."""
     return 0.5 * math.hypot(*velocity) ** 2 - SHOT_TYPES[name].acceleration[1] * height
 
 
 def _streaks(
     axes: Axes, show: FireworksShow, before: Callable[[], None], frames: int = LONGEST
 ) -> list[int]:
-    """Draw all frames of a show into one picture.
+    """Draw all frames of a fireworks show into one picture.
 
     Return the number of burning fireworks in each frame.
     """

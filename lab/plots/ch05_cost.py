@@ -1,4 +1,4 @@
-"""A picture of chapter 5 that shows how much time each force generator costs."""
+"""A picture of chapter 5 that shows how much time each force generator takes."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ DOWN = (0.0, -G, 0.0)
 
 
 def cost_of_a_generator() -> Picture:
-    """Plot the time per frame with each generator as a multiple of the time with gravity.
+    """Plot how much longer a frame takes with each force generator.
 
-    The time for comparison is that of a particle whose acceleration is gravity.
+    The time is divided by that of a particle of chapter 3 whose acceleration is gravity.
     """
     place, motion = Vector3(3.0, 1.0, 0.0), Vector3(0.0, 0.0, 5.0)
     brake = Airbrake(0.5)
@@ -91,7 +91,7 @@ def _frames(frame: Callable[[float], None]) -> None:
 
 
 def _registered(particle: Particle, generator: ForceGenerator) -> Callable[[float], None]:
-    """Return a function that simulates ``particle`` for a frame with the force of ``generator``."""
+    """Return a function that advances ``particle`` by a frame under the force of ``generator``."""
     registry = ForceRegistry()
     registry.add(particle, generator)
 

@@ -1,7 +1,7 @@
 """Pictures of chapter 5: terminal speeds, a fall with drag, and an orbit that drifts.
 
-Each title states a quantity that was measured in the picture. A mistake in the engine therefore
-shows up in the title. The picture of what each generator costs is in ch05_cost.
+Each title states a number that was measured in the picture, so a mistake in the engine shows up in
+the title. The picture of what each generator costs is in ch05_cost.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ MASS = 2.0
 G = 9.81
 DOWN = (0.0, -G, 0.0)
 
-# The orbit: its smallest distance is half of its semi-major axis, and its period is 2 pi s.
+# The planet's smallest distance is half of its semi-major axis, and its period is 2 pi s.
 ECCENTRICITY = 0.5
 TURNS = 20
 PERIOD = 2.0 * math.pi
 
 
 def terminal_speeds() -> Picture:
-    """Plot falls with linear drag and with quadratic drag. Show their terminal speeds."""
+    """Plot falls with linear and with quadratic drag, and their terminal speeds."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.6), layout="constrained")
     rows: list[Sequence[object]] = []
     worst = 0.0
@@ -85,7 +85,7 @@ def terminal_speeds() -> Picture:
 
 
 def fall_with_drag() -> Picture:
-    """Plot a fall with quadratic drag in long frames, the exact solution, and the errors."""
+    """Plot a fall with quadratic drag in long frames, beside the exact solution, and its errors."""
     k2, seconds, frame = 0.05, 4.0, 0.2
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.6), layout="constrained")
     count = round(seconds / frame)
@@ -128,7 +128,7 @@ def fall_with_drag() -> Picture:
 
 
 def orbit() -> Picture:
-    """Simulate 20 orbits with the book's step. Plot the energy and the angular momentum."""
+    """Simulate 20 orbits with the book's step, and plot how energy and angular momentum drift."""
     figure, (path, energies, momenta) = pyplot.subplots(
         1, 3, figsize=(14, 4.6), layout="constrained"
     )
@@ -180,9 +180,9 @@ PLOTS = (terminal_speeds, fall_with_drag, orbit, cost_of_a_generator)
 def _fall(
     mass: float, k1: float, k2: float, frame: float, frames: int
 ) -> list[tuple[float, float]]:
-    """Simulate the fall of a particle with drag from rest.
+    """Let a particle with drag fall from rest.
 
-    Return its distance and its speed after each frame.
+    Return the distance and the speed at the start and after each frame.
     """
     particle = Particle(acceleration=Vector3(*DOWN), mass=mass)
     drag = Drag(k1, k2)
@@ -197,7 +197,7 @@ def _fall(
 def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers]]:
     """Simulate an orbit with mu = 1 that starts from the farthest point.
 
-    Return the position and the velocity after every ``every`` frames.
+    Return the position and the velocity at the start and after every ``every`` frames.
     """
     farthest = 1.0 + ECCENTRICITY
     slowest = math.sqrt((1.0 - ECCENTRICITY) / farthest)
@@ -213,19 +213,19 @@ def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers
 
 
 def _momentum_drift(h: float) -> float:
-    """Return the angular momentum that the book's step adds during one exact orbit.
+    """Predict how much angular momentum the book's step adds during one orbit.
 
-    A step changes r x v by h^2 v x a, since r x a is 0. Here v x a = L / r^3 with L = (1 -
-    e^2)^(1/2), and the mean of 1 / r^3 over a turn is (1 - e^2)^(-3/2).
+    A step changes r x v by h^2 v x a, because r x a is 0. On an exact orbit, v x a is L / r^3 with
+    L = (1 - e^2)^(1/2), and the mean of 1 / r^3 over a turn is (1 - e^2)^(-3/2).
     """
     return h * PERIOD / (1.0 - ECCENTRICITY**2)
 
 
 def _energy_drift(h: float) -> float:
-    """Return the energy that the book's step adds during one exact orbit.
+    """Predict how much energy the book's step adds during one orbit.
 
-    A step adds h^2 / 2 times a^2 + v . H v, where H is the Hessian of -1 / r. This is 1 / r^4 +
-    (v^2 - 3 v_r^2) / r^3, and the function sums it over the angles of a turn.
+    A step adds h^2 / 2 times a^2 + v . H v, where H is the Hessian of -1 / r. On an exact orbit,
+    this is 1 / r^4 + (v^2 - 3 v_r^2) / r^3, which the function sums over the angles of a turn.
     """
     p = 1.0 - ECCENTRICITY**2
     count = 2000

@@ -1,8 +1,8 @@
 """Pictures of chapter 6: forces of springs, and the energy and error of oscillations.
 
-Each title states a quantity that was measured in the picture. A mistake in the engine therefore
-shows up in the title. Parts that are not written yet are left out if there is anything else to
-draw. Pictures of stability limits are in ch06_stability.
+Each title states a number that was measured in the picture, so a mistake in the engine shows up in
+the title. If some functions are not written yet, the rest is drawn without them. Pictures of
+stability limits are in ch06_stability.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ FRAME = 1.0 / 60.0
 
 
 def force_against_length() -> Picture:
-    """Plot the forces of springs and ropes against length, and of lifts against height."""
+    """Plot the forces of springs and ropes against their length, and of lifts against height."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     k, rest = 10.0, 2.0
     other = Particle()
@@ -94,7 +94,7 @@ def force_against_length() -> Picture:
 
 
 def three_regimes() -> Picture:
-    """Plot a damped spring in its three regimes. Show the exact motion and simulations."""
+    """Plot a damped spring in its three regimes, as simulated and as the exact solution."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     k, frames = 100.0, 90
     times = [i * FRAME for i in range(frames + 1)]
@@ -133,7 +133,7 @@ def three_regimes() -> Picture:
 
 
 def energy_over_time() -> Picture:
-    """Plot the energy of an undamped spring over ten seconds, for each integration method."""
+    """Plot the energy of an undamped spring over ten seconds, for each method."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5.2), layout="constrained")
     k, frames = 100.0, 600
     rows: list[Sequence[object]] = []
@@ -153,8 +153,8 @@ def energy_over_time() -> Picture:
         off = [max(abs(energy - 1.0), 1e-17) for energy in energies[1:]]
         if off and max(off) < 0.5:
             label = f"{name}: at most {max(off):.1g}"
-            # The error of leapfrog is almost the same with the opposite sign. A wide line shows
-            # behind that of leapfrog.
+            # Leapfrog's error is almost the same with the opposite sign, so the line of velocity
+            # Verlet is drawn wider, to be visible behind leapfrog's line.
             wide, order = (4.0, 1.9) if name == "velocity Verlet" else (1.0, 2.0)
             right.semilogy(times[1:], off, color=COLORS[name], lw=wide, label=label, zorder=order)
         elif energies[-1] > 0.0:
@@ -178,7 +178,7 @@ def energy_over_time() -> Picture:
 
 
 def error_against_work() -> Picture:
-    """Plot each method's largest error within 1 s against its force evaluations."""
+    """Plot each method's largest error within 1 s against the number of force evaluations."""
     figure, panels = pyplot.subplots(1, 4, figsize=(16, 5.6), layout="constrained", sharey=True)
     rows: list[Sequence[object]] = []
     words = []
@@ -199,7 +199,7 @@ def error_against_work() -> Picture:
                 work = pull.count or len(run.places) - 1  # one solution of a solver counts as one
                 error = math.inf if run.message else largest_error(run.places, chi, steps)
                 rows.append((k, name, steps, work, error))
-                # As long as watched is not written, an exploded run may have such an error.
+                # An exploded run may have such an error as long as watched is not written.
                 if not error < 1e6:
                     axes.plot(steps * cost, 10.0 * 3.0**height, "x", color=color, ms=4)
                 else:
@@ -242,7 +242,10 @@ PLOTS = (
 
 
 def _force(generator: ForceGenerator, place: float, axis: int) -> float:
-    """Return the force on a particle along the axis ``axis``, at the position ``place`` on it."""
+    """Return the force of a generator on a particle along one axis.
+
+    The particle is at the position ``place`` on this axis.
+    """
     particle = Particle(Vector3(*(place if i == axis else 0.0 for i in range(3))))
     generator.update_force(particle, FRAME)
     return numbers(particle.force_accumulator)[axis]

@@ -1,7 +1,7 @@
 """Pictures of chapter 6: where integrators, the faked spring, cloths and penalty forces explode.
 
-Each title states a quantity that was measured in the picture. A mistake in the engine therefore
-shows up in the title.
+Each title states a number that was measured in the picture, so a mistake in the engine shows up in
+the title.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ CLOTH_SECONDS = 2
 
 
 def stability_map() -> Picture:
-    """Plot the growth per step over stiffness and damping, with the theoretical limits."""
+    """Plot how oscillations grow per step over stiffness and damping, with the limits by theory."""
     figure, panels = pyplot.subplots(2, 4, figsize=(16, 8), layout="constrained")
     *maps, key = panels.flat
     kappas = [0.01 * 10.0 ** (i / 12.0) for i in range(49)]
@@ -85,7 +85,7 @@ def stability_map() -> Picture:
 
 
 def fake_spring() -> Picture:
-    """Plot the faked stiff spring and the true spring. Show where the oscillations grow."""
+    """Plot the faked stiff spring beside the true spring, and show where its oscillations grow."""
     figure, (bare, damped, right) = pyplot.subplots(1, 3, figsize=(15, 4.8), layout="constrained")
     k, frames = 400.0, 90
     times = [i * FRAME for i in range(frames + 1)]
@@ -178,7 +178,7 @@ def cloth_frame_rates() -> Picture:
 
 
 def penalty_bounces() -> Picture:
-    """Plot falls onto soft and stiff penalty ground. A stiff ground may throw bodies too high."""
+    """Plot falls onto soft and stiff penalty ground, which may throw a body higher than it fell."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     rows: list[Sequence[object]] = []
     falls = [0.5 + i / 40.0 for i in range(21)]

@@ -1,7 +1,7 @@
 """Pictures of chapter 7: bounces, resting contacts, and the restitution of dropped balls.
 
-Each title states a quantity that was measured in the picture. A mistake in the engine therefore
-shows up in the title. Curves of exercises that are not written yet are left out.
+Each title states a number that was measured in the picture, so a mistake in the engine shows up in
+the title. Curves of exercises that are not written yet are left out.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ def bounce_heights() -> Picture:
 
 
 def resting_jitter() -> Picture:
-    """Plot a ball at rest with the resting rule, without this rule, and with a stricter rule."""
+    """Plot a ball at rest with the resting rule, without any rule, and with a stricter rule."""
     figure, panels = pyplot.subplots(1, 3, figsize=(16, 5.4), layout="constrained")
     rows: list[Sequence[object]] = []
     rules = {"resting rule": None, "no rule": without_rule}
@@ -210,9 +210,9 @@ def _bouncing(name: str, restitution: float, frames: int) -> Callable[[], Track]
 def _resting(
     name: str, restitution: float, rule: Resolve | None, generated: bool
 ) -> Callable[[], Track]:
-    """Return a function that runs a ball from a start slightly above the ground.
+    """Return a function that runs a ball which starts slightly above the ground.
 
-    With this start, explicit Euler has no contact at first.
+    From this height, explicit Euler has no contact in its first step.
     """
     return lambda: ball(STEPS[name], 1e-6, restitution, 120, rule, generated)
 
@@ -222,17 +222,17 @@ def _falling(height: float, restitution: float, rule: Resolve | None) -> Callabl
 
 
 def _finite(runs: Iterable[Track]) -> list[float]:
-    """Return the heights that fit into a picture. With a wrong engine, the ball may fly away."""
+    """Return the heights that fit into a picture. A wrong engine may let the ball fly away."""
     return [height for run in runs for height in run.values if abs(height) < 10.0 * HEIGHT]
 
 
 def _highest(run: Track) -> float:
-    """Return the largest height that fits into a picture."""
+    """Return the largest height of a run that still fits into a picture."""
     return max((height for height in run.values[1:] if abs(height) < 1e3), default=math.nan)
 
 
 def _rise(run: Track) -> float:
-    """Return the largest height after the first minimum."""
+    """Return how high a ball rises after it has been at its lowest for the first time."""
     for i, (a, b) in enumerate(pairwise(run.values)):
         if b > a:
             return max(run.values[i:])
@@ -240,9 +240,9 @@ def _rise(run: Track) -> float:
 
 
 def _drops() -> tuple[str, list[tuple[str, float, float]]]:
-    """Return the name of the file with the measured drops, and the drops.
+    """Read the measured drops, and return them with the name of their file.
 
-    If the student's file is empty, use the sample file.
+    If the student's file is empty, the drops come from the sample file.
     """
     for name in ("drops.csv", "drops_sample.csv"):
         try:

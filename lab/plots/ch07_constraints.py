@@ -1,7 +1,7 @@
 """Pictures of chapter 7: the errors that the resolver leaves in a pile, and how stacks sink.
 
-Each title states a quantity that was measured in the picture. A mistake in the engine therefore
-shows up in the title. Curves of exercises that are not written yet are left out.
+Each title states a number that was measured in the picture, so a mistake in the engine shows up in
+the title. Curves of exercises that are not written yet are left out.
 """
 
 from __future__ import annotations
@@ -23,7 +23,10 @@ from studies.runs.piles import pile, residuals, stack
 
 
 def resolver_convergence() -> Picture:
-    """Plot the largest closing velocity and depth in a pile against the number of iterations."""
+    """Plot the errors that remain in a pile of spheres against the number of resolutions.
+
+    The errors are the largest closing velocity and the largest depth.
+    """
     figure, panels = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     counts = [*range(31), *range(32, 100, 4), *range(100, 401, 20)]
     found = written(
@@ -58,7 +61,7 @@ def resolver_convergence() -> Picture:
 
 
 def stack_height() -> Picture:
-    """Plot how far stacks of 3 and 10 spheres sink and overlap, by iterations per contact."""
+    """Plot how far stacks of 3 and 10 spheres sink and overlap, by the iterations per contact."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     numbers_of = (1, 2, 5, 10, 20, 50)
     found = written(

@@ -1,8 +1,8 @@
-"""Pictures of chapter 8: scenes at rest, and scenes in uneven frames.
+"""Pictures of chapter 8: the energy of scenes at rest, and scenes whose frames are uneven.
 
-Each title states a quantity that was measured in the picture. A mistake in the engine therefore
-shows up in the title. Curves of exercises that are not written yet are left out. Cables and ropes
-are in ch08_ropes, and the scenes of the projects are in ch08_scenes.
+Each title states a number that was measured in the picture, so a mistake in the engine shows up in
+the title. Curves of exercises that are not written yet are left out. Cables and ropes are in
+ch08_ropes, and the scenes of the projects are in ch08_scenes.
 """
 
 from __future__ import annotations
@@ -40,14 +40,15 @@ from studies.runs.mass_aggregate import (
 
 SETTLED = 10.0  # s, after which scenes should be at rest
 STEADY = 0.1  # %, by which the energy of a scene at rest may vary
-# The color and duration in s for each rate. 120 Hz takes the longest and varies the least.
+# The color and the duration in s for each rate. At 120 Hz, a run takes the longest and its energy
+# varies the least, so a shorter run is enough.
 RATES = {30: (RED, 30.0), 60: (BLUE, 30.0), 120: (GREEN, 15.0)}
 
-Way = tuple[Callable[[], MassAggregate], int, float, str]  # with Hz, s and color
+Way = tuple[Callable[[], MassAggregate], int, float, str]  # with rate, time, color
 
 
 def energy_of_bridge() -> Picture:
-    """Plot the energy of the bridge at three frame rates, and with the default iterations."""
+    """Plot the energy of the bridge at three frame rates, and once with the default iterations."""
     ways: dict[str, Way] = {
         f"{rate} Hz": (Bridge, rate, seconds, color) for rate, (color, seconds) in RATES.items()
     }
@@ -65,7 +66,7 @@ def energy_of_platform() -> Picture:
 
 
 def variable_frames() -> Picture:
-    """Plot a blob and a bridge in even and uneven frames. Two uneven frames last 0.5 s."""
+    """Plot a blob and a bridge in even and in uneven frames, two of which last 0.5 s."""
     figure, panels = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
     spikes, seconds = (1.0, 2.5), 4.0
     rows: list[Sequence[object]] = []
@@ -127,7 +128,10 @@ PLOTS: tuple[Callable[[], Picture], ...] = (
 
 
 def _energies(what: str, ways: dict[str, Way]) -> Picture:
-    """Plot energies over time. Show how far each deviates from its middle at rest, in percent."""
+    """Plot the energies of several runs, and how much they still vary when the scene is at rest.
+
+    The deviation of each energy from the middle of its range is in percent.
+    """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
     found = written(
         {name: _energy_of(make, rate, time) for name, (make, rate, time, _) in ways.items()},

@@ -1,7 +1,7 @@
 """Pictures of chapter 8: how well ropes and the cables of a bridge hold, and at what cost.
 
-Each title states a quantity that was measured in the picture. A mistake in the engine therefore
-shows up in the title.
+Each title states a number that was measured in the picture, so a mistake in the engine shows up in
+the title.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ THROUGH = 1e3  # %, where an infinite excess length is drawn
 
 
 def mass_ratios() -> Picture:
-    """Plot how far the bridge's cables stretch under a ball of 1 kg to 1 t, for each method."""
+    """Plot how far the bridge's cables stretch under balls of 1 kg to 1 t, with each method."""
     figure, axes = pyplot.subplots(figsize=(10, 5.8), layout="constrained")
     ratios = (1, 10, 30, 100, 300, 1000)
     # Cases that take the longest and are accurate enough anyway are left out.
@@ -89,7 +89,7 @@ def mass_ratios() -> Picture:
 
 
 def hanging_rope() -> Picture:
-    """Plot how far a rope between two nails sinks below its rest position, and the work."""
+    """Plot how far a rope between two nails sinks below its rest position, against the work."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
     # A rope that starts at rest should stay there, and DirectChain keeps it there to 1e-8 m. So
     # DirectChain is also shown with a rope that starts in the shape of a V.
@@ -163,9 +163,9 @@ def hanging_rope() -> Picture:
 
 
 def _late(run: Track, since: float) -> float:
-    """Return the largest value after the time ``since`` in s.
+    """Return the largest value from the time ``since`` in s on.
 
-    If the engine failed before this time, return infinity.
+    If the engine failed, return infinity.
     """
     late = [value for time, value in run.points if time >= since]
     return max(late, default=math.inf) if not run.message else math.inf
@@ -174,7 +174,7 @@ def _late(run: Track, since: float) -> float:
 def _ended(
     scene: Callable[[], Hanging], key: tuple[int, str], notes: list[str]
 ) -> Callable[[], Hanging | None]:
-    """Wrap ``scene``. If the engine raises an error, add a note and return None."""
+    """Wrap a scene so that an error of the engine becomes a note, with None as the result."""
 
     def run() -> Hanging | None:
         hung: list[Hanging] = []

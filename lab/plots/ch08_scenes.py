@@ -30,7 +30,7 @@ FORCES = (1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0)
 
 
 def trebuchet_range() -> Picture:
-    """Plot the range of your trebuchet against its release angle, for several counterweights."""
+    """Plot the range of your trebuchet against its release angle, with several counterweights."""
     figure, (left, right) = pyplot.subplots(
         1, 2, figsize=(13, 5.4), layout="constrained", width_ratios=(3, 2)
     )
@@ -96,7 +96,7 @@ def trebuchet_range() -> Picture:
 
 
 def wheel_deformation() -> Picture:
-    """Plot the deformation of a driven wheel. Show how far its spin lags behind theory."""
+    """Plot how far a driven wheel is deformed, and how far its spin lags behind theory."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
     deformations = {
         (driven, force): partial(deformation_of_wheel, force, driven, 60, 1.0)
@@ -130,7 +130,8 @@ def wheel_deformation() -> Picture:
         )
         lags.append(f"{lag:.2g} % at {rate} Hz")
         right.plot(run.times, run.values, color=color, lw=1.5, label=f"{rate} Hz")
-        # At this spin, a frame loses as much as the drive adds, which is half the square of w h.
+        # At this spin w, each frame loses as much spin as the drive adds. It loses the fraction
+        # (w h)^2 / 2.
         limit = (2.0 * alpha * rate) ** (1.0 / 3.0)
         label = f"$\\sqrt[3]{{2 \\alpha / h}}$ = {limit:.3g} rad/s at {rate} Hz"
         right.axhline(limit, color=color, lw=1, ls=":", label=label)
@@ -156,7 +157,7 @@ def wheel_deformation() -> Picture:
 
 
 def blob_bonds() -> Picture:
-    """Plot how far a blob spreads on the ground, and how many bonds stay intact."""
+    """Plot how far a blob spreads on the ground, and how many of its bonds stay intact."""
     figure, panels = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
     ways = {(0.0, False): BLACK, (18.0, False): SKY, (18.0, True): BLUE}
     ways |= {(25.0, False): ORANGE, (25.0, True): RED}
@@ -196,7 +197,7 @@ def blob_bonds() -> Picture:
 
 
 def sleeping_balls() -> Picture:
-    """Plot the cost of balls that land one after another. At the end, a late ball wakes them."""
+    """Plot the cost of balls that land one after another, until a late ball wakes them all."""
     figure, panels = pyplot.subplots(2, 1, figsize=(11, 6.4), layout="constrained", sharex=True)
     kinds: dict[type[ParticleWorld], tuple[str, str]] = {
         ParticleWorld: ("ParticleWorld", RED),
@@ -235,9 +236,9 @@ def sleeping_balls() -> Picture:
 
 
 def _released(found: Sequence[Release], angle: float) -> Release | None:
-    """Return the first release at ``angle`` or at a smaller angle.
+    """Return the first release that a trebuchet with this release angle can make.
 
-    If there is none, return None.
+    If it never releases the projectile, return None.
     """
     return next((release for release in found if release.angle <= angle), None)
 

@@ -52,7 +52,7 @@ WAYS: dict[str, tuple[Step, Velocity, float, str, str]] = {
 
 
 def drift_of_first_order() -> Picture:
-    """Plot the length and angle errors of Eq. 9.5, and the errors of better methods."""
+    """Plot the errors of Eq. 9.5 in length and angle, and the errors of better methods."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.4), layout="constrained")
     rows: list[Sequence[object]] = []
     notes: list[str] = []
@@ -98,7 +98,10 @@ def drift_of_first_order() -> Picture:
 
 
 def gimbal_lock() -> Picture:
-    """Plot how the map of Euler rates loses a direction near 90°, and how the rates grow there."""
+    """Plot what happens to Euler angles near 90°.
+
+    The map of their rates loses a direction there, and the rates grow without limit.
+    """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
     x, z = 0.4, 1.1  # rad; any values would do
     degrees = range(-90, 91, 3)
@@ -153,7 +156,7 @@ def gimbal_lock() -> Picture:
 
 
 def _errors_in_angle(axes: Any, rows: list[Sequence[object]], notes: list[str]) -> None:
-    """Draw the final error of each method in degrees against the time step."""
+    """Plot the final error of each method in degrees against the length of the time step."""
     found = written({way: partial(_ends, way, notes) for way in WAYS})
     steps = [1.0 / rate for rate in RATES]
     for way, errors in found.items():
@@ -181,7 +184,10 @@ def _errors_in_angle(axes: Any, rows: list[Sequence[object]], notes: list[str]) 
 
 
 def _drift(duration: float, steps: int) -> tuple[float, float]:
-    """Return length and angle of first_order_drift in degrees. If it is a stub, return NaN."""
+    """Return the length and the angle in degrees that first_order_drift predicts.
+
+    If it is not written yet, both are NaN.
+    """
     found: list[object] = []
     if is_written(lambda: found.append(first_order_drift(TAU, duration, steps))):
         length, angle = found[0] if isinstance(found[0], tuple) else (None, None)
@@ -190,14 +196,14 @@ def _drift(duration: float, steps: int) -> tuple[float, float]:
 
 
 def _of_drift(off: Sequence[float], unit: str) -> str:
-    """Return the deviation of first_order_drift from the measurement, as part of a title."""
+    """Say, as a part of a title, how far first_order_drift is from the measured error."""
     if not is_written(lambda: first_order_drift(TAU, 1.0, 10)):
         return ""
     return f",\nfirst_order_drift differs from the measurement by {largest([*off]):.2g}{unit}"
 
 
 def _ends(way: str, notes: list[str]) -> list[float]:
-    """Return the final error of the method ``way`` in degrees, for each rate."""
+    """Return the final error of one method in degrees, for each rate."""
     step, velocity, share, *_ = WAYS[way]
     wanted = (steady_orientation if velocity is steady_velocity else coning_orientation)(END)
     errors = []
@@ -210,9 +216,10 @@ def _ends(way: str, notes: list[str]) -> list[float]:
 
 
 def _worst_rate(x: float, distance: float, z: float) -> tuple[float, str]:
-    """Return the magnitude of the largest Euler rates near gimbal lock, and the text of any error.
+    """Measure how large the Euler rates become near gimbal lock, about the worst axis.
 
-    ``distance`` is the distance from gimbal lock in degrees.
+    Return their magnitude in rad/s, and the text of any error. ``distance`` is the distance from
+    gimbal lock in degrees.
     """
     left = math.radians(distance)
     found: list[float] = []
@@ -226,6 +233,6 @@ def _worst_rate(x: float, distance: float, z: float) -> tuple[float, str]:
 
 
 def _refuses(x: float, z: float) -> bool:
-    """Return whether euler_rates raises an error for a rotation about the lost axis."""
+    """Return whether euler_rates rejects a rotation about the axis that gimbal lock has lost."""
     lost = worst_axis(0.0, z)
     return bool(stopped(lambda: euler_rates(x, 0.5 * math.pi, z, Vector3(*lost))))

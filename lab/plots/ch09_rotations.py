@@ -1,8 +1,8 @@
-"""Pictures of chapter 9: a rotating disc, and the order of rotations.
+"""Pictures of chapter 9: a disc that rotates as it flies, and the order of two rotations.
 
-Each title states errors that are computed independently of the engine, so that its mistakes show.
-Parts that are not written yet are left out. Pictures of Eq. 9.5 and of gimbal lock are in
-ch09_rates, and the box of stones is in ch09_stones.
+Each title states errors that were computed without the engine, so that mistakes in it show. Parts
+that are not written yet are left out. Pictures of Eq. 9.5 and of gimbal lock are in ch09_rates, and
+the box of stones is in ch09_stones.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ SMALL = LABEL | {"fontsize": 9}
 
 
 def turning_motion() -> Picture:
-    """Draw a thrown disc that wobbles as it flies. Show its axes at seven times."""
+    """Draw a thrown disc that wobbles as it flies, with its axes at seven moments."""
     rates = (120, 240, 480)
     throws = {rate: throw_disc(rate) for rate in rates}
     shown = throws[240]
@@ -114,7 +114,7 @@ def turning_motion() -> Picture:
 
 
 def order_of_turns() -> Picture:
-    """Draw a letter L after rotations by 90° about the world's X and Y, in both orders."""
+    """Draw a letter L that is rotated by 90° about the world's X and Y, in both orders."""
     figure = pyplot.figure(figsize=(10.5, 7.2), layout="constrained")
     grid = figure.add_gridspec(2, 3)
     quarter = {
@@ -171,7 +171,10 @@ PLOTS: tuple[Callable[[], Picture], ...] = (
 
 
 def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
-    """Rotate the arrows with the engine. If the engine raises an error, add a note."""
+    """Rotate the axes with the engine's quaternion.
+
+    If the engine raises an error, it is added to the notes.
+    """
     found: list[Arrows] = []
     if message := stopped(lambda: found.append(arrows_by_engine(q))):
         notes.append(message)
@@ -179,7 +182,10 @@ def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
 
 
 def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> list[Arrows]:
-    """Return the arrows at the start, after one rotation and after two. Rotate with matrices."""
+    """Rotate the axes with the engine's matrices.
+
+    Return them at the start, after the first rotation and after both.
+    """
     found: list[Arrows] = []
 
     def act() -> None:
@@ -200,7 +206,10 @@ def _letter(space: Any, found: Arrows) -> None:
 
 
 def _block(space: Any, found: Arrows, sides: Sequence[tuple[float, float]]) -> None:
-    """Draw a block, rotated like the arrows ``found``. ``sides`` are its ranges on each axis."""
+    """Draw a block that is rotated like the arrows ``found``.
+
+    ``sides`` are the ranges that it covers along its own X, Y and Z.
+    """
     corners = {c: _beyond(ORIGIN, found, c) for c in product(*sides)}
     faces = []
     for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
@@ -212,7 +221,7 @@ def _block(space: Any, found: Arrows, sides: Sequence[tuple[float, float]]) -> N
 
 
 def _disc(space: Any, place: Numbers, found: Arrows) -> None:
-    """Draw a disc of 0.45 m around its own Y axis, rotated like the arrows ``found``."""
+    """Draw a disc with a radius of 0.45 m around its own Y axis, rotated like ``found``."""
     if is_drawable(*found):
         around = [math.radians(angle) for angle in range(0, 360, 10)]
         rim = [(0.45 * math.cos(a), 0.0, 0.45 * math.sin(a)) for a in around]
@@ -221,9 +230,10 @@ def _disc(space: Any, place: Numbers, found: Arrows) -> None:
 
 
 def _beyond(place: Numbers, found: Arrows, own: Numbers) -> Numbers:
-    """Return the world position of ``own``, a point in the coordinates of a rotated object.
+    """Return where a point of a rotated object is in the world.
 
-    The object is at ``place`` and is rotated like the arrows ``found``.
+    ``own`` is the point in the object's own coordinates. The object is at ``place`` and is rotated
+    like the arrows ``found``.
     """
     x, y, z = (
         at + math.fsum(v[i] * c for v, c in zip(found, own, strict=True))
@@ -237,7 +247,7 @@ def _along(place: Numbers, v: Numbers, length: float) -> Numbers:
 
 
 def _point(v: Numbers) -> Numbers:
-    """Return X, Y and Z in matplotlib's order, in which the third axis points up."""
+    """Put a vector into matplotlib's order, in which the third axis points up."""
     return v[2], v[0], v[1]
 
 

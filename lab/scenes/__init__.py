@@ -1,1 +1,1 @@
-"""The scenes of the lab. Each module is named after its chapter."""
+"""The interactive scenes of the lab, in modules that are named after the book's chapters."""

@@ -1,4 +1,4 @@
-"""Scenes of chapter 3: how the length of a time step affects a throw and damping."""
+"""Scenes of chapter 3, which show how the length of a time step affects a throw and damping."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ COLORS = ("red", "orange", "blue")
 
 
 class FrameRates(Scene):
-    """A scene that runs the same throw at three step rates, next to the exact path.
+    """Runs the same throw at three step rates, and draws the exact path beside them.
 
     The throw is simulated with the book's integrator.
     """
@@ -79,7 +79,7 @@ class FrameRates(Scene):
             pen.text((trail[-1][0] + 0.2, trail[-1][1] + 0.8), f"{rate} Hz", color)
 
     def off(self, i: int) -> float:
-        """Return the distance in m between ball ``i`` and its exact position."""
+        """Return how far ball ``i`` is from its exact position, in m."""
         x, y, _ = self.flight.exact(self.steps[i] / self.rates[i]).position
         return math.hypot(self.balls[i].position.x - x, self.balls[i].position.y - y)
 
@@ -106,9 +106,9 @@ class FrameRates(Scene):
 
 
 class DampingForms(Scene):
-    """A scene with three identical pucks, each with a different form of damping.
+    """Lets three identical pucks slide, each with a different form of damping.
 
-    The first puck follows Eq. 3.5, the second follows Eq. 3.6, and the third follows the exact
+    The first puck follows Eq. 3.5 and the second follows Eq. 3.6, while the third is the exact
     solution.
     """
 

@@ -16,7 +16,7 @@ Point = tuple[float, float]
 
 
 class Throw(Scene):
-    """A ball that the student's engine moves step by step, shown next to its exact path."""
+    """A game in which the student's engine moves the ball. The exact path is drawn beside it."""
 
     chapter = 3
     title = "Throw a ball at the hoop"
@@ -68,13 +68,13 @@ class Throw(Scene):
         return self.HOOPS[self.passed % len(self.HOOPS)]
 
     def flight(self) -> DragFlight:
-        """Return the current throw in plain numbers, together with its exact solution."""
+        """Return the throw that the player is aiming, as plain numbers with an exact solution."""
         angle = math.radians(self.angle)
         velocity = (self.speed * math.cos(angle), self.speed * math.sin(angle), 0.0)
         return DragFlight("throw", State((*self.HAND, 0.0), velocity), GRAVITY, self.damping, 6.0)
 
     def new_ball(self) -> Particle:
-        """Return a particle with the position and velocity at the start of the current throw."""
+        """Return a new ball at the start of the current throw."""
         start = self.thrown.start
         return Particle(
             Vector3(*start.position),
@@ -97,7 +97,7 @@ class Throw(Scene):
         self.message, self.flies = "", True
 
     def exact_path(self) -> list[Point]:
-        """Return the points of the throw's exact path down to the ground."""
+        """Return points along the exact path of the throw, from the hand down to the ground."""
         path: list[Point] = []
         while not path or (path[-1][1] >= 0.0 and len(path) < 60.0 * self.LONGEST):
             x, y, _ = self.thrown.exact(len(path) / 60.0).position
@@ -120,16 +120,17 @@ class Throw(Scene):
                 self.land()
 
     def land(self) -> None:
-        """End the throw, and report where the ball and the exact path passed the hoop."""
+        """End the throw, and report by how much the ball and the exact path missed the hoop."""
         yours, exact = self.past_hoop(self.path), self.past_hoop(self.truth)
         self.message = f"Your ball: {self.told(yours)}. The exact path: {self.told(exact)}."
         self.score += self.is_in(yours)
         self.flies, self.rest = False, self.REST
 
     def past_hoop(self, path: list[Point]) -> float | None:
-        """Return how far beyond the rim's center a path comes down to the rim's height, in m.
+        """Return how far beyond the center of the rim a path comes down, in m.
 
-        The result is None if the path never comes down to this height.
+        The distance is measured at the height of the rim. It is negative if the path comes down
+        before the center, and None if the path never comes down to this height.
         """
         x, y = self.hoop
         for (x1, y1), (x2, y2) in pairwise(path):
@@ -138,14 +139,14 @@ class Throw(Scene):
         return None
 
     def is_in(self, beyond: float | None) -> bool:
-        """Return whether the ball goes through the hoop.
+        """Return whether a ball goes through the hoop.
 
-        ``beyond`` is the distance from the rim's center in m at which the ball comes down.
+        ``beyond`` says how far from the center of the rim it comes down (see ``past_hoop``).
         """
         return beyond is not None and abs(beyond) < self.RIM
 
     def told(self, beyond: float | None) -> str:
-        """Describe in words how close a path comes to the hoop."""
+        """Describe in words how close a path came to the hoop."""
         if beyond is None:
             return "too low"
         if self.is_in(beyond):
@@ -208,9 +209,9 @@ class Throw(Scene):
             self.throw()
 
     def aim(self, angle: float, speed: float) -> None:
-        """Set the aim.
+        """Aim with an angle in degrees and a speed in m/s.
 
-        ``angle`` is in degrees and ``speed`` in m/s. Both are limited to human throws.
+        Both are limited to what a person can throw.
         """
         self.values["angle"] = max(0.0, min(88.0, angle))
         self.values["speed"] = max(4.0, min(20.0, speed))
@@ -222,7 +223,7 @@ class Throw(Scene):
             self.throw()
 
     def play(self, time: float) -> None:
-        """Throw once at 60 steps per second, then twice at 10, and then with damping."""
+        """Throw once at 60 steps per second, twice at 10, and then twice with damping."""
         if self.orders and self.orders[0][0] <= time:
             _, self.values["rate"], self.values["damping"], angle, speed = self.orders.pop(0)
             self.aim(angle, speed)

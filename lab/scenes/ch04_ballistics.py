@@ -1,4 +1,4 @@
-"""Scenes of chapter 4: the ballistic range, and a shell whose landing point is calculated."""
+"""Scenes of chapter 4: a ballistic range, and a shell whose landing point is known in advance."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ MIDDLE = -20.0  # y at which the view from above is drawn, below the view from t
 
 
 class Ballistics(Scene):
-    """A range with shots at blocks. The view from the side is above the view from above."""
+    """A range where the reader fires at blocks, seen from the side and, below that, from above."""
 
     chapter = 4
     title = "The ballistic range"
@@ -105,9 +105,9 @@ class Ballistics(Scene):
         pen.arrow((0.0, MIDDLE), above, COLORS.get(self.name, "pink"))
 
     def muzzle(self) -> float:
-        """Return the elevation in radians.
+        """Return the elevation of the muzzle in radians.
 
-        It is the player's choice or the default of the shot type.
+        Until the reader changes it, it is the usual elevation of the shot type.
         """
         vx, vy, vz = SHOT_TYPES[self.name].velocity
         own = math.atan2(vy, math.hypot(vx, vz))
@@ -156,13 +156,13 @@ class Ballistics(Scene):
 
 
 def best_of_three(scene: Artillery) -> int:
-    """Return the index of the elevation with the longest range, out of 30, 45 and 60 degrees."""
+    """Return which elevation has the longest range: 0 for 30 degrees, 1 for 45, or 2 for 60."""
     lengths = [scene.landing(angle)[0] for angle in (30.0, 45.0, 60.0)]
     return lengths.index(max(lengths))
 
 
 class Artillery(Scene):
-    """A shell whose landing point is calculated before it is fired."""
+    """Calculates where a shell will land before it is fired."""
 
     chapter = 4
     title = "Where will the shell land?"
@@ -205,8 +205,8 @@ class Artillery(Scene):
         return position.x, position.y
 
     def landing(self, elevation: float) -> tuple[float, float]:
-        """Find the range of a shell in m and its flight time in s by bisection."""
-        low, high = 0.01, 20.0  # s; the shell is above the ground at first and below it at last
+        """Find how far a shell flies in m, and for how long in s, by bisection."""
+        low, high = 0.01, 20.0  # s; the shell is above the ground at low and below it at high
         while high - low > 1e-9:
             middle = 0.5 * (low + high)
             above = self.place_after(middle, elevation)[1] > 0.0
@@ -252,7 +252,7 @@ class Artillery(Scene):
 
 
 def can_throw() -> bool:
-    """Return whether the student has already written the code of the grenade."""
+    """Return whether the student has already written the code for grenades."""
     return is_written(lambda: grenade_after(Shot("grenade", Particle())))
 
 

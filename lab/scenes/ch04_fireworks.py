@@ -18,7 +18,10 @@ WHEEL_SPARK = FireworkRule(12, 0.5, 0.9, (-1.5, -1.5, -1.5), (1.5, 1.5, 1.5), da
 
 
 class Fireworks(Scene):
-    """A display that lasts as long as the player clicks on its rockets, with a Catherine wheel."""
+    """A display that lasts for as long as the player clicks on its rockets.
+
+    A Catherine wheel throws sparks beside it.
+    """
 
     chapter = 4
     title = "Keep the fireworks alive"
@@ -55,7 +58,7 @@ class Fireworks(Scene):
     def ended(self) -> bool:
         """Return whether the game is over.
 
-        It is never over if the student has not written its rules.
+        The game never ends as long as the student has not written its rules.
         """
         return self.plays and is_over(self.display)
 
@@ -110,7 +113,7 @@ class Fireworks(Scene):
 
 
 def can_turn() -> bool:
-    """Return whether the student has written the Catherine wheel, so that it emits sparks."""
+    """Return whether the student's Catherine wheel is written far enough to throw sparks."""
     trial = FireworksShow([WHEEL_SPARK], capacity=9, seed=1)
     return is_written(lambda: make_wheel(trial, Vector3()).update(1.0))
 

@@ -1,4 +1,4 @@
-"""Scenes of chapter 5: falling through air, and an orbit with two forms of the time step."""
+"""Scenes of chapter 5: two balls that fall through air, and an orbit that should close."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ G = 9.81  # m/s^2
 
 
 def lands_first(scene: FallInAir) -> int:
-    """Return the index of the ball that lands first, which has the higher terminal speed.
+    """Return which ball lands first: 0 for the left, 1 for the right, or 2 if they land together.
 
-    The index is 0 for the left ball and 1 for the right ball. It is 2 if they land together.
+    The ball with the higher terminal speed lands first.
     """
     heavy, light = (terminal_speed(mass * G, 0.0, k2) for mass, k2, _ in scene.balls())
     return 0 if heavy > 1.001 * light else 1 if light > 1.001 * heavy else 2
 
 
 class FallInAir(Scene):
-    """A scene in which two balls fall from a tower with quadratic drag."""
+    """Lets two balls fall from a tower through air, with quadratic drag."""
 
     chapter = 5
     title = "Which ball lands first?"
@@ -97,9 +97,9 @@ class FallInAir(Scene):
         return [ball.position.y for ball in self.fallers]
 
     def exact(self, time: float) -> list[float]:
-        """Return the exact heights.
+        """Return the exact heights of both balls.
 
-        Once a ball has landed, it no longer contributes to the error.
+        A ball that has landed no longer contributes to the error, so its own height is returned.
         """
         heights = []
         for ball, landed, (mass, k2, _) in zip(
@@ -124,9 +124,9 @@ class FallInAir(Scene):
 
 
 class Orbit(Scene):
-    """A planet that orbits a star. The time step updates the position either first or last.
+    """A planet that orbits a star, with two forms of the time step.
 
-    The book's step updates the position first.
+    A step updates the position either before the velocity, as in the book, or after it.
     """
 
     chapter = 5

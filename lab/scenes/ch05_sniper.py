@@ -1,4 +1,4 @@
-"""The sniper range of chapter 5 (project 4.2): ten shots in a wind that changes after each."""
+"""The sniper range of chapter 5 (project 4.2): ten shots in a wind that changes after each one."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ COLORS = ("sky", "water", "blue")  # of the rings, from the outside in
 
 
 class Sniper(Scene):
-    """A shooting range with targets at four distances, seen through a scope.
+    """A shooting range with targets at four distances, seen through the scope of a rifle.
 
-    The unit of the view is a milliradian.
+    Coordinates in the view are angles in milliradians.
     """
 
     chapter = 5
@@ -50,7 +50,7 @@ class Sniper(Scene):
         self.begin()
 
     def begin(self) -> None:
-        """Begin a new round, with winds that differ from the winds in the last round."""
+        """Begin a new round with new winds."""
         self.seed += 1
         self.range = SniperRange(self.seed)
         self.aim = (0.0, 0.0)
@@ -120,7 +120,7 @@ class Sniper(Scene):
         self.range.shoot(*self.aim)
 
     def play(self, time: float) -> None:
-        """Shoot at the targets in turn, correcting for the drop and the wind."""
+        """Shoot at the targets in turn, and correct each shot for the drop and the wind."""
         if self.waited < 1.0 or self.range.is_over():
             return
         target = TARGETS[(SHOTS - self.range.shots_left) % len(TARGETS)]
@@ -139,14 +139,14 @@ SCENES = (Sniper,)
 
 
 def seen(x: float, y: float, z: float) -> tuple[float, float]:
-    """Return the position in the scope, in milliradians, of the point (x, y, z).
+    """Return where the scope shows the point (x, y, z), in milliradians.
 
-    World +x is to the left.
+    The world's +x points to the left.
     """
     along = max(z, 1.0)
     return -1000.0 * x / along, 1000.0 * (y - MUZZLE[1]) / along
 
 
 def limited(angle: float) -> float:
-    """Return the nearest angle to which the rifle can turn."""
+    """Return the nearest angle to ``angle`` that the rifle can turn to."""
     return max(-SWING, min(SWING, angle))

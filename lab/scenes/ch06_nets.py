@@ -1,4 +1,4 @@
-"""Scenes of chapter 6 with many springs: a bridge and a cloth. Both can explode."""
+"""Scenes of chapter 6 with many springs: a bridge and a cloth, both of which can explode."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class SpringBridge(Stepped):
         self.x, self.owed = 0.5, 0.0
 
     def step(self, duration: float) -> None:
-        """Make the time steps that fit into ``duration``, which is in s.
+        """Make as many time steps as fit into ``duration``, which is in s.
 
         Before each step, the walker's weight is added to the nearest planks.
         """
@@ -87,8 +87,8 @@ class SpringBridge(Stepped):
         """Return the largest stiffness in N/m at which semi-implicit Euler is stable.
 
         In a long row of planks, the fastest oscillation moves each plank against its neighbors.
-        The plank then behaves as if it hung on a single spring with stiffness 4 k and damping 4 c.
-        That spring is stable if 4 k h^2 / m + 2 (4 c) h / m < 4.
+        Each plank then moves as if it hung on a single spring with stiffness 4 k and damping 4 c.
+        Such a spring is stable if 4 k h^2 / m + 2 (4 c) h / m < 4.
         """
         limit: float = self.PLANK_MASS * self.rate**2 - 2.0 * self.DAMPING * self.rate
         return limit

@@ -1,4 +1,4 @@
-"""A scene of chapter 6: seven integrators in the plane of position and velocity."""
+"""A scene of chapter 6 that compares seven integrators by the position and velocity of a ball."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ FAR = 3.0  # m; a ball farther out is not drawn
 
 
 class IntegratorRace(Scene):
-    """A scene that plots balls on identical springs by position and velocity.
+    """Draws balls on identical springs, each moved by a different integrator.
 
-    In the drawn plane, the exact motion is a circle.
+    The axes are position and velocity, scaled so that the exact motion is a circle.
     """
 
     chapter = 6
@@ -77,7 +77,7 @@ class IntegratorRace(Scene):
                 self.trails[name] = [*self.trails[name][-90:], self.phase(ball)]
 
     def phase(self, ball: Particle) -> tuple[float, float]:
-        """Return a ball's position and its scaled velocity. The exact path is then a circle."""
+        """Return a ball's position, and its velocity scaled so that the exact path is a circle."""
         return ball.position.x, ball.velocity.x / math.sqrt(self.stiffness / self.MASS)
 
     def draw(self, pen: Pen) -> None:

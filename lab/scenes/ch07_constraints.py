@@ -1,4 +1,4 @@
-"""Scenes of chapter 7: a bouncing ball, and a stack of spheres that should stand still."""
+"""Scenes of chapter 7: a ball that bounces, and a stack of spheres that should not sink."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ RATES = [30, 60, 120, 240, 480]
 
 
 def no_forces(duration: float) -> None:
-    """Add no forces. Gravity is each particle's own acceleration."""
+    """Add no forces, because gravity is each particle's own acceleration."""
 
 
 def rises(scene: Bounce) -> int:
-    """Return the index of the correct option: the last bounces are as high, higher, or lower."""
+    """Return 0 if the last bounces are as high as the first, 1 if higher, or 2 if lower."""
     share = max(y for _, y in scene.path) / scene.HEIGHT
     return 1 if share > 1.02 else 2 if share < 0.98 else 0
 
 
 class Bounce(Scene):
-    """A scene with a ball that bounces on the ground and keeps all or part of its speed."""
+    """A ball that bounces on the ground and keeps all or part of its speed."""
 
     chapter = 7
     title = "A ball that bounces"
@@ -74,7 +74,7 @@ class Bounce(Scene):
         self.path = [*self.path[-240:], (0.0, self.ball.position.y)]
 
     def one_step(self, h: float) -> None:
-        """Make one step with the chosen method."""
+        """Make one step of ``h`` s with the method that the reader has chosen."""
         if self.method == "time division":
             try:
                 time_division_step([self.ball], self.ground, h)
@@ -129,7 +129,7 @@ class Bounce(Scene):
 
 
 class PymunkBounce(Bounce):
-    """The same ball in pymunk. It bounces on a segment with the same restitution."""
+    """The scene Bounce in pymunk, where the ball bounces on a segment with the same restitution."""
 
     def build(self) -> None:
         import pymunk  # not needed without this peer
@@ -154,9 +154,9 @@ Bounce.peers = {"pymunk": PymunkBounce}
 
 
 class Stack(Scene):
-    """A scene with a stack of spheres.
+    """A stack of spheres that shows how the resolver works.
 
-    The reader can drag the top sphere and watch the resolver.
+    The reader can drag the top sphere.
     """
 
     chapter = 7
@@ -205,7 +205,7 @@ class Stack(Scene):
         self.view_of_contacts.draw(pen, 1.0)
 
     def overlap(self) -> float:
-        """Return the largest overlap as a percentage of a diameter."""
+        """Return the largest overlap, of spheres or with the ground, in % of a diameter."""
         heights = [-self.RADIUS, *(sphere.position.y for sphere in self.spheres)]
         gaps = [(high - low) / (2.0 * self.RADIUS) for low, high in pairwise(heights)]
         return 100.0 * max(0.0, 1.0 - min(gaps))
@@ -227,7 +227,7 @@ class Stack(Scene):
 
 
 class PymunkStack(Stack):
-    """The same spheres in pymunk, as circles above a segment."""
+    """The scene Stack in pymunk, where the spheres are circles above a segment."""
 
     def build(self) -> None:
         import pymunk  # not needed without this peer

@@ -1,4 +1,4 @@
-"""A scene of chapter 7: the same rope of rods, simulated by three methods."""
+"""A scene of chapter 7 that simulates the same rope of rods with three methods."""
 
 from __future__ import annotations
 
@@ -20,13 +20,14 @@ COLORS = ("red", "blue", "green")
 
 
 def no_forces(duration: float) -> None:
-    """Add no forces. Gravity is each particle's own acceleration."""
+    """Add no forces, because gravity is each particle's own acceleration."""
 
 
 class Ropes(Scene):
-    """A scene with a rope that should keep its length, simulated by three methods.
+    """Three copies of a rope, each simulated by a different method.
 
-    The methods are one step per frame, substeps, and a direct solve.
+    The methods are one step per frame, substeps, and a direct solve. A rope should keep its length,
+    so the picture shows by how much each of them is too long.
     """
 
     chapter = 7
@@ -56,7 +57,7 @@ class Ropes(Scene):
         self.chain = DirectChain(self.ropes[2][1:], Vector3())
 
     def rope(self) -> list[Particle]:
-        """Return a straight chain of particles.
+        """Return the particles of a straight rope.
 
         The first particle is immovable and holds the others.
         """
@@ -77,7 +78,7 @@ class Ropes(Scene):
         self.chain.step(duration)
 
     def too_long(self, i: int) -> float:
-        """Return the stretch of rope ``i`` in m, summed over its rods."""
+        """Return by how many meters rope ``i`` is too long, summed over its rods."""
         return math.fsum(
             (b.position - a.position).magnitude() - LENGTH / self.count
             for a, b in pairwise(self.ropes[i])

@@ -19,7 +19,7 @@ DIRECTIONS = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "down": (0.0, -1.0), "up
 
 
 def lower_end(scene: Platform) -> int:
-    """Return the index of the end that sinks: 0 for left, 1 for right, or 2 for neither."""
+    """Return which end of the platform sinks: 0 for left, 1 for right, or 2 for neither."""
     ends = tilting_platform.LEFT + tilting_platform.RIGHT
     torque = 2.0 * tilting_platform.MASS * ends + scene.mass * scene.x
     return 2 if abs(torque) < 1e-9 else int(torque > 0.0)
@@ -28,7 +28,7 @@ def lower_end(scene: Platform) -> int:
 class Platform(WorldScene):
     """A platform that tilts on a pivot, with a weight on it (mini-project 8.1).
 
-    The reader can free the pivot.
+    The reader can move the weight and free the pivot.
     """
 
     chapter = 8
@@ -113,7 +113,7 @@ class Platform(WorldScene):
 
 
 class Blob(WorldScene):
-    """A blob of bonds that break and heal.
+    """A blob of particles, held together by bonds that break and heal.
 
     The reader can push the blob, and hold it together with cables.
     """
@@ -148,7 +148,7 @@ class Blob(WorldScene):
         self.pushed -= duration
 
     def middle(self) -> Vector3:
-        """Return the mean position of the particles."""
+        """Return the mean position of the blob's particles."""
         places = [particle.position for particle in self.blob.particles]
         return sum(places[1:], places[0]) / len(places)
 
@@ -176,7 +176,7 @@ class Blob(WorldScene):
         self.contacts.draw(pen, 2.0)
 
     def holding(self) -> int:
-        """Return the number of bonds that are intact."""
+        """Return how many bonds are intact."""
         return sum(bond.holds for bond in self.blob.bonds)
 
     def chart(self) -> dict[str, float]:
@@ -198,14 +198,14 @@ class Blob(WorldScene):
             self.pushed = self.MOMENT
 
     def play(self, time: float) -> None:
-        """Push the blob around."""
+        """Push the blob upward, downward and to both sides."""
         orders = {70: "up", 110: "down", 122: "down", 134: "down", 270: "right", 300: "left"}
         if key := orders.get(round(60.0 * time) % 360):
             self.press(key)
 
 
 def ends_on_screen(rod: Rod) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Return where the two ends of a rod are drawn."""
+    """Return the positions in the picture of the two ends of a rod."""
     a, b = ends_of(rod)
     return flat(a), flat(b)
 

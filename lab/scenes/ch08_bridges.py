@@ -17,9 +17,9 @@ LATE = 0.5  # s, duration of a late frame
 
 
 class Bridge(WorldScene):
-    """A rope bridge with a heavy ball that walks across it.
+    """A rope bridge that has to carry a heavy ball.
 
-    The reader can make some of the frames late.
+    The reader can walk the ball across it, and can make some of the frames late.
     """
 
     chapter = 8
@@ -68,7 +68,7 @@ class Bridge(WorldScene):
         self.contacts.draw(pen, 1.0)
 
     def too_long(self) -> float:
-        """Return how much too long the worst cable is, in percent of its length."""
+        """Return by how many percent the worst cable is too long."""
         return over_length(self.bridge.world.contact_generators)
 
     def chart(self) -> dict[str, float]:
@@ -90,7 +90,7 @@ class Bridge(WorldScene):
         self.bridge.pace = paces.get(key, self.bridge.pace)
 
     def play(self, time: float) -> None:
-        """Walk to the left, then to the right with late frames, and off the bridge."""
+        """Walk to the left, then to the right with some late frames, and finally off the bridge."""
         frame = round(60.0 * time)
         if frame == 240:
             self.values["frames"] = "every 60th late"
@@ -99,7 +99,7 @@ class Bridge(WorldScene):
 
 
 class BallGame(Scene):
-    """A game in which a ball bounces from plank to plank and must not fall (project 8.1)."""
+    """A game in which the ball must bounce from plank to plank without falling (project 8.1)."""
 
     chapter = 8
     title = "A game on the bridge"
@@ -151,7 +151,7 @@ class BallGame(Scene):
             self.game.direction = {"left": -1, "down": 0, "right": 1}[key]
 
     def play(self, time: float) -> None:
-        """Win a game by steering to the next unvisited row. Then lose a game."""
+        """Win one game by always steering to the next unvisited row, and then lose another one."""
         frame = round(60.0 * time)
         if frame == 424:
             self.press("n")

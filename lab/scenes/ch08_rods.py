@@ -1,4 +1,4 @@
-"""Scenes of chapter 8 with bodies made of rods: a driven wheel and a falling cube."""
+"""Scenes of chapter 8 with bodies made of rods: a wheel that is driven, and a cube that falls."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ class Wheel(WorldScene):
         self.contacts.draw(pen, 1.0)
 
     def spin(self) -> float:
-        """Return the angular velocity in rad/s."""
+        """Return the wheel's angular velocity in rad/s."""
         return wheel.spin(self.wheel.hub, self.wheel.rim)
 
     def chart(self) -> dict[str, float]:
@@ -85,7 +85,7 @@ class Wheel(WorldScene):
 
 
 class PymunkWheel(Wheel):
-    """The same wheel in pymunk, made of pin joints."""
+    """The scene Wheel in pymunk, where pin joints act as the rods."""
 
     def build(self) -> None:
         import pymunk  # not needed without this peer
@@ -116,7 +116,10 @@ class PymunkWheel(Wheel):
 
 
 class Cube(WorldScene):
-    """A cube of rods that falls on a corner, with some of its rods removed (mini-project 8.2)."""
+    """A cube of rods that falls on a corner (mini-project 8.2).
+
+    The reader can remove rods until the cube collapses.
+    """
 
     chapter = 8
     title = "A cube of rods"

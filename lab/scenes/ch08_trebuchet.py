@@ -1,4 +1,4 @@
-"""A scene of chapter 8: a trebuchet and the energy of its throw (project 8.2)."""
+"""A scene of chapter 8: a trebuchet, and where the energy of its throw goes (project 8.2)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from lab.parameters import Choice, Slider
 from lab.scene import Question
 from lab.world_scene import WorldScene
 
-# A second, enlarged picture of the machine: its scale, and its position above the flight in m.
+# The machine is drawn a second time, enlarged by this factor and at this position in m.
 LARGER, MACHINE = 2.2, (27.0, 33.0)
 DESIGN = trebuchet.Design(400.0, 1.0, 4.0, 3.0, 40.0)  # used if my_design is not written
 
@@ -18,7 +18,7 @@ Point = tuple[float, float]
 
 
 class Trebuchet(WorldScene):
-    """The trebuchet of the student's own design.
+    """The trebuchet that the student has designed.
 
     The reader can change its counterweight and its release angle.
     """
@@ -60,7 +60,7 @@ class Trebuchet(WorldScene):
             self.look()
 
     def look(self) -> None:
-        """Record the path and the energies. End the throw as soon as the projectile lands."""
+        """Record the projectile's path and the energies, and notice when the projectile lands."""
         engine = self.engine
         weight, projectile = engine.weight, engine.projectile
         self.way.append((projectile.position.x, max(0.0, projectile.position.y)))
@@ -77,7 +77,7 @@ class Trebuchet(WorldScene):
             )
 
     def share(self) -> float:
-        """Return the fraction of the counterweight's lost energy that the projectile gained."""
+        """Return the fraction of the counterweight's lost energy that the projectile has gained."""
         return self.gained / self.lost if self.lost > 0.0 else 0.0
 
     def draw(self, pen: Pen) -> None:
@@ -94,7 +94,10 @@ class Trebuchet(WorldScene):
         pen.text((88.0, 58.0), self.end, "black", 14.0)
 
     def draw_machine(self, pen: Pen, scale: float, x0: float, y0: float) -> None:
-        """Draw the frame, the beam, the counterweight and the sling."""
+        """Draw the frame, the beam, the counterweight and the sling.
+
+        The picture is enlarged by ``scale``, with its origin at (x0, y0).
+        """
         engine = self.engine
         pivot, weight, tip, stone = (
             (x0 + scale * one.position.x, y0 + scale * max(0.0, one.position.y))

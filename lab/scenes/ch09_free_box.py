@@ -17,7 +17,7 @@ SPINS = ("smallest", "middle", "largest")
 
 
 class Spin(Scene):
-    """A box like a thick book. It spins about one axis, and slightly about another axis."""
+    """A box like a thick book, which spins about one of its axes and a little about another."""
 
     chapter = 9
     title = "A book thrown into the air"
@@ -54,7 +54,7 @@ class Spin(Scene):
         self.turned_over, self.before = 0, self.SPEED
 
     def momentum(self) -> Vector3:
-        """Compute the angular momentum in kg m^2/s from the box's rotation."""
+        """Compute the box's angular momentum in kg m^2/s from the state of its rotation."""
         own = self.box.own_velocity().component_product(self.box.inertia)
         return self.box.orientation.rotate(own)
 
@@ -79,7 +79,10 @@ class Spin(Scene):
         return {f"spin about {name}, rad/s": v for name, v in zip("XYZ", velocity, strict=True)}
 
     def state(self) -> list[float]:
-        """Return the energy in J and the angular momentum in kg m^2/s."""
+        """Return what should stay constant: the energy in J and the angular momentum in kg m^2/s.
+
+        The scene's error is how much these have changed since the start.
+        """
         return [self.box.energy(), *numbers(self.momentum())]
 
     def exact(self, time: float) -> list[float]:

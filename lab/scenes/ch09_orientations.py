@@ -21,7 +21,10 @@ PLACES = {"matrix": -2.4, "quaternion": 0.0, "Euler angles": 2.4}
 
 
 class Orientations(Scene):
-    """Three boxes with the same angular velocity. Each box stores its orientation differently."""
+    """Three boxes that rotate with the same angular velocity.
+
+    They store their orientations as a matrix, as a quaternion and as Euler angles.
+    """
 
     chapter = 9
     title = "Matrix, quaternion, Euler angles"
@@ -64,9 +67,9 @@ class Orientations(Scene):
             self.step_angles(h)
 
     def step_matrix(self, h: float) -> None:
-        """Move each column of the matrix by its velocity, which is w x column.
+        """Rotate the matrix for one step of ``h`` s, by moving each of its columns.
 
-        Each column is an axis of the box, so this is the velocity of the tip of the axis.
+        Each column is an axis of the box. The tip of this axis moves with the velocity w x column.
         """
         for column in self.columns:
             column.add_scaled(self.velocity.cross(column), h)
@@ -78,9 +81,9 @@ class Orientations(Scene):
             self.columns[2] = x.cross(y)
 
     def step_angles(self, h: float) -> None:
-        """Add the rates of the angles, multiplied by ``h``.
+        """Change the Euler angles for one step of ``h`` s, by adding their rates times ``h``.
 
-        In gimbal lock, the rates do not exist.
+        In gimbal lock, the rates do not exist, so the angles stay as they are.
         """
         a = self.angles
         try:
@@ -89,12 +92,12 @@ class Orientations(Scene):
             self.locked = True
 
     def matrix(self) -> Matrix3:
-        """Return the matrix with the three columns."""
+        """Build the box's matrix from its three columns."""
         x, y, z = self.columns
         return Matrix3(x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z)
 
     def turns(self) -> dict[str, list[Vector3]]:
-        """Return the directions of each box's axes."""
+        """Return where the axes of each box point, by the way it stores its orientation."""
         angles = euler_to_quaternion(self.angles.x, self.angles.y, self.angles.z)
         q = self.quaternion.copy()
         q.normalize()
@@ -106,7 +109,10 @@ class Orientations(Scene):
         }
 
     def errors(self) -> list[float]:
-        """Return the largest error of an axis for each box, in percent of the axis length."""
+        """Measure for each box how far its worst axis is from the exact one.
+
+        The errors are in percent of the length of an axis.
+        """
         speed = self.velocity.magnitude()
         right = Quaternion.from_axis_angle(self.velocity, speed * self.time)
         axes = [right.rotate(a) for a in (Vector3(1.0), Vector3(0.0, 1.0), Vector3(0.0, 0.0, 1.0))]
@@ -116,7 +122,7 @@ class Orientations(Scene):
         ]
 
     def worst(self) -> int:
-        """Return the index of the box with the largest error, or 3 if all are within 10 %."""
+        """Return the index of the box with the largest error, or 3 if no error is above 10 %."""
         errors = self.errors()
         return errors.index(max(errors)) if max(errors) > 10.0 else 3
 
@@ -140,7 +146,11 @@ class Orientations(Scene):
         return dict(zip(names, self.errors(), strict=True))
 
     def state(self) -> list[float]:
-        """Return the error of the quaternion, as a fraction of the length of an axis."""
+        """Return how far the box of the quaternion is from its exact orientation.
+
+        The result is the distance between the tips of an exact and an actual axis, which have a
+        length of 1.
+        """
         return [0.01 * self.errors()[1]]
 
     def exact(self, time: float) -> list[float]:
@@ -160,7 +170,10 @@ class Orientations(Scene):
 
 
 class FirstOrder(Scene):
-    """A hand that rotates by Eq. 9.5. Each step moves its quaternion along a straight line."""
+    """A hand that rotates by Eq. 9.5, beside one that rotates steadily.
+
+    Each step of Eq. 9.5 moves the quaternion along a straight line, so the hand falls behind.
+    """
 
     chapter = 9
     title = "What Eq. 9.5 leaves out"
@@ -200,7 +213,7 @@ class FirstOrder(Scene):
                 self.q.normalize()
 
     def half_angle(self) -> float:
-        """Return half the angle of the rotation about Z."""
+        """Return half of the angle by which the quaternion rotates about Z, in radians."""
         return math.atan2(self.q.k, self.q.r)
 
     def passed(self) -> float:

@@ -1,1 +1,1 @@
-"""Compare speed and accuracy, by measuring the cost and the error of every model in each scene."""
+"""Compare our models with pymunk: how long does each take to reach a given accuracy?"""

@@ -1,4 +1,4 @@
-"""All scenes of the accuracy study. A command selects scenes by a part of their name."""
+"""List all scenes of the accuracy study, so that a command can select some of them by name."""
 
 from __future__ import annotations
 

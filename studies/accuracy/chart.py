@@ -1,4 +1,8 @@
-"""Draw a chart of each scene and an overview. A chart plots error over processor time and work."""
+"""Draw the charts of the accuracy study.
+
+For each scene, one panel plots the error of every model over its processor time, and a second panel
+plots the error over the work. An overview compares our models with pymunk in all scenes.
+"""
 
 from __future__ import annotations
 
@@ -40,7 +44,10 @@ COLUMNS = (
 
 
 def draw(points: Sequence[Point], counted: str, png: Path) -> None:
-    """Draw the chart of one scene into the file ``png``, and write a table of its points."""
+    """Save the chart of one scene as ``png``, and its points as a CSV file beside it.
+
+    ``counted`` says what the models count as their work.
+    """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.5), layout="constrained")
     styles = styles_of(points)
     edge = front(points)
@@ -89,7 +96,10 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
 def _draw_extrapolated(
     axes: Axes, points: Sequence[Point], styles: dict[str, dict[str, Any]]
 ) -> None:
-    """Draw a dotted line to the tightest tolerance for which pymunk's time is extrapolated."""
+    """Extend pymunk's curve with a dotted line to errors that it did not reach.
+
+    The line ends at the tightest tolerance for which pymunk's time could be extrapolated.
+    """
     sides = [(tolerance, row(points, tolerance).pymunk) for tolerance in TOLERANCES]
     found = [(tolerance, side) for tolerance, side in sides if side.order is not None]
     if not found:
@@ -105,14 +115,17 @@ def _draw_extrapolated(
 
 
 def draw_overview(rows: Sequence[Row], png: Path) -> None:
-    """Draw pymunk's time as a multiple of our best model's, for each scene and each tolerance.
+    """Draw how many times as long as our best model pymunk takes, for each scene and tolerance.
 
-    - An open mark shows an extrapolated ratio. Pymunk's time then follows from its order of
-      convergence.
-    - An open mark with an arrow shows a bound, because one side did not reach the tolerance in the
-      time limit.
-    - The word "never" at the edge shows that one side can never reach the tolerance.
-    - If neither side reaches the tolerance, there is no mark.
+    A filled mark is a measured ratio. The other marks mean:
+
+    - An open mark without an arrow is an estimate. Pymunk did not reach the tolerance in the time
+      limit, so its time is extrapolated from its order of convergence.
+    - An open mark with an arrow is only a bound, because one side did not reach the tolerance in
+      the time limit.
+    - The word "never" at the edge means that one side cannot reach the tolerance at all.
+
+    If neither side reaches the tolerance, there is no mark.
     """
     scenes = list(dict.fromkeys(row.scene for row in rows))[::-1]
     tolerances = sorted({row.tolerance for row in rows}, reverse=True)
@@ -142,10 +155,11 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
 
 
 def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None:
-    """Draw the ratio of the table row ``found`` as a mark.
+    """Draw how pymunk's time compares with ours in one scene, as a mark at height ``y``.
 
-    The mark is open if a time is extrapolated. A bound is an open mark with an arrow. If one side
-    can never reach the tolerance, the word "never" is written at the edge instead of a mark.
+    The mark is filled if both times were measured. It is open if a time is extrapolated, and has an
+    arrow if the ratio is only a bound. If one side can never reach the tolerance, the word "never"
+    is written at the edge instead.
     """
     if found.ratio:
         face = "none" if found.is_extrapolated else color
@@ -163,7 +177,7 @@ def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None
 
 
 def said(found: Row) -> str:
-    """Describe a row of the table in a sentence."""
+    """Summarize a comparison with pymunk in one sentence, for the title of a chart."""
     ours, theirs = found.ours, found.pymunk
     start = f"at an error of {found.tolerance:g} of the scale, "
     if ours.time is None or theirs.time is None:
@@ -178,7 +192,7 @@ def said(found: Row) -> str:
 
 
 def told(side: Side) -> str:
-    """Describe a side by its model and its time, or say why it has no time.
+    """Describe the fastest model of one side and its time, or say that no model met the tolerance.
 
     If the time is extrapolated, the text includes the order of convergence.
     """
@@ -189,9 +203,10 @@ def told(side: Side) -> str:
 
 
 def told_ratio(found: Row) -> str:
-    """Format pymunk's time as a multiple of ours: a number, a bound, or an empty string.
+    """Format pymunk's time as a multiple of ours, such as "5.51", "~ 5.51" or "> 120".
 
-    If a time is extrapolated, the number begins with "~".
+    A "~" means that pymunk's time is extrapolated, and ">" or "<" that only a bound is known. The
+    text is empty if one side can never reach the tolerance, or if neither side did.
     """
     low, high = found.bounds
     if found.ratio:
@@ -202,14 +217,15 @@ def told_ratio(found: Row) -> str:
 
 
 def _number(value: float) -> str:
-    """Format ``value`` with three digits, or all digits before the point: 0.0277, 5.51, 4,190."""
+    """Format ``value`` with three significant digits, as in 0.0277, 5.51 or 4,190."""
     return f"{value:.3g}" if value < 1000.0 else f"{float(f'{value:.3g}'):,.0f}"
 
 
 def styles_of(points: Sequence[Point]) -> dict[str, dict[str, Any]]:
-    """Return the style of each model: pymunk's models are black and gray, and the book's are red.
+    """Choose the color and the mark of each model in a chart.
 
-    The integrators of chapter 6 have their own colors. The other models get the remaining colors.
+    Pymunk's models are black and gray, and the book's are red. The integrators of chapter 6 have
+    the same colors in all charts. The other models share the remaining colors.
     """
     styles: dict[str, dict[str, Any]] = {}
     models = models_of(points)

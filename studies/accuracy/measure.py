@@ -31,15 +31,15 @@ from studies.timing import quartiles
 
 EXACT = 1e-13  # an error that more steps cannot reduce, because it comes from rounding
 LEAST = 2e-3  # s for one measurement; a faster run is repeated
-LONG, FEW = 1.0, 2  # s, rounds: a run that takes longer is timed only in the first two rounds
+LONG, FEW = 1.0, 2  # a run that takes longer than LONG s is timed in only FEW rounds
 
 
 @dataclass
 class Point:
-    """The results of a model for one number of steps.
+    """The error and the time of one model in a scene, for one number of steps.
 
-    ``steps`` is the number of steps per frame. For a model that takes a tolerance, it is 1 /
-    tolerance. ``times`` contains the time in s of each round.
+    ``steps`` is the number of steps per frame. For a model that takes a tolerance instead, it is 1
+    / tolerance. ``times`` has the time in s of each round.
     """
 
     scene: str
@@ -52,18 +52,18 @@ class Point:
 
     @property
     def time(self) -> float:
-        """The median time in s."""
+        """The median of the measured times in s."""
         return statistics.median(self.times)
 
     @property
     def spread(self) -> tuple[float, float]:
-        """The quartiles of the times in s."""
+        """The lower and the upper quartile of the measured times in s."""
         return quartiles(self.times)
 
 
 @dataclass
 class Measured:
-    """All points of a run, and the number of rounds in which their times were measured."""
+    """All points of a study, and the number of rounds in which they have been timed."""
 
     points: list[Point]
     rounds: int = 0
@@ -72,7 +72,7 @@ class Measured:
 def explore(
     scenes: Sequence[Scene], slowest: float, theirs: float, hear: Callable[[str], None]
 ) -> Measured:
-    """Measure the error and the work of each model in ``scenes``. Do not measure times yet.
+    """Measure the error and the work of every model in ``scenes``, but do not time them yet.
 
     Each model is run with more and more steps, until it is exact or a run takes longer than
     ``slowest`` seconds. For pymunk's models, the limit is ``theirs`` seconds.
@@ -93,7 +93,10 @@ def explore(
 
 
 def run(model: Model, steps: int) -> Outcome | None:
-    """Run a model. If the run fails, for example because its steps are too long, return None."""
+    """Run a model with this number of steps per frame, or return None if the run fails.
+
+    A run fails, for example, when its steps are so long that the motion explodes.
+    """
     try:
         return model.run(steps)
     except (ArithmeticError, ValueError):
@@ -101,7 +104,10 @@ def run(model: Model, steps: int) -> Outcome | None:
 
 
 def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], None]) -> None:
-    """Measure the time of every point in random order, and add the times as one round."""
+    """Time every point in random order, and count this as one more round.
+
+    A run that takes longer than LONG is timed only in the first FEW rounds.
+    """
     models = {(scene.name, model.name): model for scene in scenes for model in scene.models}
     for point in random.sample(measured.points, len(measured.points)):
         if len(point.times) < FEW or point.time < LONG:
@@ -113,7 +119,7 @@ def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], No
 def seconds_of(model: Model, steps: int) -> float:
     """Return the processor time in s of a run with ``steps`` steps per frame.
 
-    A short run is repeated, and the result is the mean of the times.
+    A single short run cannot be timed precisely, so it is repeated and the mean is returned.
     """
     count = 0
     start = time.process_time()
@@ -124,15 +130,19 @@ def seconds_of(model: Model, steps: int) -> float:
 
 
 def save(measured: Measured, path: Path, sign: str) -> None:
-    """Save the results atomically. ``sign`` is the signature of the scenes, code and versions."""
+    """Save the results, so that an interrupted study can resume from them.
+
+    ``sign`` is the signature of the study, from ``sign_of``. The file is replaced atomically, so
+    that an interruption cannot damage it.
+    """
     data = {"sign": sign, "rounds": measured.rounds, "points": [*map(asdict, measured.points)]}
     replace_bytes(path, json.dumps(data).encode())
 
 
 def load(path: Path, sign: str) -> Measured | None:
-    """Load the results from ``path``.
+    """Load the results of an interrupted study from ``path``.
 
-    If there are none with the signature ``sign``, return None.
+    Return None if there is no such file, or if its signature is not ``sign``.
     """
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
@@ -144,7 +154,11 @@ def load(path: Path, sign: str) -> Measured | None:
 
 
 def sign_of(names: Sequence[str], slowest: float, theirs: float) -> str:
-    """Return a signature of the scenes, of all code that they run, and of the versions."""
+    """Return a signature that changes when earlier results can no longer be used.
+
+    It covers the names of the scenes, the time limits, the code of the engine and of the studies,
+    and the versions of Python and pymunk.
+    """
     digest = hashlib.sha256(f"{[*names]} {slowest} {theirs}".encode())
     for folder in ("solutions", "chapters", "studies"):
         for file in sorted((ROOT / folder).rglob("*.py")):

@@ -1,6 +1,6 @@
-"""Find the time in which each model meets a tolerance, and the fastest model of each side.
+"""Find the fastest of our models and the fastest of pymunk's that meet a tolerance.
 
-One side consists of our models, and the other side consists of pymunk's models.
+In the comparison, our models are one side, and pymunk's models are the other side.
 """
 
 from __future__ import annotations
@@ -14,20 +14,20 @@ from studies.accuracy.measure import EXACT, Point
 
 TOLERANCES = (1e-2, 1e-4, 1e-6)
 EIGHTFOLD = 8  # an order is measured over the last three doublings of the steps
-STEADY = 0.1  # largest difference in order from doubling to doubling
-FARTHEST = 1000.0  # an error is extrapolated to a thousandth of the smallest error at most
+STEADY = 0.1  # how much the order may vary between one doubling of the steps and another
+FARTHEST = 1000.0  # an error is extrapolated at most to a thousandth of the smallest one
 
 
 @dataclass(frozen=True)
 class Side:
-    """The fastest model of one side that meets a tolerance, and its time in s.
+    """The fastest model of one side, ours or pymunk's, that meets a tolerance. Its time is in s.
 
-    If no model meets the tolerance, both are None. Every model that might meet the tolerance with
-    more steps has then been run for at least ``longest`` seconds. ``never`` is true if no model
-    could ever meet the tolerance.
+    If no model meets the tolerance, ``model`` and ``time`` are None. Every model that might meet it
+    with more steps has then been run for at least ``longest`` seconds. ``never`` is true if no
+    model could meet it with any number of steps.
 
-    If ``order`` is not None, the model has not been run with enough steps. Its time is then
-    extrapolated, and ``order`` is the order of convergence.
+    If ``order`` is not None, no run met the tolerance, and ``time`` is extrapolated with this order
+    of convergence.
     """
 
     model: str | None
@@ -39,7 +39,7 @@ class Side:
 
 @dataclass(frozen=True)
 class Row:
-    """The results of both sides for one scene and one tolerance."""
+    """The comparison of our models with pymunk's, for one scene and one tolerance."""
 
     scene: str
     tolerance: float
@@ -60,7 +60,11 @@ class Row:
 
     @property
     def bounds(self) -> tuple[float, float]:
-        """The smallest and the largest possible ratio, if one side did not meet the tolerance."""
+        """The smallest and the largest value that the ratio can have.
+
+        They are needed when one side did not meet the tolerance. That side would take longer than
+        its longest run, so the ratio is known only from one end.
+        """
         low = 0.0 if self.ours.time is None else self._of(self.pymunk) / self.ours.time
         high = math.inf if self.pymunk.time is None else self.pymunk.time / self._of(self.ours)
         return low, high
@@ -71,10 +75,11 @@ class Row:
 
 
 def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
-    """Return the index of the first point that meets ``tolerance`` with all points after it.
+    """Return the index of the first point from which on all points meet ``tolerance``.
 
-    ``ordered`` is sorted by steps. All points with more steps must also meet the tolerance, because
-    a single point may meet it by chance. If there is no such point, return None.
+    ``ordered`` is sorted by the number of steps. It is not enough that a single point meets the
+    tolerance, because its error may be small by chance. If even the last point does not meet it,
+    return None.
     """
     outside = [i for i, point in enumerate(ordered) if not point.error <= tolerance]
     first = outside[-1] + 1 if outside else 0
@@ -101,9 +106,9 @@ def time_to(points: Sequence[Point], tolerance: float) -> float | None:
 def stalls(points: Sequence[Point]) -> bool:
     """Return whether a model's error no longer decreases when it makes more steps.
 
-    A model stalls if its error is not even halved when its number of steps grows eightfold. At
-    order 1, the error would fall to an eighth. A model that stalls is assumed to never reach
-    smaller errors. An error of a tenth of the scale or more is too large for this conclusion.
+    A model stalls if eight times as many steps do not even halve its error. At order 1, they would
+    reduce it to an eighth. We assume that a model that stalls never reaches a smaller error. While
+    the error is still a tenth of the scale or more, it is too early for this conclusion.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     before = [point for point in ordered if EIGHTFOLD * point.steps <= ordered[-1].steps]
@@ -111,11 +116,11 @@ def stalls(points: Sequence[Point]) -> bool:
 
 
 def order_of(points: Sequence[Point]) -> float | None:
-    """Measure a model's order of convergence over its last eightfold increase of steps.
+    """Measure a model's order of convergence from its runs with the most steps.
 
-    The order is the exponent p in an error that is proportional to 1 / steps^p. It is None if the
-    error does not fall steadily, if the error is a tenth of the scale or more, or if there are
-    fewer than four points.
+    The order is the exponent p in an error that is proportional to 1 / steps^p. It is measured
+    while the number of steps grows eightfold. Return None if the error does not fall steadily, if
+    it is a tenth of the scale or more, or if there are fewer than four points.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     last = [point for point in ordered if EIGHTFOLD * point.steps >= ordered[-1].steps]
@@ -133,8 +138,8 @@ def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None
     """Estimate the time in s in which a model would meet ``tolerance`` with enough steps.
 
     The number of steps follows from the model's order of convergence. Each step is assumed to take
-    as long as in the run with the most steps. The result is None if the model has no steady order,
-    or if it is too far from the tolerance.
+    as long as in the run with the most steps. Return None if the model has no steady order, or if
+    its smallest error is more than FARTHEST times the tolerance.
     """
     finest = max(points, key=lambda point: point.steps)
     order = order_of(points)
@@ -144,7 +149,7 @@ def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None
 
 
 def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
-    """Group points by the name of their model, and keep their order."""
+    """Group measured points by their models, and keep the order of each model's points."""
     found: dict[str, list[Point]] = {}
     for point in points:
         found.setdefault(point.model, []).append(point)
@@ -152,7 +157,7 @@ def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
 
 
 def side_of(points: Sequence[Point], tolerance: float) -> Side:
-    """Return a ``Side`` with the fastest of these models that meets ``tolerance``."""
+    """Find the fastest of these models that meets ``tolerance``."""
     models = models_of(points)
     open_ones = [own for own in models.values() if not stalls(own)]
     times = {name: time for name, own in models.items() if (time := time_to(own, tolerance))}
@@ -164,8 +169,8 @@ def side_of(points: Sequence[Point], tolerance: float) -> Side:
 def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, Point | None]:
     """Return the cheapest point that reliably meets a tolerance, and the next cheaper point.
 
-    A point is reliable if its model still meets the tolerance with more steps. If there is no such
-    point, the result for it is None.
+    A point meets it reliably if its model also meets it with more steps. A point that does not
+    exist is None.
     """
     within = []
     for own in models_of(points).values():
@@ -178,13 +183,13 @@ def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, P
 
 
 def split(points: Sequence[Point]) -> tuple[list[Point], list[Point]]:
-    """Split the points into our points, which include the book's, and pymunk's points."""
+    """Split the points into ours and pymunk's. The book's own step counts as ours."""
     ours = [point for point in points if point.by != "pymunk"]
     return ours, [point for point in points if point.by == "pymunk"]
 
 
 def row(points: Sequence[Point], tolerance: float) -> Row:
-    """Return the results of one scene for one tolerance."""
+    """Compare our models with pymunk's in one scene, for one tolerance."""
     ours, theirs = split(points)
     side = side_of(theirs, tolerance)
     if side.time is None:
@@ -193,9 +198,10 @@ def row(points: Sequence[Point], tolerance: float) -> Row:
 
 
 def extrapolated(side: Side, points: Sequence[Point], tolerance: float) -> Side:
-    """Extrapolate the time of each model, and return the side with the shortest of these times.
+    """Estimate a time for a side that did not meet ``tolerance``, by extrapolation.
 
-    If no model has a steady order, the side is returned unchanged.
+    It is the shortest time in which any of its models would meet the tolerance. If no model has a
+    steady order of convergence, the side is returned unchanged.
     """
     models = models_of(points)
     times = {name: extrapolated_time(own, tolerance) for name, own in models.items()}
@@ -207,7 +213,7 @@ def extrapolated(side: Side, points: Sequence[Point], tolerance: float) -> Side:
 
 
 def table(points: Sequence[Point]) -> list[Row]:
-    """Return a row for each scene and tolerance, in the order of the scenes."""
+    """Compare our models with pymunk's in every scene, for every tolerance."""
     scenes: dict[str, list[Point]] = {}
     for point in points:
         scenes.setdefault(point.scene, []).append(point)
@@ -217,7 +223,8 @@ def table(points: Sequence[Point]) -> list[Row]:
 def front(points: Sequence[Point]) -> list[Point]:
     """Return the points that no other point beats in both time and error, sorted by time.
 
-    Errors that come only from rounding all count as equal.
+    These are the best trade-offs between speed and accuracy. Errors that come only from rounding
+    all count as equal.
     """
     kept: list[Point] = []
     nearest = math.inf

@@ -1,9 +1,9 @@
-"""Define a scene of the charts, with its exact solution and the models that run it.
+"""Define what a scene of the accuracy study consists of: its exact solution, and its models.
 
 A model returns the positions at the end of every frame, at 60 frames per second. It may make any
 number of steps per frame. Its error is the largest deviation of any coordinate from the exact
-solution at the end of any frame, as a fraction of the scene's scale. A model must therefore be
-accurate all the time, and not only at a single moment.
+solution at the end of any frame, as a fraction of the scene's scale. This means that a model must
+be accurate all the time, and not only at the end of the run.
 """
 
 from __future__ import annotations
@@ -34,7 +34,10 @@ Pull = Callable[[float, float, float, float], tuple[float, float]]  # N, from x,
 
 @dataclass(frozen=True)
 class Outcome:
-    """The positions at the end of every frame, and the number of force evaluations."""
+    """The result of a run: the positions at the end of every frame, and the work.
+
+    The work is the number of force evaluations, unless the scene's ``counted`` says otherwise.
+    """
 
     places: list[Place]
     work: int
@@ -42,11 +45,12 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Model:
-    """A method that runs a scene with a given number of steps per frame.
+    """One way to run a scene, such as an integrator, with a given number of steps per frame.
 
-    ``by`` is "ours", "the book" or "pymunk". An exact model has no steps to choose, so its
-    ``steps`` is (1,). If ``takes_tolerance`` is true, the model chooses its own steps. The numbers
-    in ``steps`` are then 1 / tolerance, so that a larger number still means a more accurate run.
+    ``by`` says whose method it is: "ours", "the book" or "pymunk". An exact model has no steps to
+    choose, so its ``steps`` is (1,). If ``takes_tolerance`` is true, the model chooses its own
+    steps. The numbers in ``steps`` are then 1 / tolerance, so that a larger number still means a
+    more accurate run.
     """
 
     name: str
@@ -63,9 +67,9 @@ class Scene:
     ``truth`` returns the exact position at a time in s. ``scale`` is the size of the scene in m.
     ``counted`` describes what the models count as their work.
 
-    If ``truth`` is not a closed form and not SciPy's solution of a single equation, ``differs``
-    checks it. This function computes the exact solution in two independent ways, and returns the
-    difference as a fraction of the scale.
+    The exact solution is usually a closed form, or SciPy's solution of a single equation. If it is
+    neither, ``differs`` checks it by computing the solution in two independent ways. It returns
+    their difference as a fraction of the scale.
     """
 
     name: str
@@ -77,7 +81,10 @@ class Scene:
     differs: Callable[[], float] | None = None
 
     def error(self, outcome: Outcome) -> float:
-        """Return the largest error of a coordinate as a fraction of the scale, or inf for NaN."""
+        """Return the largest error of any coordinate in any frame, as a fraction of the scale.
+
+        If a coordinate is not a finite number, the error is infinite.
+        """
         worst = 0.0
         for frame, place in enumerate(outcome.places, 1):
             for found, true in zip(place, self.truth(frame / RATE), strict=True):
@@ -94,9 +101,9 @@ def solved(
     """Return the exact solution of a scene that has no closed form, from its equations of motion.
 
     ``rates`` are the equations, as a function of time and state, in the form that SciPy expects.
-    ``start`` is the initial state, and ``place`` converts a state to positions. At the first call,
-    SciPy solves the equations for the end of every frame. The error of about 1e-11 is far below the
-    tightest tolerance.
+    ``start`` is the initial state, and ``place`` converts a state to positions. SciPy solves the
+    equations at the first call, for the end of every frame. Its error of about 1e-11 is far below
+    the tightest tolerance.
     """
 
     @cache
@@ -114,7 +121,10 @@ def solved(
 def in_frames(
     step: Callable[[float], object], place: Callable[[], Place], frames: int, steps: int
 ) -> list[Place]:
-    """Run ``frames`` frames with ``steps`` steps each. Return the positions after each frame."""
+    """Run ``frames`` frames with ``steps`` steps each, and return the positions after every frame.
+
+    ``step`` advances the scene by a time in s, and ``place`` returns its current positions.
+    """
     places: list[Place] = []
     duration = 1.0 / (RATE * steps)
     for _ in range(frames):
@@ -125,9 +135,9 @@ def in_frames(
 
 
 def by_integrators(make: Callable[[], Made], frames: int) -> list[Model]:
-    """Return one model for each integrator of chapter 6.
+    """Return models that move one particle under its forces, one for each integrator of chapter 6.
 
-    Each model moves one particle under its forces.
+    The last model is the adaptive integrator, which chooses its own steps.
     """
     fixed = [
         Model(
@@ -152,7 +162,10 @@ def by_tolerance(make: Callable[[], Made], frames: int) -> Model:
 def by_forces(
     make: Callable[[], Made], integrator: Integrator, frames: int
 ) -> Callable[[int], Outcome]:
-    """Return a function that runs a particle in the X-Y plane and counts force evaluations."""
+    """Return a function that runs a particle in the X-Y plane and counts force evaluations.
+
+    ``make`` returns a new particle and its force generators for every run.
+    """
 
     def run(steps: int) -> Outcome:
         particle, generators = make()
@@ -178,7 +191,7 @@ def by_forces(
 
 
 def by_formula(place_at: Callable[[float], Place], frames: int) -> Model:
-    """Return the model that evaluates a closed form once per frame."""
+    """Return a model that needs no steps, because it evaluates a closed form once per frame."""
 
     def run(_: int) -> Outcome:
         return Outcome([place_at(frame / RATE) for frame in range(1, frames + 1)], frames)
@@ -215,7 +228,7 @@ def by_pymunk(
 
 
 def space_with(place: Place, velocity: Place, mass: float) -> tuple[pymunk.Space, pymunk.Body]:
-    """Return a pymunk space without gravity that contains one body."""
+    """Return a pymunk space without gravity, and the only body in it."""
     import pymunk  # here, because a chapter's plots do not need it
 
     space = pymunk.Space()

@@ -1,1 +1,1 @@
-"""The measurements of make bench. Each module covers one subject and has a function ``lines``."""
+"""The measurements of make bench. Each module covers one subject, and ``lines`` returns them."""

@@ -1,12 +1,12 @@
-"""Compare our models with pymunk at equal accuracy.
+"""Compare the speed of our models with pymunk's at equal accuracy.
 
-Each line is pymunk's time divided by the time of one of our models. The positions must be accurate
-in every frame, within a tolerance that is a fraction of the scene's size. Each side uses the
-smallest number of steps per frame, out of the powers of two, that meets the tolerance. If even MOST
-steps are too few for pymunk, its time is extrapolated from its order of convergence, and the line
-says so. If pymunk's error does not decrease steadily either, the line is a lower bound.
+Each figure is pymunk's time divided by the time of one of our models. The positions must be
+accurate in every frame, within a tolerance that is a fraction of the scene's size. Each side uses
+the smallest number of steps per frame, out of the powers of two, that meets the tolerance. If even
+MOST steps are too few for pymunk, its time is extrapolated from its order of convergence, and the
+report says so. If pymunk's error does not decrease steadily either, the figure is a lower bound.
 
-The last lines compare the cost of fixed steps with that of `adaptive` for an orbit.
+The last two figures compare `adaptive` with fixed steps, for an orbit.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ MOST = 2_000_000  # steps per run, which take pymunk a few seconds
 
 
 def lines() -> list[Measurement]:
-    """Return all lines about speed at equal accuracy."""
+    """Return all measurements of speed at equal accuracy."""
     return [
         line("projectile with linear drag", None, "pymunk", 31, Target("at least", 150)),
         line("spring, k = 100 N/m", RK4, "pymunk's spring", 15, Target("at least", 250)),
@@ -50,7 +50,7 @@ def lines() -> list[Measurement]:
 
 
 def lines_of_adaptive() -> list[Measurement]:
-    """Return the cost of Runge-Kutta 4 relative to `adaptive`, for the orbit of a comet.
+    """Compare the cost of Runge-Kutta 4 with that of `adaptive`, for the orbit of a comet.
 
     Each method uses the coarsest setting whose error is at most 1e-6 of the semi-major axis in
     every frame. For Runge-Kutta 4, the setting is the number of steps per frame. For `adaptive`, it
@@ -76,7 +76,7 @@ def lines_of_adaptive() -> list[Measurement]:
 def coarsest(
     scene: Scene, model: Model, choices: Sequence[int], tolerance: float
 ) -> tuple[int, Outcome]:
-    """Find the coarsest choice that meets ``tolerance`` by bisection. Return it and its run."""
+    """Find, by bisection, the coarsest setting that meets ``tolerance``. Return it and its run."""
 
     def is_within(choice: int) -> bool:
         outcome = run(model, choice)
@@ -96,7 +96,8 @@ def line(
 ) -> Measurement:
     """Measure pymunk's time as a multiple of ours, at the same tolerance.
 
-    ``ours`` is the name of our model. If it is None, our fastest exact model is used.
+    ``part`` is a part of the scene's name, and ``ours`` and ``theirs`` are the names of the two
+    models. If ``ours`` is None, our fastest exact model is used.
     """
     (scene,) = scenes_with(part)
     mine = model_of(scene, ours) if ours else fastest_exact(scene)
@@ -119,7 +120,7 @@ def line(
 
 
 def model_of(scene: Scene, name: str) -> Model:
-    """Return the model with this name."""
+    """Return the model of ``scene`` that has this name."""
     return next(model for model in scene.models if model.name == name)
 
 
@@ -145,9 +146,9 @@ def fewest_steps(scene: Scene, model: Model, tolerance: float) -> tuple[int, flo
 
 
 def tried_steps(scene: Scene, model: Model, tolerance: float) -> list[Point]:
-    """Try more and more steps, and return a point for each number of steps.
+    """Run a model with 1, 2, 4 and more steps per frame, and return a point for each run.
 
-    The number doubles until it meets ``tolerance`` or reaches MOST.
+    The number of steps doubles until a run meets ``tolerance`` or takes MOST steps.
     """
     tried: list[Point] = []
     steps = 1
@@ -161,6 +162,6 @@ def tried_steps(scene: Scene, model: Model, tolerance: float) -> list[Point]:
 
 
 def told(model: Model, steps: int, error: float) -> str:
-    """Describe a model with its steps and its error."""
+    """Describe a model with its number of steps per frame and its error."""
     chosen = "" if is_exact(model) else f"{steps:,} {'step' if steps == 1 else 'steps'} per frame, "
     return f"{model.name} ({chosen}error {error:.1g})"

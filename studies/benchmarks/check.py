@@ -10,7 +10,7 @@ from studies.timing import Measurement, Target, Timer, timer, versus
 
 
 def lines() -> list[Measurement]:
-    """Measure the time of make check for one chapter, relative to the import of pytest."""
+    """Measure how long make check takes for one chapter, as a multiple of importing pytest."""
     check = running("-m", "autograder", "check", "--chapter", "2")
     for _ in range(2):  # the first run compiles the modules
         check()
@@ -20,6 +20,6 @@ def lines() -> list[Measurement]:
 
 
 def running(*command: str) -> Timer:
-    """Return a timer that runs Python with these arguments."""
+    """Return a timer for a run of Python with these arguments."""
     call = [sys.executable, *command]
     return timer(lambda: subprocess.run(call, cwd=ROOT, stdout=subprocess.DEVNULL, check=False))

@@ -28,7 +28,7 @@ RATE = 240  # Hz, at which DirectChain keeps every rod to 1e-6 of its length
 
 
 def lines() -> list[Measurement]:
-    """Return all lines about contacts."""
+    """Return the measurements of how much time contacts take."""
     many, few = spread(1000), spread(100)
     rate = matching_rate()
     return [
@@ -70,7 +70,10 @@ def lines() -> list[Measurement]:
 
 
 def resolving(kind: type[ContactResolver], count: int) -> Timer:
-    """Return a timer that resolves the contacts of a rope that has just been stretched."""
+    """Return a timer for resolving the contacts of a rope that has just been stretched.
+
+    ``kind`` is the class of the resolver, and ``count`` is the number of contacts.
+    """
 
     def once() -> float:
         down = Vector3(0.0, -GRAVITY)
@@ -86,7 +89,10 @@ def resolving(kind: type[ContactResolver], count: int) -> Timer:
 
 
 def spread(count: int) -> ParticlePairs:
-    """Return spheres of radius 0.5 m in a cube. On average, there is one sphere per 8 m^3."""
+    """Scatter ``count`` spheres in a cube, and return the detector of their contacts.
+
+    The spheres have a radius of 0.5 m, and on average there is one of them in 8 m^3.
+    """
     rng = random.Random(1)
     size = 2.0 * count ** (1.0 / 3.0)
     places = [[rng.uniform(0.0, size) for _ in range(3)] for _ in range(count)]
@@ -94,9 +100,9 @@ def spread(count: int) -> ParticlePairs:
 
 
 def by_direct_solve(rate: int) -> tuple[float, float]:
-    """Release a chain, and return the position of its tip after 1 s.
+    """Simulate a chain with a DirectChain for 1 s, and return the position of its tip.
 
-    ``rate`` is in frames per s.
+    ``rate`` is in steps per second.
     """
     particles = chain_particles(LINKS, ANGLE)
     chain = DirectChain(particles[1:], Vector3())
@@ -107,7 +113,7 @@ def by_direct_solve(rate: int) -> tuple[float, float]:
 
 
 def by_direct_net(rate: int) -> tuple[float, float]:
-    """Simulate the same chain as a net of rods. Return the position of its tip."""
+    """Simulate the chain as a net of rods for 1 s, and return the position of its tip."""
     particles = chain_particles(LINKS, ANGLE)[1:]
     first = AnchoredRod(particles[0], Vector3(), LINK)
     net = DirectNet([first, *(Rod(a, b, LINK) for a, b in pairwise(particles))])
@@ -118,7 +124,7 @@ def by_direct_net(rate: int) -> tuple[float, float]:
 
 
 def by_pymunk(rate: int) -> tuple[float, float]:
-    """Simulate the same chain with pymunk's pin joints. Return the position of its tip.
+    """Simulate the chain with pymunk's pin joints for 1 s, and return the position of its tip.
 
     The solver makes its default of 10 iterations.
     """
@@ -137,7 +143,7 @@ def by_pymunk(rate: int) -> tuple[float, float]:
 
 
 def matching_rate() -> int:
-    """Return the frame rate at which pymunk's tip is as accurate as ours.
+    """Find the step rate at which pymunk is as accurate as DirectChain at the tip of the chain.
 
     The search starts at four times our rate and doubles the rate until pymunk is accurate enough.
     DirectChain at 16 times its rate serves as the exact position, because its error is then 256

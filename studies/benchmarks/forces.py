@@ -14,7 +14,7 @@ FRAMES = [FRAME] * STEPS
 
 
 def lines() -> list[Measurement]:
-    """Return all lines about forces."""
+    """Return the measurements of how much time forces take."""
     chapter_3 = timer(lambda: steps(make_particle(PROJECTILE), FRAMES))
     free = timer(lambda: steps(make_particle_with_forces(), FRAMES))
     forced = timer(lambda: forced_steps(FRAMES))
@@ -40,7 +40,7 @@ def lines() -> list[Measurement]:
 
 
 def make_particle_with_forces() -> Particle:
-    """Return a particle of chapter 5 in the initial state of the flight."""
+    """Create the projectile of the benchmarks as a particle of chapter 5, which takes forces."""
     start = PROJECTILE.start
     return Particle(
         Vector3(*start.position),
@@ -51,7 +51,7 @@ def make_particle_with_forces() -> Particle:
 
 
 def forced_steps(frames: list[float]) -> Numbers:
-    """Step under one force, and return the final position."""
+    """Step a particle on which one force acts, and return its final position."""
     particle = make_particle_with_forces()
     force = Vector3(*FORCE)
     for frame in frames:
@@ -61,7 +61,7 @@ def forced_steps(frames: list[float]) -> Numbers:
 
 
 def generator_steps(frames: list[float]) -> Numbers:
-    """Step with gravity as a generator, and return the final position."""
+    """Step a particle with gravity as a force generator, and return its final position."""
     particle = make_particle_with_forces()
     particle.acceleration = Vector3()
     registry = ForceRegistry()
@@ -73,9 +73,9 @@ def generator_steps(frames: list[float]) -> Numbers:
 
 
 def forced_arithmetic(frames: list[float]) -> Numbers:
-    """Make the same steps under one force in local variables, and return the final position.
+    """Make the same steps as ``forced_steps`` in local variables, and return the final position.
 
-    Each step adds the force to a sum, uses the sum, and then clears it.
+    Like the engine, each step adds the force to a sum, uses the sum, and then clears it.
     """
     x, y, z = PROJECTILE.start.position
     vx, vy, vz = PROJECTILE.start.velocity

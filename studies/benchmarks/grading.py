@@ -1,4 +1,7 @@
-"""Measure how much more it costs to run untrusted code in workers than in the checks' process."""
+"""Measure what it costs to check students' code in isolated workers.
+
+The times are compared with those of checks that run the code in their own process.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +23,7 @@ AT_A_TIME = 2
 
 
 def lines() -> list[Measurement]:
-    """Return the lines for a check, for a class of twenty, and for the sample class."""
+    """Return the measurements of a single check, of a class of twenty, and of the sample class."""
     behind = Behind(vars(best_level()))
     _, second, *_, last = load_chapters()
     # The target was set for chapter 3. Later chapters import more modules and do more work.
@@ -29,7 +32,10 @@ def lines() -> list[Measurement]:
 
 
 def _one_check(chapter: Chapter, behind: Behind, target: Target | None) -> Measurement:
-    """Measure how many ms longer a check takes in a worker. This includes part of the start-up."""
+    """Measure how many milliseconds longer a check takes in an isolated worker.
+
+    The result includes a part of the time that it takes to start the worker.
+    """
 
     def checked(where: Behind | None) -> int:
         return len(run_checks(chapter, ENGINE, seed="1", behind=where))
@@ -63,7 +69,10 @@ def _twenty(behind: Behind) -> Measurement:
 
 
 def _sample_class(behind: Behind) -> Measurement:
-    """Measure the sample class. Its submissions contain endless loops, which run out of time."""
+    """Compare the time to grade the sample class with isolated workers and without them.
+
+    Some of its submissions contain endless loops, which run until the time limit ends them.
+    """
     submissions, _ = find_submissions(ROOT / "sample_class")
     chapters = load_chapters()
 

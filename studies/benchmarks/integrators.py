@@ -25,14 +25,14 @@ ROUNDS = 51
 
 
 def lines() -> list[Measurement]:
-    """Return all lines about integrators."""
+    """Return the measurements of how much time a step of each integrator takes."""
     once = timer(stepping(semi_implicit_euler))
     return [
         Measurement(
             "one particle on a spring: a semi-implicit Euler step / the same arithmetic",
             versus(once, timer(arithmetic)),
             ROUNDS,
-            Target("at most", 6.6),  # nine tenths of the cost before kick and drift
+            Target("at most", 6.6),  # nine tenths of the cost before kick and drift existed
         ),
         Measurement(
             "one particle on a spring: a leapfrog step / a semi-implicit Euler step",
@@ -55,7 +55,10 @@ def lines() -> list[Measurement]:
 
 
 def stepping(integrator: Integrator) -> Callable[[], None]:
-    """Return a function that makes many steps. The motion continues from round to round."""
+    """Return a function that makes STEPS steps of a particle on a spring.
+
+    Every call continues the motion of the previous call.
+    """
     particle = Particle(Vector3(1.0, 2.0, 3.0), Vector3(1.0, 2.0, 3.0), mass=MASS)
     registry = ForceRegistry()
     registry.add(particle, AnchoredSpring(Vector3(), STIFFNESS, REST_LENGTH, DAMPING))
@@ -69,7 +72,7 @@ def stepping(integrator: Integrator) -> Callable[[], None]:
 
 
 def arithmetic() -> tuple[float, float, float]:
-    """Make the same steps of semi-implicit Euler in local variables. Return the last position."""
+    """Make STEPS steps of semi-implicit Euler in local variables. Return the last position."""
     x, y, z = 1.0, 2.0, 3.0
     u, v, w = 1.0, 2.0, 3.0
     for _ in range(STEPS):

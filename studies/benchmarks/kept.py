@@ -1,7 +1,7 @@
-"""Keep the figures of the last `make bench`, and update the places where READMEs quote them.
+"""Store the figures of the last `make bench`, and update the READMEs that quote them.
 
-A README quotes the median of a line between two comments. The first comment contains the beginning
-of the line's description, which must be long enough to identify the line:
+A README quotes the median of a measurement between two comments. The first comment contains the
+beginning of the measurement's description, which must be long enough to identify it:
 
     takes <!-- bench: a cloth of 180 springs by connect -->1.8<!-- end --> times as long
 """
@@ -25,7 +25,7 @@ QUOTATION = re.compile(r"(<!-- bench: ([^>]*?) -->)(.*?)(<!-- end -->)", re.DOTA
 
 
 def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
-    """Write the lines of a run with the date, the Python version and the kind of machine."""
+    """Store the results of a run, with the date, the Python version and the kind of machine."""
     found: dict[str, Any] = {
         "measured": date.today().isoformat(),
         "python": platform.python_version(),
@@ -45,14 +45,14 @@ def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
 
 
 def rounded(figure: float) -> float:
-    """Round ``figure`` to three digits. Its spread makes more digits meaningless."""
+    """Round ``figure`` to three digits, because it varies too much for more digits."""
     return float(f"{figure:.3g}")
 
 
 def kept(file: Path = FILE) -> dict[str, float]:
-    """Return the ratios of the last run, by their descriptions.
+    """Return the stored ratios of the last run, by their descriptions.
 
-    Before the first run, the dict is empty.
+    If nothing has been stored yet, the dict is empty.
     """
     if not file.exists():
         return {}
@@ -61,10 +61,12 @@ def kept(file: Path = FILE) -> dict[str, float]:
 
 
 def with_quotations(page: str, ratios: dict[str, float]) -> str:
-    """Return ``page`` with its quotations updated to the ratios of a run, with two digits.
+    """Return the text of ``page`` with its quoted figures updated to ``ratios``.
+
+    The figures are rounded to two digits.
 
     Raises:
-        ValueError: A quotation does not fit exactly one line of the run.
+        ValueError: A quotation matches the descriptions of several ratios, or of none.
     """
 
     def renewed(match: re.Match[str]) -> str:
@@ -78,12 +80,16 @@ def with_quotations(page: str, ratios: dict[str, float]) -> str:
 
 
 def pages() -> list[Path]:
-    """Return the pages that may quote a figure."""
+    """Return the READMEs and lessons that may quote a figure of make bench."""
     return [path for pattern in PAGES for path in sorted(ROOT.glob(pattern))]
 
 
 def write_quotations() -> None:
-    """Update the quotations of all pages. Raises ValueError if a quotation fits no line."""
+    """Update the figures that all pages quote to those of the last run.
+
+    Raises:
+        ValueError: A quotation matches the descriptions of several ratios, or of none.
+    """
     ratios = kept()
     for path in pages():
         old = path.read_text(encoding="utf-8")

@@ -15,7 +15,7 @@ ROUNDS = 51
 
 
 def lines() -> list[Measurement]:
-    """Return all lines about particles."""
+    """Return the measurements of how much time a particle's step takes."""
     even = [FRAME] * STEPS
     uneven = [FRAME * random.uniform(0.8, 1.2) for _ in even]
     step = timer(lambda: steps(make_particle(PROJECTILE), even))
@@ -52,7 +52,7 @@ def lines() -> list[Measurement]:
 
 
 def _against_pymunk(bodies: int, *, read: bool) -> Measurement:
-    """Measure the same number of damped falls in both engines.
+    """Compare pymunk with our engine, for ``bodies`` bodies that fall with damping.
 
     If ``read`` is true, every x and y is read after each step. This is cheap for our engine, whose
     positions are Python objects. Pymunk has to fetch each position from its C library.
@@ -93,7 +93,10 @@ def steps(particle: Particle, frames: list[float]) -> None:
 
 
 def operator_steps(particle: Particle, frames: list[float]) -> None:
-    """Make the same steps with v + w and v * s. Each assigned vector is checked and copied."""
+    """Step a particle with vector operators, each of which creates a new vector.
+
+    The particle also checks and copies every vector that is assigned to it.
+    """
     for frame in frames:
         particle.position = particle.position + particle.velocity * frame
         keep = particle.damping**frame
@@ -101,7 +104,7 @@ def operator_steps(particle: Particle, frames: list[float]) -> None:
 
 
 def in_place_steps(particle: Particle, frames: list[float]) -> None:
-    """Make the same steps with the methods of Vector3 that change a vector in place."""
+    """Step a particle with the methods of Vector3 that change a vector in place."""
     position, velocity = particle.position, particle.velocity
     for frame in frames:
         position.add_scaled(velocity, frame)
@@ -110,10 +113,11 @@ def in_place_steps(particle: Particle, frames: list[float]) -> None:
 
 
 def arithmetic(frames: list[float]) -> Numbers:
-    """Make the same steps in local variables, and return the final position.
+    """Make the steps of Particle.integrate in local variables, and return the final position.
 
-    The result shows what a step costs without any objects. The function computes a power in every
-    frame. Particle.integrate avoids this if a frame is as long as the previous frame.
+    The time shows what a step costs without any objects. The comparison is not perfect, because
+    this function computes a power in every frame. Particle.integrate reuses its last power if the
+    frame is as long as the previous one.
     """
     x, y, z = PROJECTILE.start.position
     vx, vy, vz = PROJECTILE.start.velocity

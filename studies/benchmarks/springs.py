@@ -1,6 +1,6 @@
-"""Measure the cost of a cloth of springs, made in three ways.
+"""Measure what a cloth of springs costs if its springs are written in three different ways.
 
-The cloth is made with connect, with a separate Spring for each end, or without any objects.
+They are made with connect, with a separate Spring for each end, or without any objects.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ ROUNDS = 21
 
 
 def lines() -> list[Measurement]:
-    """Return all lines about springs.
+    """Return the measurements of how much time a cloth of springs takes.
 
     Each cloth is built once and continues to fall in every round.
     """
@@ -62,7 +62,7 @@ class VectorSpring(Spring):
 
 
 def make_cloth_of_ends() -> tuple[list[Particle], ForceRegistry]:
-    """Return the same cloth with two generators per spring, one for each end."""
+    """Return the cloth with two force generators per spring, one for each end."""
     knots, _ = make_cloth(DAMPING)
     registry = ForceRegistry()
     for i, j in neighbors():
@@ -82,9 +82,9 @@ def steps(knots: list[Particle], registry: ForceRegistry) -> float:
 
 
 def cloth_arithmetic() -> float:
-    """Run the same cloth with lists of floats, and return the height of its lowest knot.
+    """Run the cloth without any objects, in lists of floats. Return the height of its lowest knot.
 
-    In each step, the forces of the springs are computed first.
+    Each step computes the forces of all springs before it moves the knots.
     """
     count = KNOTS * KNOTS
     x = [REST_LENGTH * (i % KNOTS) for i in range(count)]

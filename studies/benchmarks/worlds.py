@@ -25,7 +25,7 @@ DOWN = Vector3(0.0, -GRAVITY)
 
 
 def lines() -> list[Measurement]:
-    """Return all lines about worlds."""
+    """Return the measurements of how much time worlds and ropes take."""
     bare = flying()
     return [
         Measurement(
@@ -56,12 +56,12 @@ def lines() -> list[Measurement]:
 def asleep(
     what: str, make: Callable[[type[ParticleWorld]], ParticleWorld], target: Target
 ) -> Measurement:
-    """Measure a world with all balls awake, relative to a world with nine tenths asleep."""
+    """Measure how much slower a world is with all balls awake than with nine tenths asleep."""
     worlds = make(ParticleWorld), make(SleepingWorld)
     return Measurement(
         f"{BALLS} balls {what}: ParticleWorld / SleepingWorld with nine tenths of them asleep",
-        # In every LOOK_EVERY-th frame, the world checks what pushes the balls asleep. Such a frame
-        # costs as much as several others, so each time includes one.
+        # In every LOOK_EVERY-th frame, the world checks whether anything pushes a sleeping ball.
+        # Such a frame costs as much as several others, so each measured time includes one.
         versus(*(timer(stepping(world), LOOK_EVERY) for world in worlds)),
         21,
         target,
@@ -69,7 +69,7 @@ def asleep(
 
 
 def rope(links: int, rounds: int) -> Measurement:
-    """Measure a rope of rods, relative to a direct solve of the same rope."""
+    """Measure how much longer a rope of rods takes than the same rope as a DirectChain."""
     rods = partial(hang_by_rods, links, 60, SUBSTEPS, 1.0)
     chain = partial(hang_by_direct_chain, links, RATE, 1.0)
     wanted = polygon_sag(links)
@@ -102,7 +102,7 @@ def stepping(world: ParticleWorld) -> Callable[[], None]:
 
 
 def stepping_bare(step: Integrator, particles: Sequence[Particle]) -> Callable[[], None]:
-    """Return a function that steps ``particles`` for a frame with ``step``, without a world."""
+    """Return a function that advances particles by one frame with an integrator only."""
     return lambda: step(particles, no_forces, FRAME)
 
 

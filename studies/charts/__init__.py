@@ -1,8 +1,8 @@
-"""Chart speed against accuracy: run every scene with all of our models, and with pymunk.
+"""Compare speed and accuracy: run every scene with all of our models and with pymunk.
 
-The command writes one page with all charts, a picture and its numbers for each scene, and a table
-of all scenes, to build/charts/. A full run also updates the page and the overview that the
-repository keeps. If a run is interrupted, start it again and it resumes.
+The results are written to build/charts/. They are one page with all charts, a picture and its
+numbers for each scene, and a table of all scenes. A full run also updates the page and the overview
+that the repository keeps. If a run is interrupted, start it again and it resumes.
 """
 
 from __future__ import annotations
@@ -37,9 +37,9 @@ FULL = (9, 0.6, 6.0)
 
 
 def main(arguments: list[str]) -> int:
-    """Measure all models and draw the charts. Return 0.
+    """Measure all models and draw the charts.
 
-    If the scene does not exist, this is reported as an error in the command line.
+    Return 0, or end the command with a usage error if no scene has the given name.
     """
     parser = argparse.ArgumentParser(prog="python -m studies charts", description=__doc__)
     parser.add_argument(
@@ -114,7 +114,7 @@ def main(arguments: list[str]) -> int:
 
 
 def _how(rounds: int, is_quick: bool) -> str:
-    """Return a sentence about how the page was measured."""
+    """Describe when and how the numbers were measured, in a note for the page."""
     quick = " in a quick run, with fewer steps for all models" if is_quick else ""
     versions = f"Python {platform.python_version()} and pymunk {metadata.version('pymunk')}"
     return (

@@ -11,7 +11,10 @@ MOST = 5  # labels on an axis
 
 @dataclass(frozen=True)
 class Axis:
-    """An axis from ``low`` to ``high``, drawn from the coordinate ``start`` to ``end``."""
+    """A logarithmic axis for values from ``low`` to ``high``.
+
+    It is drawn from the coordinate ``start`` to the coordinate ``end``.
+    """
 
     low: float
     high: float
@@ -21,16 +24,19 @@ class Axis:
     def at(self, value: float) -> float:
         """Return the coordinate of ``value``, rounded to 0.1.
 
-        If the value is beyond an end of the axis, return the coordinate of this end.
+        A value beyond an end of the axis is drawn at that end.
         """
         share = math.log(value / self.low) / math.log(self.high / self.low)
         return round(self.start + min(max(share, 0.0), 1.0) * (self.end - self.start), 1)
 
     def ticks(self) -> list[tuple[float, str]]:
-        """Return the coordinates and labels of at most MOST powers of ten."""
+        """Return where to draw labels on the axis, which are at most MOST powers of ten.
+
+        Each label is a tuple of its coordinate and its text.
+        """
         first, last = math.ceil(math.log10(self.low)), math.floor(math.log10(self.high))
         stride = max(1, math.ceil((last - first + 1) / MOST))
-        first = math.ceil(first / stride) * stride  # so that 1 is one of them
+        first = math.ceil(first / stride) * stride  # so that 1 gets a label
         return [(self.at(10.0**n), shown(n)) for n in range(first, last + 1, stride)]
 
 
@@ -44,5 +50,5 @@ def axis_for(values: Iterable[float], start: float, end: float) -> Axis:
 
 
 def shown(power: int) -> str:
-    """Format a power of ten as a number, or in a form such as 1e-6 if this is shorter."""
+    """Format a power of ten for a label, as in 0.01, 100 or 1e-6."""
     return f"{10.0**power:g}" if -3 <= power <= 4 else f"1e{power}"

@@ -1,6 +1,6 @@
 """Update the files that a full `make charts` keeps in the repository.
 
-These are the overview picture, its description, and the page.
+These are the page with all charts, the overview picture, and its description in the READMEs.
 """
 
 from __future__ import annotations
@@ -21,7 +21,10 @@ SHOWN = re.compile(r"!\[[^\]]*\](?=\([^)]*overview\.png\))")
 
 
 def keep(rows: Sequence[Row], out: Path, root: Path = ROOT) -> None:
-    """Copy the picture and the page from ``out`` into the repository. Describe the picture."""
+    """Copy the overview picture and the page from ``out`` into the repository.
+
+    The description of the picture in the READMEs is updated as well.
+    """
     replace_bytes(root / PICTURE, (out / "overview.png").read_bytes())
     replace_bytes(root / PAGE, (out / "index.html").read_bytes())
     for name in READMES:
@@ -36,7 +39,7 @@ def _wrapped(alt: str) -> str:
 
 
 def described(rows: Sequence[Row]) -> str:
-    """Describe the overview in words: how much more or less time pymunk takes."""
+    """Describe the overview picture in words, for readers who cannot see it."""
     scenes = len({row.scene for row in rows})
     ratios = {row.ratio: row for row in rows if row.ratio}
     told = [

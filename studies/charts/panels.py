@@ -27,7 +27,7 @@ from studies.drawing import (
 
 WIDTH, HEIGHT = 380, 290
 LEFT, RIGHT, TOP, BOTTOM = 52.0, 360.0, 10.0, 246.0
-# The page has a shade of each color for light and for dark.
+# The page has two shades of each color, for its light mode and for its dark mode.
 NAMES = {
     BLACK: "black",
     BLUE: "blue",
@@ -41,7 +41,7 @@ NAMES = {
     VIOLET: "violet",
     YELLOW: "yellow",
 }
-# The marks of the pictures, as paths around 0. Matplotlib's names for them are the keys.
+# The same marks as in the pictures, as SVG paths around 0, by their names in matplotlib.
 MARKS = {
     "o": "M-4,0a4,4 0 1,0 8,0a4,4 0 1,0 -8,0z",
     "s": "M-3.5,-3.5h7v7h-7z",
@@ -57,12 +57,15 @@ MARKS = {
     "*": "M-5,0H5M-2.5,-4.4L2.5,4.4M-2.5,4.4L2.5,-4.4",
 }
 IDS = {mark: f"mark{i}" for i, mark in enumerate(MARKS)}
-SIDES = {"pymunk": "pymunk", "the book": "the book's step"}  # ours need no remark
+SIDES = {"pymunk": "pymunk", "the book": "the book's step"}  # our own models need no remark
 
 
 @dataclass(frozen=True)
 class Drawn:
-    """A model's line in the chart, and its points with their rows in the table."""
+    """The line of one model in the chart of a scene.
+
+    Each of its ``points`` is a tuple of the two coordinates and the index of its row in the table.
+    """
 
     name: str
     side: str
@@ -89,8 +92,8 @@ class Panel:
 
 
 def panel(scene: Scene, points: Sequence[Point]) -> Panel:
-    """Return the chart and the table of a scene, made from its measured points."""
-    # Errors that only rounding makes are drawn at the floor, and useless ones not at all.
+    """Prepare the chart and the table of a scene from its measured points."""
+    # Errors that come only from rounding are drawn at the floor. Useless runs are not drawn.
     seen = [point for point in points if point.error < CEILING]
     x = axis_for([1e3 * point.time for point in seen] or [1.0], LEFT, RIGHT)
     y = axis_for([*(max(point.error, FLOOR) for point in seen), 0.1], BOTTOM, TOP)
@@ -131,7 +134,7 @@ def _path(places: Sequence[tuple[float, float]]) -> str:
 
 
 def _row(scene: Scene, point: Point) -> tuple[str, ...]:
-    """Return the texts of a row: the model, its choice, the error, the time, quartiles and work."""
+    """Return a row of the table: model, steps or tolerance, error, time, quartiles and work."""
     model = next(model for model in scene.models if model.name == point.model)
     choice = "1 step" if point.steps == 1 else f"{point.steps:,} steps"
     low, high = point.spread

@@ -25,6 +25,6 @@ def build() -> ParticleWorld:
 def measure(world: ParticleWorld) -> Vector3:
     """Return the values that must be accurate in every frame.
 
-    If a scene has no such function, these are the positions of all particles.
+    If you leave this function out, these are the positions of all particles.
     """
     return world.particles[0].position

@@ -4,8 +4,8 @@ If a model has order p, halving its steps divides its error by 2^p. The differen
 and the same run with half the step size is therefore close to the error of the first run, and d /
 (2^p - 1) is close to the error of the second run.
 
-This works only if the differences show a steady order. They do not if bodies collide or if the
-motion is chaotic, and then the error cannot be estimated.
+This works only if the differences show a steady order. If bodies collide or the motion is chaotic,
+there is no steady order, and the error cannot be estimated.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from itertools import pairwise
 Run = Sequence[Sequence[float]]  # what is measured, for each frame
 
 ROUNDING = 1e-12  # fraction of the measured values below which a difference is rounding
-NEAR = 0.3  # between orders that agree, and between an order and the expected one, as a fraction
+NEAR = 0.3  # orders agree if they differ by at most this (for the expected order, as a fraction)
 LEAST = 0.7  # below this order, a model does not converge
 
 
@@ -26,8 +26,8 @@ LEAST = 0.7  # below this order, a model does not converge
 class Halved:
     """The estimated error of each run, and the observed orders, from coarse to fine steps.
 
-    If the orders are not steady, the errors are only guesses. The runs are exact if they differ
-    only by rounding.
+    If ``is_steady`` is false, the orders vary too much, and the errors are only guesses.
+    ``is_exact`` means that the runs differ only by rounding.
     """
 
     errors: list[float]
@@ -41,13 +41,16 @@ def halved(
 ) -> Halved:
     """Estimate the errors of a model's runs.
 
-    From each run to the next, the steps become shorter by the factor ``ratio``. A run that failed
-    is None. Its error is infinite, and so are the errors of all runs before it. The error of any
-    other run is its distance from the finest run, plus the estimated error of the finest run.
+    From each run to the next, the steps become shorter by the factor ``ratio``. The error of a run
+    is its distance from the finest run, plus the estimated error of the finest run. A run that
+    failed is None. Its error is infinite, and so are the errors of all runs before it.
 
     ``order`` is the highest order that the model can have. If a higher order is observed, it is a
-    coincidence and is not used. Two equal runs normally show that both are exact. If ``may_repeat``
-    is set, they do not show this, because several tolerances can lead to the same steps.
+    coincidence and is not used.
+
+    Two equal runs normally show that both are exact. This is not true for a model that takes a
+    tolerance, because several tolerances can lead to the same steps. Set ``may_repeat`` for such a
+    model.
     """
     first = max((i + 1 for i, run in enumerate(runs) if run is None), default=0)
     good: list[Run] = [run for run in runs[first:] if run is not None]
@@ -72,7 +75,10 @@ def halved(
 
 
 def _is_steady(orders: Sequence[float], order: float) -> bool:
-    """Return whether the last two orders match the expected order, or the last three agree."""
+    """Return whether the observed orders are steady enough to estimate an error.
+
+    They are if the last two match the expected order, or if the last three agree with each other.
+    """
     if len(orders) >= 2 and all(abs(seen - order) <= NEAR * order for seen in orders[-2:]):
         return True
     last = orders[-3:]
@@ -80,7 +86,7 @@ def _is_steady(orders: Sequence[float], order: float) -> bool:
 
 
 def distance(a: Run, b: Run) -> float:
-    """Return the largest difference between two runs, in any frame."""
+    """Return the largest difference between any two corresponding values of two runs."""
     return max(
         abs(x - y)
         for mine, other in zip(a, b, strict=True)

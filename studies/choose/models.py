@@ -1,4 +1,4 @@
-"""Determine which models can run a world, based on its contents.
+"""Determine from the contents of a world which models can run it.
 
 - A world without contacts can use every integrator of chapter 6. If it has no forces either, the
   closed form is exact.
@@ -45,13 +45,16 @@ class Model:
     takes_tolerance: bool = False
 
     def chosen(self, choice: int) -> str:
-        """Describe one of the choices in words."""
+        """Describe a choice in words, such as "4 steps per frame"."""
         if self.takes_tolerance:
             return f"tolerance {1.0 / choice:g}"
         return "once per frame" if choice == 1 else f"{choice} steps per frame"
 
     def steps_of(self, world: ParticleWorld, choice: int) -> tuple[Step, int]:
-        """Return the function that steps ``world``, and the number of steps per frame."""
+        """Prepare a run of ``world`` with one of the choices.
+
+        Return the function that makes a step, and the number of steps per frame.
+        """
         if self.takes_tolerance:
             world.integrator = adaptive(1.0 / choice)
             return self.step_of(world), 1
@@ -75,7 +78,7 @@ def models_of(world: ParticleWorld) -> list[Model]:
 
 
 def _special(world: ParticleWorld) -> list[Model]:
-    """Return the special models for worlds that have only links, or only detectors."""
+    """Return models for worlds whose contacts come only from links, or only from detectors."""
     generators = world.contact_generators
     if all(isinstance(g, LINKS) and not getattr(g, "restitution", 0.0) for g in generators):
         return [Model("direct net", 2, _direct_net), Model("smooth net", 4, _smooth_net)]
@@ -85,7 +88,7 @@ def _special(world: ParticleWorld) -> list[Model]:
 
 
 def _with(integrator: Integrator) -> Callable[[ParticleWorld], Step]:
-    """Return a function that steps only the particles of a world. The world has no contacts."""
+    """Return a function that steps the particles of a world that has no contacts."""
 
     def step_of(world: ParticleWorld) -> Step:
         particles, forces = world.particles, world.registry.update_forces
@@ -109,7 +112,7 @@ def _resolving(name: str) -> Model:
 
 
 def _exact(world: ParticleWorld) -> Step:
-    """Step by the closed form for a constant acceleration and linear drag."""
+    """Step the particles by the closed form for a constant acceleration and linear drag."""
 
     def step(duration: float) -> None:
         for particle in world.particles:

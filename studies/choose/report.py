@@ -23,7 +23,9 @@ APART = 3.0  # factor of the estimated errors beyond which two models contradict
 
 
 def choose(path: Path, tolerance: float, console: Console) -> int:
-    """Measure the models, and report the cheapest. Return 1 if no model meets the tolerance.
+    """Measure all models of a reader's scene, and report the cheapest one.
+
+    Return 1 if no model meets the tolerance.
 
     Raises:
         SceneError: The file does not describe a scene.
@@ -63,10 +65,9 @@ def _told(found: list[Tried], point: Point) -> str:
 
 
 def _table(found: list[Tried], scene: OwnScene, tolerance: float) -> Table:
-    """Create a table with a row for each model.
+    """Create a table that shows what each model needs to meet the tolerance.
 
-    The row shows what the model needs to meet the tolerance. If the model does not meet it, the row
-    shows the finest run.
+    If a model does not meet it, its row shows the finest run.
     """
     table = Table("model", "steps / frame", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("error", "ms", "order"):
@@ -88,7 +89,10 @@ def _table(found: list[Tried], scene: OwnScene, tolerance: float) -> Table:
 
 
 def _order(tried: Tried) -> str:
-    """Return the order of a model's last runs, and the order that the model should have."""
+    """Describe the order of convergence of a model's last runs, as in "1.9 of 2" or "exact".
+
+    The second number is the order that the model should have.
+    """
     if tried.halved.is_exact:
         return "exact"
     seen = f"{tried.halved.orders[-1]:.1f}" if tried.halved.orders else "?"
@@ -96,7 +100,7 @@ def _order(tried: Tried) -> str:
 
 
 def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
-    """Return warnings about the estimated errors. The reader needs them to judge the result."""
+    """Warn the reader about anything that makes the estimated errors unreliable."""
     told = []
     unsteady = [tried for tried in found if not tried.halved.is_steady]
     if unsteady:
@@ -112,7 +116,7 @@ def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
         )
     for tried in found:
         name, order, seen = tried.model.name, tried.model.order, tried.halved.orders
-        # It is expected that leapfrog has order 1 if a force depends on the velocity.
+        # Leapfrog is expected to have only order 1 if a force depends on the velocity.
         if tried.halved.is_steady and seen and seen[-1] < LOW * order and name != "leapfrog":
             told.append(
                 f"{name} converges with order {seen[-1]:.1f} instead of {order}, as where a force "
@@ -124,7 +128,10 @@ def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
 
 
 def _seen(tried: Tried) -> str:
-    """Return the name of a model and its last orders, or the reason why it has no orders."""
+    """Name a model that does not converge with the expected order, and the orders that it shows.
+
+    If its runs show no order at all, name the reason instead.
+    """
     shown = ", ".join(f"{each:.1f}" for each in tried.halved.orders[-3:])
     if not shown:
         return f"{tried.model.name} ({tried.failure or 'its runs hardly differ'})"
@@ -132,7 +139,10 @@ def _seen(tried: Tried) -> str:
 
 
 def _contradicting(found: list[Tried], chosen: Point) -> str:
-    """Return a warning if the most accurate other model contradicts the chosen model."""
+    """Return a warning if the most accurate other model contradicts the chosen model.
+
+    Two models contradict each other if they differ by much more than their estimated errors.
+    """
     mine = next(tried for tried in found if tried.model.name == chosen.model)
     run = mine.runs[mine.model.choices.index(chosen.steps)]
     others = [tried for tried in found if tried is not mine and tried.halved.is_steady]

@@ -16,16 +16,16 @@ from studies.choose.models import Model, models_of
 from studies.choose.scene import OwnScene, SceneError, why
 
 ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
-ORDERS = 3  # orders to observe before a model is given up, for which five runs are needed
-STILL = 1e-12  # fraction of the measured values below which a displacement is not a motion
+ORDERS = 3  # a slow model is given up only after this many orders, which takes five runs
+STILL = 1e-12  # a change by less than this fraction of the measured values is only rounding
 
 
 @dataclass
 class Tried:
-    """A model with its runs and the time of each run in s.
+    """A model that has been tried, with its runs and the times of each run in s.
 
-    ``halved`` contains the estimated errors of the runs. If the last run failed, ``failure`` is the
-    reason.
+    ``halved`` contains the estimated errors of the runs, and ``failure`` is the reason if the last
+    run failed.
     """
 
     model: Model
@@ -47,7 +47,11 @@ class Tried:
         self.halved = halved(self.runs, ratio, model.order, may_repeat=may_repeat)
 
     def is_enough(self, tolerance: float) -> bool:
-        """Return whether the errors are known, and the last three runs meet ``tolerance``."""
+        """Return whether the model needs no further runs.
+
+        This is so if its runs are exact, or if its errors are known and the last three meet
+        ``tolerance``.
+        """
         found = self.halved
         within = all(error <= tolerance for error in found.errors[-3:])
         return found.is_exact or (found.is_steady and within)
@@ -57,7 +61,7 @@ class Tried:
         return len(self.halved.orders) >= ORDERS
 
     def points(self, scene: OwnScene) -> list[Point]:
-        """Return the runs as points. Their work is the number of steps."""
+        """Return the runs as points of a study. Their work is the number of steps."""
         return [
             Point(
                 str(scene.path),
@@ -102,7 +106,7 @@ def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> l
 
 
 def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, float]:
-    """Run a scene once. Return the measured values or the reason of a failure, and the time in s.
+    """Run a scene once. Return the measured values, or why the run failed, and the time in s.
 
     The time is processor time. A run fails if its steps are too long for its forces, or if its
     numbers are not finite.
@@ -134,10 +138,10 @@ def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, flo
 
 
 def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
-    """Time runs again in random order, so that other load does not affect only one model.
+    """Time the runs that may be chosen again, in random order.
 
-    Only runs that may be chosen are timed again. These are the runs of models whose error is known,
-    up to the first run that meets the tolerance.
+    These are the runs of models whose error is known, up to the first run that reliably meets the
+    tolerance. The random order prevents other load on the machine from affecting only one model.
     """
     every = []
     for tried in found:

@@ -21,9 +21,9 @@ NAME = "scene_file"  # name of the module that is made from a file
 
 
 class SceneError(ValueError):
-    """Raised when a file does not describe a valid scene.
+    """Raised when a reader's file does not describe a valid scene.
 
-    The message explains the problem with the file.
+    The message explains what is wrong with the file.
     """
 
 

@@ -1,6 +1,6 @@
-"""Compare the contact solvers of chapter 7: error over time, for stacks, ropes and mass ratios.
+"""Compare the contact solvers of chapter 7 in stacks and ropes with several mass ratios.
 
-The command prints, for each scene, how long each solver takes per frame to stay within an error. A
+For each scene, the command prints how much time per frame a solver needs to stay within an error. A
 complete run stores its numbers for `make figures`, which draws the picture of the lesson.
 """
 
@@ -23,7 +23,7 @@ QUICK, FULL = (1, 0.02), (3, 0.3)  # rounds, and the time in s for the slowest r
 
 
 def main(arguments: list[str]) -> int:
-    """Measure, print, draw and store the results. Return 0."""
+    """Measure all solvers, and print, draw and store the results. Return 0."""
     parser = argparse.ArgumentParser(prog="python -m studies contacts", description=__doc__)
     parser.add_argument(
         "--quick", action="store_true", help="at most a minute: fewer steps, one round, not stored"

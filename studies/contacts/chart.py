@@ -1,4 +1,4 @@
-"""Draw the picture and write the table of the contact solvers, from their measured points."""
+"""Draw the picture and the table that compare the contact solvers, from measured points."""
 
 from __future__ import annotations
 
@@ -46,16 +46,17 @@ def of_scene(points: Sequence[Point], scene: str) -> dict[str, list[Point]]:
 def time_within(points: Sequence[Point], scene: str, solver: str, tolerance: float) -> float | None:
     """Return the time in ms per frame in which ``solver`` reaches an error of ``tolerance``.
 
-    If it never reaches this error, return None.
+    If it does not reach this error in any run, return None.
     """
     own = of_scene(points, scene).get(solver)
     return time_to(own, tolerance) if own else None
 
 
 def table(points: Sequence[Point]) -> list[list[str]]:
-    """Create a table with a row of text for each scene and error.
+    """Create the table that the command prints, with a row for each scene and error.
 
-    A dash means that the error was not reached.
+    A row shows how long each solver takes to reach the error. A dash means that it did not reach
+    it.
     """
     rows = []
     for scene in dict.fromkeys(point.scene for point in points):
@@ -67,7 +68,12 @@ def table(points: Sequence[Point]) -> list[list[str]]:
 
 
 def draw(points: Sequence[Point]) -> Figure:
-    """Draw the error over time for two scenes, and the time over the mass ratio for two others."""
+    """Draw four panels that compare the contact solvers.
+
+    The upper panels plot the error against the computing time, for a stack and a swinging rope. The
+    lower panels plot the time that a solver needs for an error below 1 % against the mass ratio,
+    for a stack and a rope.
+    """
     figure, panels = pyplot.subplots(2, 2, figsize=(11, 8.4), layout="constrained")
     stack, swing = of_scene(points, named(STACK, 1)), of_scene(points, f"{SWING}, energy")
     _errors(panels[0, 0], stack, "overlap in a stack", "overlap / diameter")
@@ -85,7 +91,7 @@ def draw(points: Sequence[Point]) -> Figure:
 
 
 def contact_solvers() -> Picture:
-    """Draw the picture of the lesson from the committed points."""
+    """Draw the picture of the lesson from the points that are stored in the repository."""
     points = kept()
     return Picture(draw(points), COLUMNS, table(points))
 

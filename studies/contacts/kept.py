@@ -1,4 +1,4 @@
-"""Store and read the committed points of the last complete run of `make contacts`."""
+"""Store the points of the last complete run of `make contacts` in the repository, and read them."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ FILE = Path(__file__).with_name("figures.json")
 
 
 def rounded(points: Sequence[Point]) -> list[Point]:
-    """Replace the times of each point with the median in ms per frame. Round to three digits."""
+    """Round each point to three digits, with the median of its times in ms per frame."""
 
     def digits(value: float) -> float:
         return float(f"{value:.3g}")

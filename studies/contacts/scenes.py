@@ -51,7 +51,7 @@ Move = Callable[[float], object]
 class Bodies:
     """Particles with the constraints that hold them, and a function that measures an error.
 
-    ``error`` takes the duration of a step. Its result has no unit.
+    ``error`` takes the duration of a step in s and returns a number without a unit.
     """
 
     particles: list[Particle]
@@ -68,7 +68,7 @@ class ColdStart(SequentialImpulses):
 
 
 def by_book(particles: list[Particle], generators: Iterable[ContactGenerator]) -> Move:
-    """Return a function that makes a step with the book's resolver in its fast implementation."""
+    """Return a step that uses the book's resolver, in its fast implementation with a heap."""
     world = ParticleWorld(particles, generators)
     world.resolver = HeapResolver()
     return world.step
@@ -84,7 +84,10 @@ SOLVERS: dict[str, Callable[[list[Particle], list[Any]], Move]] = {
 
 
 def stack(ratio: float) -> Bodies:
-    """Return a stack of spheres on the ground. Each sphere just touches the next sphere."""
+    """Return a stack of spheres on the ground that just touch each other.
+
+    The top sphere has the mass ``ratio`` in kg, and the measured error is the largest overlap.
+    """
     spheres = [
         Particle(Vector3(0.0, (2 * i + 1) * RADIUS), acceleration=DOWN) for i in range(COUNT)
     ]
@@ -99,7 +102,11 @@ def stack(ratio: float) -> Bodies:
 
 
 def rope(ratio: float, angle: float = 0.0, two_sided: bool = True) -> Bodies:
-    """Return a straight rope of rods. It hangs from an immovable particle at an angle."""
+    """Return a straight rope of rods that hangs from an immovable particle at an angle.
+
+    The weight at its end has the mass ``ratio`` in kg, and the measured error is the change in
+    length.
+    """
     along = Vector3(LENGTH * math.sin(angle), -LENGTH * math.cos(angle))
     joints = [Particle(along * i, acceleration=DOWN) for i in range(COUNT + 1)]
     joints[0].mass, joints[-1].mass = math.inf, ratio
@@ -114,16 +121,13 @@ def rope(ratio: float, angle: float = 0.0, two_sided: bool = True) -> Bodies:
 
 
 def swinging(two_sided: bool = True) -> Bodies:
-    """Return a rope without a weight, which is released at an angle.
-
-    The measured error is the change in energy.
-    """
+    """Return a rope without a weight that swings from an angle, to measure its change in energy."""
     bodies = rope(1.0, ANGLE, two_sided)
     start = mechanical_energy(bodies.particles)
     lowest = mechanical_energy(rope(1.0).particles)
 
     def change(duration: float) -> float:
-        # The velocity is the mean between two positions, so it is valid at the point halfway.
+        # The velocity is the mean between two positions, so it is valid halfway between them.
         halfway = sum(
             0.5 * duration * particle.mass * particle.acceleration.dot(particle.velocity)
             for particle in bodies.particles[1:]
@@ -134,7 +138,7 @@ def swinging(two_sided: bool = True) -> Bodies:
 
 
 def run(make: Callable[[], Bodies], solver: str, steps: int) -> Outcome:
-    """Run a scene with ``solver``. Return the error at the end of every frame."""
+    """Run a stack or a rope with ``solver``. Return its error at the end of every frame."""
     bodies, duration = make(), 1.0 / (RATE * steps)
     step = SOLVERS[solver](bodies.particles, bodies.generators)
     places = in_frames(step, lambda: (bodies.error(duration),), FRAMES, steps)
@@ -142,7 +146,10 @@ def run(make: Callable[[], Bodies], solver: str, steps: int) -> Outcome:
 
 
 def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> Scene:
-    """Return a scene with one model for each solver. Small steps do not need two-sided rods."""
+    """Return a scene with one model for each solver.
+
+    SmallSteps runs with ordinary rods, because it does not need two-sided rods.
+    """
     models = []
     for solver in solvers:
         one_sided = solver == SMALL and NET in solvers
@@ -153,17 +160,17 @@ def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> 
 
 
 def exact(_: float) -> Place:
-    """Return the exact error at any time, which is 0."""
+    """Return the error of an exact solver, which is 0 at any time."""
     return (0.0,)
 
 
 def named(name: str, ratio: int) -> str:
-    """Return the name of the scene with this mass ratio."""
+    """Return the name of a scene with this mass ratio, such as "stack, ratio 10"."""
     return f"{name}, ratio {ratio:,}"
 
 
 def scenes() -> list[Scene]:
-    """Return all scenes, in the order of the table."""
+    """Return all scenes of the comparison, in the order in which the table lists them."""
     of_stacks = [BOOK, COLD, IMPULSES, SMALL]
     of_ropes = [BOOK, IMPULSES, SMALL, NET]
     return [

@@ -1,8 +1,9 @@
 """Find the largest stable stiffness and drag of each method, and compare them with theory.
 
-The limits are found by bisection. At 1.02 times a limit, oscillations must grow. Far inside the
-limits, the change in energy over ten thousand oscillations is measured. Maps show the growth around
-the limits. Curves show how soon a simulation diverges just outside the limits.
+The limits are found by bisection. At 1.02 times a limit, the command computes how many steps an
+oscillation takes to become a million times as large. Far inside the limits, it measures how the
+energy changes over ten thousand oscillations. It also draws maps of the growth around the limits,
+and curves that show how soon a simulation diverges just outside them.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ WORST = 0.05  # largest relative error allowed for a limit
 
 
 def main(arguments: list[str]) -> int:
-    """Print, draw and write the results. Return 1 if a limit is off by more than 5 %."""
+    """Print, draw and write the results. Return 1 if a limit and its theory differ by over 5 %."""
     parser = argparse.ArgumentParser(prog="python -m studies limits", description=__doc__)
     parser.add_argument(
         "--out",

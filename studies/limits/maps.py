@@ -1,6 +1,7 @@
 """Draw the stability limits of methods: growth around the limits, and the time to divergence.
 
-The curves follow from the eigenvalues of one step. The marks beside them come from simulations.
+The curves are predictions from the eigenvalues of one step, and the marks beside them come from
+simulations.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ SHADES = COLORS | {"pymunk's spring": BLACK, "pymunk, by hand": GRAY}
 MARKS = dict(zip(SHADES, "oo^vsoox+", strict=True))
 KAPPAS = [0.01 * 10.0 ** (i / 16.0) for i in range(56)]
 DOTS = (0.0, 0.1, 0.25, 0.5, 0.75, 0.9, 1.0, 1.5, 2.0)  # dampings at which limits are measured
-# The damping at which each method has a limit above 0: d^h, or c h / m.
+# For each method, a damping at which its limit is above 0. The damping is d^h, or c h / m.
 LOST = {
     "explicit Euler": 0.5,
     "semi-implicit Euler": 1.0,
@@ -53,9 +54,10 @@ Loss = tuple[str, float, float, float, int, int]
 
 
 def draw_maps(png: Path) -> None:
-    """Draw growth over stiffness and damping for each method, with theoretical and measured limits.
+    """Draw a map for each method that shows how stiffness and damping affect its stability.
 
-    The measured limits are found by bisection.
+    Colors show by which factor an oscillation grows in a step. A line shows the theoretical limit,
+    and dots show the limits that bisection has found.
     """
     figure, panels = pyplot.subplots(3, 3, figsize=(14, 12), layout="constrained")
     off = []
@@ -97,9 +99,9 @@ def draw_maps(png: Path) -> None:
 
 
 def divergence() -> list[Loss]:
-    """Predict and count the steps that each method takes to diverge.
+    """Predict how many steps each method takes to diverge, and count them in a simulation.
 
-    The predictions follow from the eigenvalues of a step, and the counts come from simulations.
+    The predictions follow from the eigenvalues of a step.
     """
     rows = []
     for name, damping in LOST.items():
@@ -113,7 +115,7 @@ def divergence() -> list[Loss]:
 
 
 def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> tuple[int, int]:
-    """Count the steps until an oscillation has grown by a factor of 1e6. Return two numbers.
+    """Count the steps until an oscillation has grown by a factor of 1e6, in two ways.
 
     The first number counts from the release. The second number counts from 1e3 to 1e9 times the
     initial size, when the initial state no longer matters. ``predicted`` is the expected number of
@@ -134,7 +136,7 @@ def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> 
 def draw_divergence(
     losses: Sequence[Loss], drifts: dict[str, list[float]], swings: Sequence[int], png: Path
 ) -> None:
-    """Draw the time to divergence outside the limits, its error, and energies over time."""
+    """Draw the time to divergence outside the limits, its error, and the energies inside them."""
     figure, (left, middle, right) = pyplot.subplots(1, 3, figsize=(17, 5.4), layout="constrained")
     _draw_steps(left, losses)
     _draw_errors(middle, losses)
@@ -147,7 +149,10 @@ def draw_divergence(
 
 
 def _draw_steps(axes: Axes, losses: Sequence[Loss]) -> None:
-    """Draw the steps from release as marks, and ln(1e6) / ln(growth) as lines."""
+    """Draw the number of steps from the release until an oscillation diverges.
+
+    The marks come from simulations, and the lines are the prediction ln(1e6) / ln(growth).
+    """
     for name, damping in LOST.items():
         own = [row[2:] for row in losses if row[0] == name]
         color, mark = SHADES[name], MARKS[name]
@@ -169,8 +174,8 @@ def _draw_steps(axes: Axes, losses: Sequence[Loss]) -> None:
 def _draw_errors(axes: Axes, losses: Sequence[Loss]) -> None:
     """Draw the relative difference between the simulated and the predicted number of steps.
 
-    An oscillation from rest is the sum of two eigenvectors. Near a limit the two are almost equal,
-    so the growing part may be much larger than the sum, or half of it. The oscillation then reaches
+    An oscillation from rest is the sum of two eigenvectors, which are almost equal near a limit.
+    The growing part may then be much larger than the sum, or half of it, so the oscillation reaches
     a million times its size sooner or later than predicted. Far outside the limit, rounding to
     whole steps makes a difference.
     """
@@ -195,7 +200,10 @@ def _draw_errors(axes: Axes, losses: Sequence[Loss]) -> None:
 
 
 def _draw_energies(axes: Axes, drifts: dict[str, list[float]], swings: Sequence[int]) -> None:
-    """Draw energies over oscillations, and the theoretical energy of Runge-Kutta 4."""
+    """Draw how the energy of each method changes over many oscillations.
+
+    A dashed line shows the energy of Runge-Kutta 4 by theory.
+    """
     for name, ratios in drifts.items():
         color, mark = SHADES[name], MARKS[name]
         axes.semilogx(swings, ratios, f"{mark}-", color=color, mfc="none", lw=1, ms=5, label=name)

@@ -1,4 +1,4 @@
-"""Measure stability limits by bisection, and measure the energy inside the limits.
+"""Measure by bisection where methods become unstable, and measure the energy inside these limits.
 
 There are limits for springs, for drag and for a penalty ground. A step is a linear map of position
 and velocity, so its eigenvalues show whether a motion grows. A spring is at its limit when the
@@ -43,10 +43,10 @@ Growth = Callable[[float], float]
 
 
 class Bound(NamedTuple):
-    """The measured and the theoretical limit of a method in one case. Infinity means no limit.
+    """The stability limit of a method in one case, as measured and as predicted by theory.
 
-    ``steps`` is the number of steps in which an oscillation just outside the limit grows by the
-    factor HUGE. It is NaN if nothing grows.
+    Infinity means that there is no limit. ``steps`` is the number of steps in which an oscillation
+    just outside the limit grows by the factor HUGE. It is NaN if nothing grows.
     """
 
     method: str
@@ -59,7 +59,11 @@ class Bound(NamedTuple):
 def pymunk_step(
     by_hand: bool, x: float, v: float, k: float, c: float, mass: float, duration: float
 ) -> State:
-    """Step a pymunk body on a spring. Return its position and velocity, like a Solver."""
+    """Make one step of a pymunk body on a spring, and return its position and velocity.
+
+    If ``by_hand`` is true, the force of the spring is applied as a plain force instead of by
+    pymunk's own spring.
+    """
     space = pymunk.Space()
     body = pymunk.Body(mass, 1.0)
     body.position, body.velocity = (x, 0.0), (v, 0.0)
@@ -74,7 +78,7 @@ def pymunk_step(
 
 
 def pymunk_damping(x: float, v: float, k: float, c: float, mass: float, duration: float) -> State:
-    """Step a pymunk body without a spring, in a space with damping d = e^(-c / m)."""
+    """Make one step of a pymunk body without a spring, in a space with damping d = e^(-c / m)."""
     del k
     space = pymunk.Space()
     space.damping = math.exp(-c / mass)
@@ -92,10 +96,11 @@ PYMUNK: dict[str, Solver] = {
 
 
 def stepping(name: str, kappa: float, damping: float) -> tuple[Integrator, Pull, float]:
-    """Return a method, its spring, and the damping d of the particle.
+    """Set up a method and a spring, so that the growth of oscillations can be measured.
 
-    The spring has k h^2 / m = ``kappa``. For an integrator, ``damping`` is d^h of the particle. For
-    every other method it is c h / m of the spring.
+    Return the method as an integrator, the spring, and the damping d of the particle. The spring
+    has k h^2 / m = ``kappa``. For an integrator, ``damping`` is d^h of the particle. For every
+    other method it is c h / m of the spring.
     """
     k = kappa / FRAME**2
     if name in INTEGRATORS:
@@ -110,11 +115,12 @@ def growth_at(name: str, damping: float, kappa: float) -> float:
 
 
 def theory_at(name: str, damping: float) -> float:
-    """Return the largest stable k h^2 / m of a spring. ``damping`` has the meaning of ``stepping``.
+    """Return the largest k h^2 / m at which a spring is stable in theory.
 
-    Pymunk steps its spring by p' = p + v h, v' = (v + a' h) e^(-c h / m). This is semi-implicit
-    Euler with D = e^(-c h / m). With a force by hand, its step is explicit Euler. The determinant 1
-    - c h / m + kappa is then 1 at kappa = c h / m, which is the limit up to c h / m = 2.
+    ``damping`` has the same meaning as in ``stepping``. Pymunk steps its spring by p' = p + v h, v'
+    = (v + a' h) e^(-c h / m), which is semi-implicit Euler with D = e^(-c h / m). If the force is
+    applied by hand, pymunk's step is explicit Euler. The determinant of this step, 1 - c h / m +
+    kappa, is 1 at kappa = c h / m, so this is the limit up to c h / m = 2.
     """
     if name in SOLVERS:
         return math.inf
@@ -126,7 +132,7 @@ def theory_at(name: str, damping: float) -> float:
 
 
 def spring_limits() -> list[Bound]:
-    """Return the limits of k h^2 / m of every method, for springs with and without damping."""
+    """Measure the limits of k h^2 / m of every method, for springs with and without damping."""
     rows = []
     for name in INTEGRATORS:
         rows += [spring_limit(name, kept, f"d^h = {kept:g}") for kept in KEPT]
@@ -143,14 +149,14 @@ def spring_limits() -> list[Bound]:
 
 
 def spring_limit(name: str, damping: float, at: str) -> Bound:
-    """Return the limit of a method with the damping of ``stepping``."""
+    """Measure the limit of one method for a spring, with ``damping`` as in ``stepping``."""
     return bound(name, at, partial(growth_at, name, damping), theory_at(name, damping))
 
 
 def ground_limit() -> Bound:
-    """Return the k h^2 / m above which a penalty ground throws a resting body into the air.
+    """Find the k h^2 / m above which a penalty ground throws a resting body into the air.
 
-    This is also the limit of the step.
+    In theory this happens at 4, which is also the limit of the step.
     """
     found = first(lambda kappa: 2.0 if thrown(kappa) else 1.0)
     return Bound("penalty ground", "at rest", found, 4.0, float(thrown(OUTSIDE * found)))
@@ -190,9 +196,9 @@ DRAG_THEORY = {
 
 
 def drag_limits() -> list[Bound]:
-    """Return the limits of k1 h / m of each method.
+    """Measure how strong drag may be before a step makes a body faster or reverses its velocity.
 
-    Above a limit, a step increases or reverses speed.
+    The limits are values of k1 h / m, measured for each method.
     """
     rows = []
     for name, (grows, turns) in DRAG_THEORY.items():
@@ -205,10 +211,10 @@ def drag_limits() -> list[Bound]:
 
 
 def drag_factor(name: str, z: float) -> float:
-    """Return the factor that a step multiplies a speed by, if only drag acts.
+    """Return the factor by which one step multiplies a speed if only drag acts.
 
-    ``z`` is k1 h / m. Integrators use the force of chapter 5. The other methods use their damper
-    without a spring.
+    ``z`` is k1 h / m. Integrators use the force of chapter 5, and the other methods use their
+    damper without a spring.
     """
     k1 = z / FRAME
     if name in INTEGRATORS:
@@ -218,9 +224,9 @@ def drag_factor(name: str, z: float) -> float:
 
 
 def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
-    """Find the smallest value that shows growth.
+    """Find the smallest value at which a motion grows, and return it beside the theoretical limit.
 
-    Return it with the theoretical limit and the number of steps to divergence.
+    The result includes the number of steps to divergence just above this value.
     """
     found = first(growth)
     bears = 0.0 < found < math.inf
@@ -229,10 +235,11 @@ def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
 
 
 def first(growth: Growth) -> float:
-    """Find the smallest value that shows growth by bisection.
+    """Find the smallest value at which ``growth`` exceeds 1, by bisection.
 
-    The search tries many values and starts the bisection below the first value that shows growth.
-    The result is 0 if even LEAST shows growth, and infinity if all values up to MOST are stable.
+    The search tries larger and larger values, and starts the bisection below the first one that
+    shows growth. The result is 0 if even LEAST shows growth, and infinity if all values up to MOST
+    are stable.
     """
     low, high = 0.0, LEAST
     while not growth(high) > 1.0 + 1e-13:
@@ -243,10 +250,11 @@ def first(growth: Growth) -> float:
 
 
 def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
-    """Return the energy of each method after each number of oscillations in ``swings``.
+    """Measure how the energy of a spring drifts over many oscillations, with each method.
 
-    The numbers are in ascending order. The initial energy is 1. Explicit Euler is left out, because
-    it explodes at this stiffness.
+    Return the energy after each number of oscillations in ``swings``, relative to the energy at the
+    start. The numbers are in ascending order. Explicit Euler is left out, because it explodes at
+    this stiffness.
     """
     ways = methods(STIFFNESS) | {"pymunk's spring": solving(PYMUNK["pymunk's spring"], STIFFNESS)}
     del ways["explicit Euler"]
@@ -257,7 +265,7 @@ def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
 
 
 def energies_after(matrix: tuple[float, float, float, float], swings: list[int]) -> list[float]:
-    """Return the energy after each number of oscillations in ``swings``. The initial energy is 1.
+    """Return the energy after each number of oscillations, relative to the energy at the start.
 
     Each value is the mean over one oscillation, because the energy of a symplectic method
     oscillates around a constant mean. ``matrix`` is the matrix of a step of (x, v h).

@@ -1,1 +1,1 @@
-"""Run scenes on any engine, and return plain numbers. Pictures and studies use these runs."""
+"""Run scenes on any engine, and return plain numbers for pictures and studies."""

@@ -1,7 +1,7 @@
-"""Scenes with contacts: a ball, a chain and a pendulum, whose values over time are plain numbers.
+"""Run a ball, a chain or a pendulum that has contacts, and return values over time.
 
-Each scene runs in steps of equal length with an integrator of chapter 6. Unless it has a method of
-its own, it resolves contacts after each step. Gravity is 10 m/s^2, downward. Lengths are in m, and
+Each scene runs in steps of equal length with an integrator of chapter 6. It resolves contacts after
+each step, unless it has a method of its own. Gravity is 10 m/s^2, downward. Lengths are in m, and
 times are in s.
 """
 
@@ -39,14 +39,17 @@ Resolve = Callable[[list[Contact], float], object]
 
 
 class Link(Protocol):
-    """A function that links two particles, such as Rod or TwoSidedRod."""
+    """A function that connects two particles, such as Rod or TwoSidedRod."""
 
     def __call__(self, a: Particle, b: Particle, length: float, /) -> ContactGenerator: ...
 
 
 @dataclass(frozen=True)
 class Track:
-    """The values at the start and after each step, and the error if the run ended early."""
+    """The values that were measured at the start of a run and after each step.
+
+    If an error of the engine ended the run early, ``message`` is the text of this error.
+    """
 
     times: list[float]
     values: list[float]
@@ -54,12 +57,15 @@ class Track:
 
     @property
     def points(self) -> list[tuple[float, float]]:
-        """Return each time with its value."""
+        """Each time with its value."""
         return [*zip(self.times, self.values, strict=True)]
 
 
 def track(move: Move, measure: Callable[[], float], frames: int, duration: float = FRAME) -> Track:
-    """Measure a value at the start and after each step, until the engine raises an error."""
+    """Run a scene step by step, and measure a value at the start and after each step.
+
+    The run ends early if the engine raises an error.
+    """
     times, values = [0.0], [measure()]
 
     def run() -> None:
@@ -73,7 +79,7 @@ def track(move: Move, measure: Callable[[], float], frames: int, duration: float
 
 
 def no_forces(duration: float) -> None:
-    """Add no forces. Gravity is each particle's own acceleration."""
+    """Add no forces, because gravity is each particle's own acceleration."""
     del duration
 
 
@@ -85,9 +91,9 @@ def resolving(
     apply_forces: ApplyForces = no_forces,
     substeps: int = 1,
 ) -> Move:
-    """Return a function that makes one frame in substeps.
+    """Return a function that advances a scene by one frame, in ``substeps`` equal steps.
 
-    Contacts are resolved after each substep.
+    ``step`` moves the particles, and ``resolve`` resolves their contacts after each substep.
     """
     every = [*generators]
 
@@ -103,9 +109,9 @@ def resolving(
 def by_resolver(
     iterations: int | None = None, kind: type[ContactResolver] = ContactResolver
 ) -> Resolve:
-    """Return a resolver that makes ``iterations`` iterations per contact.
+    """Return a function that resolves contacts with at most ``iterations`` iterations per contact.
 
-    If ``iterations`` is None, it uses the default of 2.
+    If ``iterations`` is None, the resolver uses its default of 2.
     """
 
     def resolve(contacts: list[Contact], duration: float) -> None:
@@ -119,7 +125,7 @@ def by_resolver(
 def without_rule(contacts: list[Contact], duration: float) -> None:
     """Resolve contacts as impacts, without the resting rule.
 
-    The speed that built up during the step then bounces, too.
+    The speed that gravity has built up during the step then bounces, too.
     """
     del duration
     for contact in contacts:
@@ -128,7 +134,7 @@ def without_rule(contacts: list[Contact], duration: float) -> None:
 
 
 def no_bounce_below(speed: float) -> Resolve:
-    """Return a rule that is too strict on purpose. Contacts slower than ``speed`` never bounce."""
+    """Return a rule that is too strict on purpose: contacts slower than ``speed`` never bounce."""
 
     def resolve(contacts: list[Contact], duration: float) -> None:
         for contact in contacts:
@@ -149,8 +155,8 @@ def ball(
 ) -> Track:
     """Drop a ball above the ground, and return its height over time.
 
-    If ``generated`` is true, gravity comes from a generator. Otherwise it is the particle's
-    constant acceleration. If ``resolve`` is None, a ContactResolver resolves the contacts.
+    If ``generated`` is true, gravity comes from a force generator instead of from the particle's
+    own acceleration. If ``resolve`` is None, a ContactResolver resolves the contacts.
     """
     down = Vector3(0.0, -GRAVITY)
     particle = Particle(Vector3(0.0, height), acceleration=None if generated else down)
@@ -166,7 +172,7 @@ def ball(
 
 
 def ball_by_time_division(height: float, restitution: float, frames: int) -> Track:
-    """Return the height of the same ball with time_division_step, at most until its last impact.
+    """Drop a ball with time_division_step instead of a resolver, and return its height over time.
 
     When the ball comes to rest, time_division_step raises TooManyImpacts. The run then ends at the
     time given by the exception.
@@ -190,7 +196,7 @@ def ball_by_time_division(height: float, restitution: float, frames: int) -> Tra
 
 
 def chain_particles(count: int, angle: float = 0.0) -> list[Particle]:
-    """Return an immovable particle and a straight chain that hangs from it.
+    """Return the particles of a straight chain that hangs from an immovable first particle.
 
     ``angle`` is measured from straight down, in degrees.
     """
@@ -208,7 +214,7 @@ def chain(
     angle: float = 0.0,
     substeps: int = 1,
 ) -> tuple[Track, Track]:
-    """Release a chain of links. Return its excess length, and the error of its worst link.
+    """Release a chain of links. Return its excess length and the error of its worst link over time.
 
     The excess length is the sum of the links' lengths minus the correct sum. The error counts links
     that are too long or too short.
@@ -220,18 +226,18 @@ def chain(
 
 
 def chain_by_direct_solve(count: int, frames: int, angle: float = 0.0) -> tuple[Track, Track]:
-    """Return the same two values as ``chain``, for a DirectChain."""
+    """Release a chain as a DirectChain. Return the same two values over time as ``chain``."""
     particles = chain_particles(count, angle)
     return _lengths(DirectChain(particles[1:], Vector3()).step, particles, frames)
 
 
 def pendulum(step: Integrator | None, rate: int, seconds: float) -> Track:
-    """Return the energy in J of a pendulum of 1 kg and 1 m that is released horizontally.
+    """Return the energy in J of a pendulum that is released horizontally, over time.
 
-    The energy is relative to the lowest point, so it is 10 J at the start. The rod is an
-    AnchoredRod that is resolved after each step. If ``step`` is None, a DirectChain is used. Its
-    velocities are valid in the middle of a step, so the energy at a position is computed with the
-    mean of the velocities before and after it.
+    The pendulum has a bob of 1 kg and a length of 1 m. Its energy is relative to the lowest point,
+    so it is 10 J at the start. The rod is an AnchoredRod that is resolved after each step. If
+    ``step`` is None, a DirectChain is used. Its velocities are valid in the middle of a step, so
+    the energy at a position is computed with the mean of the velocities before and after it.
     """
     particle = Particle(Vector3(1.0), acceleration=Vector3(0.0, -GRAVITY))
     frames = round(seconds * rate)
@@ -254,7 +260,7 @@ def pendulum(step: Integrator | None, rate: int, seconds: float) -> Track:
 
 
 def _energy(place: Numbers, velocity: Numbers) -> float:
-    """Return the energy in J of 1 kg, relative to 1 m below the anchor."""
+    """Return the energy in J of 1 kg, relative to the lowest point of the pendulum."""
     return GRAVITY * (1.0 + place[1]) + 0.5 * math.fsum(v * v for v in velocity)
 
 

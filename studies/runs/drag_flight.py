@@ -1,4 +1,4 @@
-"""Run drag flights, in which a particle moves under constant acceleration and drag.
+"""Run flights in which a particle moves under constant acceleration and drag.
 
 Plots, reference checks and benchmarks share these flights. A flight consists of plain numbers in SI
 units and has an exact solution. A model runs a flight in frames of equal length, and returns the
@@ -26,7 +26,7 @@ Numbers = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class State:
-    """A position in m and a velocity in m/s."""
+    """The state of a flight at one moment: a position in m and a velocity in m/s."""
 
     position: Numbers
     velocity: Numbers
@@ -34,10 +34,11 @@ class State:
 
 @dataclass(frozen=True)
 class DragFlight:
-    """A flight under a constant acceleration, with damping in the form of drag that is linear in v.
+    """A flight under a constant acceleration, with drag that is proportional to the velocity.
 
-    If damping d per second acts continuously rather than once per frame, it is the drag dv/dt = -k
-    v with k = -ln d. There is no drag at d = 1.
+    ``damping`` is the fraction d of the velocity that remains after one second. If it acts
+    continuously rather than once per frame, it is the drag dv/dt = -k v with k = -ln d. At d = 1
+    there is no drag.
     """
 
     name: str
@@ -90,7 +91,7 @@ def make_particle(flight: DragFlight) -> Particle:
 
 
 def make_space(flight: DragFlight, bodies: int = 1) -> tuple[pymunk.Space, list[pymunk.Body]]:
-    """Create a pymunk space. ``bodies`` is the number of bodies at the start of the flight."""
+    """Return a pymunk space and its bodies, all of them in the initial state of the flight."""
     import pymunk  # here, because plots of a student's engine do not need it
 
     space = pymunk.Space()

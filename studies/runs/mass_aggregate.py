@@ -1,4 +1,4 @@
-"""Scenes of chapter 8 with measurements over time, for the plots, the benchmarks and the tests.
+"""Run scenes of chapter 8 and measure values over time, for plots, benchmarks and tests.
 
 Lengths are in m, masses in kg, times in s, and energies in J.
 """
@@ -35,7 +35,7 @@ Measure = Callable[[], float]
 
 
 class MassAggregate(Protocol):
-    """The attributes that the bridge, the platform, the blob and the wheel share."""
+    """The interface that the bridge, the platform, the blob and the wheel have in common."""
 
     @property
     def world(self) -> ParticleWorld: ...
@@ -44,7 +44,10 @@ class MassAggregate(Protocol):
 
 
 def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float) -> list[Track]:
-    """Measure values at the start and after each step, until the engine raises an error."""
+    """Run a scene step by step, and measure several values at the start and after each step.
+
+    The run ends early if the engine raises an error.
+    """
     times, rows = [0.0], [[number(measure()) for measure in measures]]
 
     def run() -> None:
@@ -59,7 +62,7 @@ def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float
 
 
 def resolve_by_heap(world: ParticleWorld) -> None:
-    """Give a world a faster resolver, with the same number of iterations and the same results."""
+    """Give a world a faster resolver that makes as many iterations and has the same results."""
     world.resolver = HeapResolver(world.resolver.iterations)
 
 
@@ -71,23 +74,23 @@ def loaded_platform() -> TiltingPlatform:
 
 
 def energy(aggregate: MassAggregate, rate: int, seconds: float) -> Track:
-    """Return the mechanical energy of all the particles of an aggregate."""
+    """Run an aggregate, and return the mechanical energy of all its particles over time."""
     resolve_by_heap(aggregate.world)
     measures = [lambda: mechanical_energy(aggregate.world.particles)]
     return tracks(aggregate.step, measures, round(rate * seconds), 1.0 / rate)[0]
 
 
 def default_bridge() -> Bridge:
-    """Return a bridge whose resolver makes its default number of iterations, twice the contacts."""
+    """Return a bridge whose resolver makes its default number of iterations, two per contact."""
     bridge = Bridge()
     bridge.world.resolver.iterations = None
     return bridge
 
 
 def variation(run: Track, since: float) -> float:
-    """Return the range of the values from a time on, as a fraction of the last value.
+    """Measure how much a value still varies from the time ``since`` on.
 
-    Returns NaN if the engine failed.
+    Return the range of the values as a fraction of the last value, or NaN if the engine failed.
     """
     late = [value for time, value in run.points if time >= since]
     if run.message or not late or not late[-1]:
@@ -98,10 +101,10 @@ def variation(run: Track, since: float) -> float:
 def load_on_bridge(
     mass: float, iterations: int | None, substeps: int, seconds: float
 ) -> tuple[Track, int]:
-    """Return the excess length of a bridge's cables under a ball of this mass, at 60 Hz.
+    """Load a bridge with a ball, and measure how much too long its cables become, at 60 Hz.
 
-    The excess length is infinite if the ball has fallen through. The second result is the number of
-    resolutions.
+    Return the excess length of the worst cable in percent, over time, and the number of contacts
+    that were resolved. The excess length is infinite once the ball has fallen through.
     """
     bridge = Bridge(mass)
     bridge.world.resolver = HeapResolver(iterations)
@@ -121,7 +124,7 @@ def load_on_bridge(
 
 
 def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[float]:
-    """Return frame times of 5 to 30 ms, with a frame of SPIKE at each of the given times."""
+    """Return random frame times of 5 to 30 ms, with a frame of SPIKE at each time in ``spikes``."""
     rng = random.Random(seed)
     frames, time, left = [], 0.0, [*spikes]
     while time < seconds:
@@ -135,16 +138,18 @@ def uneven_frames(seed: int, seconds: float, spikes: Sequence[float]) -> list[fl
 
 
 def places(world: ParticleWorld) -> list[Numbers]:
-    """Return the positions of all particles of a world."""
+    """Return the positions of all particles of a world as plain numbers."""
     return [numbers(particle.position) for particle in world.particles]
 
 
 def in_frames(
     aggregate: MassAggregate, frames: Sequence[float], measure: Callable[[], float], fixed: bool
 ) -> tuple[Track, list[tuple[int, list[Numbers]]]]:
-    """Run an aggregate in frames of given times, either in steps of these times or by FixedStep.
+    """Run an aggregate for frames whose durations vary.
 
-    The second result contains, for each frame, the number of steps so far and all positions.
+    If ``fixed`` is true, FixedStep divides the time into equal steps. Otherwise each frame is one
+    step. The results are the measured values and, for each frame, the number of steps so far and
+    all positions.
     """
     resolve_by_heap(aggregate.world)
     stepper = FixedStep(aggregate.step, FRAME)
@@ -168,25 +173,25 @@ def in_frames(
 
 
 def spin_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track:
-    """Return the spin in rad/s of a driven wheel."""
+    """Return the spin in rad/s of a driven wheel over time."""
     wheel = Wheel(force, driven)
     return _driven(wheel, lambda: spin(wheel.hub, wheel.rim), rate, seconds)
 
 
 def deformation_of_wheel(force: float, driven: int, rate: int, seconds: float) -> Track:
-    """Return the deformation of a driven wheel."""
+    """Return the deformation of a driven wheel over time."""
     wheel = Wheel(force, driven)
     return _driven(wheel, lambda: deformation(wheel.rods), rate, seconds)
 
 
 def spread_of_blob(speed: float, cables: bool, seconds: float) -> Track:
-    """Return the spread over time of a blob that is thrown down from 2 m."""
+    """Throw a blob down from a height of 2 m, and return its spread over time."""
     blob = _thrown(speed, cables)
     return tracks(blob.step, [lambda: spread(blob.particles)], round(seconds / FRAME), FRAME)[0]
 
 
 def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
-    """Return the number of intact bonds over time, of the same blob."""
+    """Throw a blob down from a height of 2 m, and return how many bonds are intact over time."""
     blob = _thrown(speed, cables)
 
     def holding() -> float:
@@ -196,9 +201,10 @@ def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
 
 
 def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Particle]]:
-    """Return a world of balls in a row that land one after the other, and a late ball.
+    """Return a world of balls that land one after the other, and these balls.
 
-    The late ball falls from LATE_HEIGHT between two of the others and pushes all of them apart.
+    The last ball is a late one. It falls from LATE_HEIGHT between two of the others and pushes all
+    of them apart.
     """
     down = Vector3(0.0, -9.81)
     places = [Vector3(1.2 * i, 2.0 * RADIUS + 0.6 * i) for i in range(BALLS)]
@@ -210,7 +216,10 @@ def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Part
 
 
 def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, Track]:
-    """Return the number of awake balls, the resolutions per step, and the kinetic energy."""
+    """Run the balls on the ground, and measure how much work their contacts cause.
+
+    Return the number of awake balls, the resolutions per step and the kinetic energy, over time.
+    """
     world, balls = balls_on_ground(kind)
 
     def move(duration: float) -> None:

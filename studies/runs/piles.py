@@ -19,7 +19,7 @@ from studies.runs.constraints import FRAME, GRAVITY, RADIUS, Track, by_resolver,
 
 
 def stack(count: int, iterations: int | None, frames: int) -> tuple[Track, Track]:
-    """Return the height of the top sphere of a stack, and the largest overlap.
+    """Return the height of the top sphere of a stack and the largest overlap, over time.
 
     At the start each sphere just touches the next one, and nothing bounces. The height is that of
     the sphere's center. The overlap, between neighbors or with the ground, is a fraction of the
@@ -62,11 +62,12 @@ def pile(rows: int, overlap: float, speed: float) -> tuple[list[Particle], list[
 
 
 def residuals(iterations: int, in_order: bool, rows: int = 4) -> tuple[float, float]:
-    """Return the closing velocity and depth that remain after a number of resolutions of a pile.
+    """Resolve the contacts of a pile ``iterations`` times, and measure the errors that remain.
 
     The results are the largest closing velocity in m/s and the largest depth in m at the final
-    positions. The contacts are resolved by a ContactResolver, worst first, or by sweeps through the
-    list. A sweep skips contacts that need no resolution.
+    positions. If ``in_order`` is true, the contacts are resolved by sweeps through the list, which
+    skip contacts that need no resolution. Otherwise a ContactResolver resolves the worst contact
+    first.
     """
     spheres, contacts = pile(rows, 0.01, 1.0)
     if iterations and in_order:

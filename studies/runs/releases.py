@@ -25,7 +25,12 @@ from studies.runs.mass_aggregate import resolve_by_heap
 
 @dataclass(frozen=True)
 class Release:
-    """A possible release: its angle in degrees, its range in m, and its fraction of the energy."""
+    """A moment at which the sling could release the projectile.
+
+    ``angle`` is the direction of flight in degrees, and ``range`` is the distance in m from the
+    pivot to where the projectile lands. ``share`` is the fraction of the counterweight's lost
+    energy that the projectile has gained.
+    """
 
     angle: float
     range: float
@@ -33,11 +38,12 @@ class Release:
 
 
 def releases(design: Design) -> list[Release]:
-    """Simulate a sling that does not release, and return each release that an angle can select.
+    """Simulate a sling that never releases, and return each release that some angle would cause.
 
-    A sling releases in the first step in which the projectile's flight direction is below the
-    release angle. So each step with a lower direction than ever before is a possible release, down
-    to the horizon. Ranges and fractions are computed as in Trebuchet.throw, but in plain numbers.
+    A sling releases in the first step in which the projectile's direction of flight is below the
+    release angle. Each step with a lower direction than ever before is therefore a possible
+    release, down to the horizon. Ranges and fractions are computed as in Trebuchet.throw, but in
+    plain numbers.
     """
     machine = Trebuchet(design)
     resolve_by_heap(machine.world)
@@ -69,7 +75,7 @@ def releases(design: Design) -> list[Release]:
 
 
 def jumps(found: Sequence[Release], degrees: float = 5.0) -> list[Release]:
-    """Return the releases with a NaN wherever the angle jumps, so that no line is drawn there."""
+    """Insert a NaN wherever the angle jumps, so that a plot draws no line across the gap."""
     shown = list(found[:1])
     for before, release in pairwise(found):
         if before.angle - release.angle > degrees:

@@ -1,4 +1,4 @@
-"""A rope that hangs between two nails: simulated with rods or with DirectChain, and exact.
+"""Let a rope hang between two nails: with rods, with a DirectChain, and as the exact solution.
 
 The nails are at height 0, and the distance between them is SPAN. The length of the rope is LENGTH.
 There is a particle of 1 kg wherever two links meet.
@@ -28,7 +28,7 @@ Place = tuple[float, float]
 
 @dataclass(frozen=True)
 class Hanging:
-    """A hanging rope: its positions, its sag in m, and its excess length in m.
+    """A rope that hangs at rest: its positions, its sag in m, and its excess length in m.
 
     ``work`` is the number of contacts that were resolved, or of rod forces that were solved for.
     """
@@ -72,12 +72,12 @@ def polygon(links: int, span: float = SPAN, length: float = LENGTH) -> list[Plac
 
 
 def polygon_sag(links: int, span: float = SPAN, length: float = LENGTH) -> float:
-    """Return the sag in m of a rope with this number of links."""
+    """Return the sag in m of a rope with this number of links when it hangs at rest."""
     return -min(y for _, y in polygon(links, span, length))
 
 
 def straight_v(links: int) -> list[Place]:
-    """Return the positions of a rope that is pulled down at its middle."""
+    """Return the positions of a rope whose middle is pulled straight down, so that it forms a V."""
     depth = math.sqrt(0.25 * LENGTH * LENGTH - 0.25 * SPAN * SPAN)
     shares = [i / links for i in range(links + 1)]
     return [(SPAN * share, -depth * (1.0 - abs(2.0 * share - 1.0))) for share in shares]
@@ -95,8 +95,8 @@ def rope_particles(places: list[Place]) -> list[Particle]:
 def hang_by_rods(links: int, rate: int, substeps: int, seconds: float) -> Hanging:
     """Simulate a rope of two-sided rods in a ParticleWorld, with substeps in each step.
 
-    The rope starts in its exact shape. A HeapResolver resolves the contacts. It gives the same
-    results as a ContactResolver in less time.
+    The rope starts in its exact shape, so any further sag is an error. A HeapResolver resolves the
+    contacts, because it has the same results as a ContactResolver but takes less time.
     """
     particles = rope_particles(polygon(links))
     rods = [TwoSidedRod(a, b, LENGTH / links) for a, b in pairwise(particles)]
@@ -110,7 +110,10 @@ def hang_by_rods(links: int, rate: int, substeps: int, seconds: float) -> Hangin
 
 
 def hang_by_direct_chain(links: int, rate: int, seconds: float, from_v: bool = False) -> Hanging:
-    """Simulate the same rope with a DirectChain, which keeps its initial lengths."""
+    """Simulate a hanging rope with a DirectChain, which keeps its initial lengths.
+
+    If ``from_v`` is true, the rope starts in the shape of a V, and not in its exact shape.
+    """
     particles = rope_particles(straight_v(links) if from_v else polygon(links))
     chain = DirectChain(particles[1:], particles[0].position)
     frames = round(seconds * rate)
@@ -126,7 +129,7 @@ def _measured(particles: list[Particle], work: int) -> Hanging:
 
 
 def _solve(of: Callable[[float], float], low: float, high: float) -> float:
-    """Return where a function changes sign, by bisection between two positive numbers."""
+    """Find where a function changes sign between two positive numbers, by bisection."""
     rises = of(high) > 0.0
     for _ in range(200):
         middle = math.sqrt(low * high)

@@ -1,7 +1,7 @@
-"""Provide orientations in plain numbers, for comparison with an engine, and motions for plots.
+"""Compute orientations in plain numbers, so that they can be compared with those of an engine.
 
 An orientation is described either by its components r, i, j and k, or by its arrows. The arrows are
-the directions of its own axes X, Y and Z in the world.
+the directions of its own axes X, Y and Z in the world. The motions in this module are for plots.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ def components(q: Any) -> Components:
 
 
 def turn(axis: Numbers, angle: float) -> Components:
-    """Return the components of a rotation about ``axis``. Its length must not be zero."""
+    """Return the components of a rotation by ``angle`` about ``axis``, which must not be zero."""
     share = math.sin(0.5 * angle) / math.hypot(*axis)
     return math.cos(0.5 * angle), axis[0] * share, axis[1] * share, axis[2] * share
 
@@ -58,27 +58,27 @@ def product(b: Components, a: Components) -> Components:
 
 
 def rotated(q: Components, v: Numbers) -> Numbers:
-    """Return a vector rotated by an orientation of length 1."""
+    """Rotate a vector by an orientation of length 1."""
     back = (q[0], -q[1], -q[2], -q[3])
     _, x, y, z = product(product(q, (0.0, *v)), back)
     return x, y, z
 
 
 def arrows(q: Components) -> Arrows:
-    """Return the arrows of an orientation of length 1."""
+    """Return where an object's axes X, Y and Z point after the rotation ``q`` of length 1."""
     return rotated(q, X), rotated(q, Y), rotated(q, Z)
 
 
 def arrows_by_engine(q: Quaternion) -> Arrows:
-    """Return the arrows of an orientation, rotated by the engine."""
+    """Let the engine rotate the axes X, Y and Z by ``q``, and return where they point."""
     x, y, z = (numbers(q.rotate(Vector3(*axis))) for axis in (X, Y, Z))
     return x, y, z
 
 
 def degrees_apart(a: Components, b: Components) -> float:
-    """Return the angle of the rotation from a to b, regardless of their lengths.
+    """Return the angle in degrees between two orientations, whose lengths do not matter.
 
-    Returns NaN if a or b has no direction.
+    Return NaN if one of the lengths is 0 or not finite.
     """
     if not (0.0 < math.hypot(*a) < math.inf and 0.0 < math.hypot(*b) < math.inf):
         return math.nan
@@ -87,7 +87,7 @@ def degrees_apart(a: Components, b: Components) -> float:
 
 
 def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
-    """Return the angle of the rotation from a to b, from the trace of its matrix, 1 + 2 cos."""
+    """Return the angle in degrees between two orientations, from the trace of the rotation."""
     if not is_drawable(*a, *b):
         return math.nan
     cosine = 0.5 * (math.fsum(dot(p, q) for p, q in zip(a, b, strict=True)) - 1.0)
@@ -95,18 +95,18 @@ def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
 
 
 def off_right_angles(found: Arrows) -> float:
-    """Return how far the angles between the arrows are from 90 degrees, at most, in degrees."""
+    """Return how far the worst pair of arrows is from being perpendicular, in degrees."""
     x, y, z = found
     return largest([abs(angle_between(a, b) - 90.0) for a, b in ((x, y), (y, z), (z, x))])
 
 
 def off_unit_length(found: Arrows) -> float:
-    """Return the largest deviation of an arrow's length from 1."""
+    """Return how far the length of the worst arrow is from 1."""
     return largest([abs(math.hypot(*v) - 1.0) for v in found])
 
 
 def off_directions(found: Arrows, wanted: Arrows) -> float:
-    """Return the largest angle in degrees between an arrow and the wanted arrow."""
+    """Return the largest angle in degrees between an arrow and its wanted direction."""
     return largest([angle_between(a, b) for a, b in zip(found, wanted, strict=True)])
 
 
@@ -129,7 +129,10 @@ TILTED = turn((0.0, 0.0, -1.0), TILT)  # the disc's own Y along its axis
 
 @dataclass(frozen=True)
 class Throw:
-    """The engine's arrows, the exact arrows, and the error if the run ended early."""
+    """A thrown disc: its arrows from the engine, and the exact arrows at the same times.
+
+    If an error of the engine ended the throw early, ``message`` is the text of this error.
+    """
 
     times: list[float]
     found: list[Arrows]
@@ -137,11 +140,11 @@ class Throw:
     message: str
 
     def worst(self, measure: Callable[[Arrows], float]) -> float:
-        """Return the largest measurement of the engine's arrows."""
+        """Apply ``measure`` to the engine's arrows at each time, and return the largest result."""
         return largest([measure(found) for found in self.found])
 
     def worst_direction(self) -> float:
-        """Return the largest angle in degrees between an arrow and the closed form."""
+        """Return the largest angle in degrees between an arrow and its exact direction."""
         pairs = zip(self.found, self.wanted, strict=True)
         return largest([off_directions(found, wanted) for found, wanted in pairs])
 
@@ -152,7 +155,7 @@ def disc_place(time: float) -> Numbers:
 
 
 def disc_orientation(time: float) -> Components:
-    """Return the exact orientation: the spin about the axis, followed by the precession."""
+    """Return the exact orientation of the disc: its own spin, followed by the precession."""
     return product(turn(Y, PRECESSION * time), product(turn(AXIS, SPIN * time), TILTED))
 
 
@@ -166,7 +169,7 @@ def disc_acceleration(time: float) -> Numbers:
 
 
 def throw_disc(rate: int) -> Throw:
-    """Rotate the disc with integrate_rotation. ``rate`` is in steps per second."""
+    """Throw the disc, and rotate it with integrate_rotation in ``rate`` steps per second."""
     orientation = Quaternion(*TILTED)
     velocity = Vector3(SPIN * AXIS[0], SPIN * AXIS[1] + PRECESSION, 0.0)
     times: list[float] = []
@@ -185,18 +188,18 @@ def throw_disc(rate: int) -> Throw:
 
 
 def by_first_order(q: Quaternion, velocity: Numbers, duration: float) -> None:
-    """Step by Eq. 9.5."""
+    """Rotate ``q`` for one step by the book's first-order formula, Eq. 9.5."""
     q.add_scaled(Vector3(*velocity), duration)
 
 
 def by_first_order_normalized(q: Quaternion, velocity: Numbers, duration: float) -> None:
-    """Step by Eq. 9.5, and then normalize."""
+    """Rotate ``q`` for one step by Eq. 9.5, and then normalize it."""
     q.add_scaled(Vector3(*velocity), duration)
     q.normalize()
 
 
 def by_exponential(q: Quaternion, velocity: Numbers, duration: float) -> None:
-    """Step by the exponential of the rotation vector."""
+    """Rotate ``q`` for one step by the exponential of the rotation vector."""
     q.rotate_by(Vector3(*(component * duration for component in velocity)))
 
 
@@ -227,7 +230,7 @@ def coning_velocity(time: float) -> Numbers:
 
 
 def coning_orientation(time: float) -> Components:
-    """Return the exact orientation of the second rotation.
+    """Return the exact orientation of the rotation whose axis moves around Z.
 
     It is a rotation about a fixed axis, followed by a rotation about Z.
     """
@@ -237,10 +240,10 @@ def coning_orientation(time: float) -> Components:
 def turn_by_steps(
     step: Step, velocity: Velocity, steps: int, rate: float, share: float = 0.0
 ) -> tuple[list[Components], str]:
-    """Return the orientations at the start and after each step, and any error that ended the run.
+    """Rotate START step by step, and return all orientations and any error that ended the run.
 
-    ``share`` is the fraction of a step after which the velocity is evaluated. It is 0 for the start
-    of the step and 0.5 for the middle.
+    The velocity is evaluated after the fraction ``share`` of each step, so at the start for 0 and
+    in the middle for 0.5.
     """
     q = Quaternion(*START)
     found = [components(q)]
@@ -257,7 +260,7 @@ def turn_by_steps(
 def worst_axis(distance: float, z: float) -> Numbers:
     """Return the rotation axis with the largest Euler rates, if y is ``distance`` below 90 degrees.
 
-    It is halfway between the world's Z axis and the rotated X axis.
+    It lies halfway between the world's Z axis and the rotated X axis.
     """
     up = math.sin(0.5 * distance)
     along = math.cos(0.5 * distance)
@@ -273,7 +276,7 @@ def columns(matrix: Any) -> Arrows:
 def singular_values(matrix: Any) -> Numbers:
     """Return the singular values of an engine's Matrix3, largest first.
 
-    If it is wrong, return NaN.
+    If its entries are not nine finite numbers, return NaN.
     """
     found = nine(matrix)
     if not all(map(math.isfinite, found)):
@@ -283,6 +286,6 @@ def singular_values(matrix: Any) -> Numbers:
 
 
 def nine(matrix: Any) -> list[float]:
-    """Return the nine numbers of an engine's Matrix3, row by row. If it is wrong, return NaN."""
+    """Return the entries of an engine's Matrix3, row by row, or NaN if they are not nine."""
     found = [number(entry) for entry in getattr(matrix, "entries", ())]
     return found if len(found) == 9 else [math.nan] * 9

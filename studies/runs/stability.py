@@ -1,4 +1,4 @@
-"""The stability of integrators: oscillations of springs, growth per step, and theoretical limits.
+"""Measure the stability of integrators with springs: oscillations, growth per step, and limits.
 
 A spring pulls a particle of 1 kg toward 0 along X. Every method is wrapped as an integrator of
 chapter 6, even a solver for one linear spring, so that all methods run in the same way.
@@ -45,7 +45,7 @@ SOLVERS: dict[str, Solver] = {"backward Euler": backward_euler, "trapezoidal rul
 
 
 class Pull:
-    """A spring toward 0 in plain numbers, so that mistakes in the engine's springs have no effect.
+    """A spring toward 0 in plain numbers, which mistakes in the engine's springs cannot affect.
 
     ``count`` is the number of force evaluations.
     """
@@ -62,7 +62,7 @@ class Pull:
 
 @dataclass(frozen=True)
 class Swing:
-    """The positions and velocities before and after each step, and any error that ended the run."""
+    """The positions and velocities of an oscillation, and any error that ended its run early."""
 
     places: list[float]
     velocities: list[float]
@@ -70,7 +70,7 @@ class Swing:
 
 
 def solving(solver: Solver, stiffness: float, damping: float = 0.0) -> Integrator:
-    """Return an integrator that moves particles along X by a solver of one linear spring."""
+    """Wrap a solver for one linear spring as an integrator that moves particles along X."""
 
     def step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
         del apply_forces
@@ -88,10 +88,10 @@ def methods(stiffness: float) -> dict[str, Integrator]:
 
 
 def watching(integrator: Integrator, limit: float) -> Integrator:
-    """Return the integrator, wrapped by ``watched`` with this limit in m/s if it is written.
+    """Wrap an integrator so that it raises an error when a speed exceeds ``limit`` in m/s.
 
-    An unwatched integrator also ends when it explodes, because particles reject forces that are not
-    finite.
+    If ``watched`` is not written yet, return the integrator itself. It also ends when it explodes,
+    because particles reject forces that are not finite.
     """
     try:
         step = watched(integrator, limit)
@@ -108,7 +108,7 @@ def swing(
     limit: float,
     damping: float = 1.0,
 ) -> Swing:
-    """Release 1 kg at x = 1 m, and let it oscillate until its speed exceeds the limit."""
+    """Release a body of 1 kg at x = 1 m, and let it oscillate until it is faster than ``limit``."""
     particle = Particle(Vector3(1.0), damping=damping)
     step = watching(integrator, limit)
     places, velocities = [1.0], [0.0]
@@ -163,19 +163,19 @@ def growth_of(name: str, kappa: float, damping: float, duration: float) -> float
 
 
 def period(places: Sequence[float]) -> float:
-    """Return the number of steps per oscillation, from its zero crossings, or NaN without any."""
+    """Return the steps per oscillation, from the zero crossings, or NaN if there are too few."""
     found = [i + a / (a - b) for i, (a, b) in enumerate(pairwise(places)) if a * b < 0.0]
     return 2.0 * (found[-1] - found[0]) / (len(found) - 1) if len(found) > 1 else math.nan
 
 
 def true_place(k: float, c: float, time: float) -> float:
-    """Return the exact position of a particle of 1 kg that was released at 1 m."""
+    """Return the exact position of a body of 1 kg on a spring that was released at 1 m."""
     state = damped_spring_state(1.0, 0.0, k, c, 1.0, time)
     return number(state[0]) if isinstance(state, tuple) else math.nan
 
 
 def faked_growth(angle: float, share: float, duration: float) -> float:
-    """Return the growth per step of the faked spring.
+    """Return the factor by which an oscillation of the faked stiff spring grows in each step.
 
     ``angle`` is chi h, and ``share`` is a fraction of critical damping.
     """
@@ -185,7 +185,7 @@ def faked_growth(angle: float, share: float, duration: float) -> float:
 
 
 def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, str]:
-    """Return the steps until a knot of the cloth is faster than 1000 m/s, and any error."""
+    """Count the steps until a knot of the cloth is faster than 1000 m/s. Also return any error."""
     knots, registry = make_cloth(damping)
     step = watching(INTEGRATORS[name], 1000.0)
     steps = 0
@@ -201,7 +201,7 @@ def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, s
 
 
 def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
-    """Return the heights of 1 kg that falls onto an undamped penalty ground, at 60 Hz."""
+    """Drop a body of 1 kg onto an undamped penalty ground at 60 Hz, and return its heights."""
     particle = Particle(Vector3(0.0, fall), acceleration=Vector3(0.0, -10.0))
     ground = PenaltyGround(0.0, stiffness)
     step = watching(semi_implicit_euler, 1e4)
@@ -217,7 +217,7 @@ def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
 
 
 def largest_error(places: list[float], chi: float, steps: int) -> float:
-    """Return the largest deviation of the positions from cos(chi t), at up to 64 times."""
+    """Return how far a simulated spring is from the exact cos(chi t), at the worst of 64 times."""
     every = max(1, steps // 64)
     found = [abs(places[i] - math.cos(chi * i / steps)) for i in range(every, len(places), every)]
     return max(found, default=math.nan)
@@ -233,7 +233,7 @@ def spectral_radius(a: float, b: float, c: float, d: float) -> float:
 
 
 def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float = 1e3) -> float:
-    """Return the k h^2 / m above which oscillations grow, between low and high, by bisection."""
+    """Find the k h^2 / m between low and high above which oscillations grow, by bisection."""
     while high > low * (1.0 + 1e-14):
         middle = math.sqrt(low * high)
         if not low < middle < high:
@@ -246,7 +246,7 @@ def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float
 
 
 def limits(name: str, duration: float) -> list[tuple[float, float, float]]:
-    """Return d^h, and the measured and theoretical limits of k h^2 / m, for several dampings.
+    """Measure the limit of k h^2 / m for several d^h. Return each d^h, its limit and its theory.
 
     Explicit Euler without damping is left out, because its limit is 0.
     """

@@ -1,1 +1,1 @@
-"""The course in a browser: Python that runs in Pyodide, in a worker of the page."""
+"""The Python part of the course's website. It runs in the browser, with Pyodide."""

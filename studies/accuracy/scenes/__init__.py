@@ -1,1 +1,1 @@
-"""The scenes of the charts: their exact solutions, and the models that run them."""
+"""The scenes of the accuracy study, each with its exact solution and the models that run it."""

@@ -1,12 +1,12 @@
-"""The rope bridge of chapter 8 at rest with a load, which each model should keep in place.
+"""Test how well each model keeps the rope bridge of chapter 8 at rest under a load.
 
-Every model starts at rest, slightly below the position with the least potential energy. Exactly at
-that position, rounding errors would decide which cables are taut. The work is the number of
+Every model starts at rest, slightly below the position with the least potential energy. If it
+started exactly there, rounding errors would decide which cables are taut. The work is the number of
 resolved contacts. Pymunk resolves all of its joints in each iteration of a step.
 
-Positions are compared as seen from the side, because pymunk is two-dimensional. In its bridge, both
-sides are in one plane, the cables are as long as they appear from the side, and no rods between the
-two sides are needed.
+Positions are compared as seen from the side, because pymunk is two-dimensional. Its bridge has both
+sides in one plane, so the cables are as long as they appear from the side, and the rods between the
+two sides are left out.
 """
 
 from __future__ import annotations
@@ -55,8 +55,8 @@ Links = Callable[[list[Row]], list[ContactGenerator]]
 def bridge() -> Scene:
     """Return the scene of the bridge with 5 kg on its third row, at rest for 1 s.
 
-    The scale is the length of a cable between two rows. In pymunk, slide joints act as the cables.
-    Its solver makes 10 iterations by default.
+    The scale is the length of a cable between two rows. In pymunk, slide joints act as the cables,
+    and the solver makes 10 iterations, which is its default, or 50.
     """
     few, some = STEPS[:5], STEPS[:8]
 
@@ -84,7 +84,7 @@ def bridge() -> Scene:
 
 
 def sleeping() -> Scene:
-    """Return the scene of the same bridge, asleep for 10 s while nothing touches it.
+    """Return the scene in which the rope bridge sleeps for 10 s, because nothing touches it.
 
     Pymunk's bridge is asleep too.
     """
@@ -97,12 +97,16 @@ def sleeping() -> Scene:
 
 
 def truth(_: float) -> Place:
-    """Return the positions of both ends of each row, seen from the side. They do not change."""
+    """Return where both ends of each row are, seen from the side. The bridge does not move."""
     return tuple(part for place in hanging() for part in place * 2)
 
 
 def cables() -> list[tuple[int | tuple[float, float], int, float]]:
-    """Return the cables of one side: start (an anchor or a row), end row, and length in m."""
+    """List the cables on one side of the bridge. Each is a tuple of start, end and length.
+
+    A cable starts at an anchor, given by its position, or at a row, given by its index. It ends at
+    a row. The length is in m, as seen from the side.
+    """
     found: list[tuple[int | tuple[float, float], int, float]] = []
     for i, (end, _) in enumerate(make_rows()):
         anchor = anchor_of(end)
@@ -113,7 +117,7 @@ def cables() -> list[tuple[int | tuple[float, float], int, float]]:
 
 @cache
 def hanging(extra: float = 0.0) -> list[Place]:
-    """Return the positions of the rows on one side with the least potential energy.
+    """Compute where the rows on one side hang at rest, with the least potential energy.
 
     In these positions the weights and the tensions of the cables are in balance, and all cables are
     taut. ``extra`` is the length in m that is added to the normal length of each cable.
@@ -121,7 +125,10 @@ def hanging(extra: float = 0.0) -> list[Place]:
     held = cables()
 
     def off(state: Any) -> Any:
-        """Return the forces on the rows in N, and the excess length of each cable in m."""
+        """Return the net force on each row in N, and the excess length of each cable in m.
+
+        At rest, with all cables taut, all of these are 0.
+        """
         rows, pulls = state[: 2 * ROWS].reshape(ROWS, 2), state[2 * ROWS :]
         forces = numpy.outer(MASSES, (GRAVITY.x, GRAVITY.y))
         too_long = []
@@ -142,7 +149,7 @@ def hanging(extra: float = 0.0) -> list[Place]:
 
 
 def two_sided(rows: list[Row]) -> list[ContactGenerator]:
-    """Replace all links with two-sided rods. This is possible because all cables are taut."""
+    """Return the links of the bridge as two-sided rods, which works because all cables are taut."""
     found: list[ContactGenerator] = []
     for link in links_of(rows):
         if isinstance(link, AnchoredCable):
@@ -158,7 +165,10 @@ def two_sided(rows: list[Row]) -> list[ContactGenerator]:
 def by_world(
     integrator: Integrator, links: Links, resolver: ContactResolver, steps: int
 ) -> Outcome:
-    """Step the world of the bridge. Its particles have the bridge's own damping."""
+    """Run the bridge as a ParticleWorld, in which ``resolver`` resolves the contacts of the links.
+
+    The particles have the bridge's own damping.
+    """
     ends, _, held = hung(links)
     world, work = ParticleWorld(ends, held, integrator=integrator), 0
     world.resolver = resolver
@@ -176,7 +186,10 @@ def by_world(
 
 
 def hung(links: Links) -> tuple[list[Particle], list[Row], list[ContactGenerator]]:
-    """Return the ends of the rows slightly below their rest positions, the rows, and the links."""
+    """Build the bridge slightly below its rest position, so that all cables are taut.
+
+    Return the ends of its rows, the rows and the links.
+    """
     rows = make_rows()
     held = links(rows)  # the links get their lengths from the positions before the shift
     for row, (x, y), mass in zip(rows, hanging(HAIR), MASSES, strict=True):
@@ -186,13 +199,13 @@ def hung(links: Links) -> tuple[list[Particle], list[Row], list[ContactGenerator
 
 
 def whole() -> tuple[list[Particle], list[Any]]:
-    """Return the ends of the rows, and all rods and cables of the bridge."""
+    """Build the bridge as it is in chapter 8. Return the ends of its rows and all of its links."""
     ends, _, held = hung(links_of)
     return ends, held
 
 
 def from_the_side() -> tuple[list[Particle], list[Any]]:
-    """Return the ends of the rows in one plane, with cables only, as in pymunk's bridge."""
+    """Build the bridge in one plane and with cables only, as it is in pymunk."""
     ends, rows, _ = hung(links_of)
     links: list[Any] = []
     for side in zip(*rows, strict=True):
@@ -207,9 +220,10 @@ def from_the_side() -> tuple[list[Particle], list[Any]]:
 
 
 def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> Outcome:
-    """Hold the bridge with a net, which solves for all links at once.
+    """Run the bridge with a net, which solves for the tensions of all links at once.
 
-    The bridge is at rest, so the tensions of the last step are also correct for the next step.
+    ``make`` builds the bridge. Because the bridge is at rest, the tensions of one step are also
+    correct for the next step.
     """
     ends, links = make()
     places = in_frames(DirectNet(links).step, partial(place_of, ends), FRAMES, steps)
@@ -217,7 +231,7 @@ def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> 
 
 
 def by_equilibrium(frames: int, steps: int) -> Outcome:
-    """Find the position in which the bridge is at rest, and let it sleep there."""
+    """Compute where the bridge is at rest, and let it sleep there."""
     ends, links = whole()
     world = SleepingWorld(ends, links)
     equilibrium(world)
@@ -225,7 +239,7 @@ def by_equilibrium(frames: int, steps: int) -> Outcome:
 
 
 def by_sleep(steps: int) -> Outcome:
-    """Put the bridge to sleep from the start, as pymunk does with its bridge."""
+    """Run the bridge asleep from the start, in the same way as pymunk's bridge."""
     ends, links = whole()
     world = SleepingWorld(ends, links, sleep_frames=1)
     world.fall_asleep(world.contacts())
@@ -233,12 +247,16 @@ def by_sleep(steps: int) -> Outcome:
 
 
 def place_of(ends: list[Particle]) -> Place:
-    """Return the positions of the ends, seen from the side."""
+    """Return the x and y coordinates of all ends, which show them as seen from the side."""
     return tuple([part for end in ends for part in (end.position.x, end.position.y)])
 
 
 def by_joints(iterations: int, steps: int, frames: int = FRAMES, sleeps: bool = False) -> Outcome:
-    """Hold both sides together with slide joints in pymunk, or let the bridge sleep."""
+    """Run the bridge in pymunk, where slide joints act as the cables.
+
+    Pymunk's solver makes ``iterations`` iterations per step. If ``sleeps`` is true, the bridge
+    falls asleep after the first step.
+    """
     import pymunk
 
     space = pymunk.Space()

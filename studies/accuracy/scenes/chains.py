@@ -1,7 +1,8 @@
-"""Models of a chain of rods: its exact path, our models, and pymunk's pin joints.
+"""Run a chain of rods with each of our models and with pymunk, and compute its exact path.
 
 The work is the number of resolved contacts. A model that solves for all rods at once counts every
-rod once per evaluation. For pymunk, every joint is counted in every iteration.
+rod once per evaluation. In pymunk, pin joints act as the rods, and each of them is counted in every
+iteration.
 """
 
 from __future__ import annotations
@@ -33,18 +34,17 @@ from ch07_constraints.smooth_net import hermite
 from studies.accuracy.scene import MANY, RATE, STEPS, Model, Outcome, Place, in_frames, solved
 from studies.runs.constraints import resolving
 
-LONG = 12  # frames, in which long steps are counted
+LONG = 12  # frames; the number of long steps is given per this many frames
 LONG_STEPS = (1, 2, 3, 4, 6, 8, 9, 10)
 COUNTED = "contacts resolved, or rods solved for"
 
 
 @dataclass(frozen=True)
 class Chain:
-    """A straight chain of rods. It is released from rest and moves for some frames.
+    """A straight chain of rods that hangs from the origin and is released from rest.
 
-    The chain is attached to the origin. All rods have the same ``length`` in m. ``masses`` are in
-    kg, from the first particle to the tip. ``angle`` is measured from straight down, in radians.
-    ``gravity`` is in m/s^2.
+    All rods have the same ``length`` in m, and ``masses`` are in kg, from the first particle to the
+    tip. ``angle`` is measured from straight down in radians, and ``gravity`` is in m/s^2.
     """
 
     length: float
@@ -54,7 +54,7 @@ class Chain:
     frames: int
 
     def particles(self) -> list[Particle]:
-        """Return the particles in their initial state, from the first to the tip."""
+        """Create the chain's particles in their initial positions, from the first to the tip."""
         x, y = self.length * math.sin(self.angle), -self.length * math.cos(self.angle)
         down = Vector3(0.0, -self.gravity)
         return [
@@ -63,17 +63,20 @@ class Chain:
         ]
 
     def rods(self, particles: Sequence[Particle]) -> list[Any]:
-        """Return the book's rods between these particles."""
+        """Return the book's rods, which connect these particles to each other and to the origin."""
         first = AnchoredRod(particles[0], Vector3(), self.length)
         return [first, *(Rod(a, b, self.length) for a, b in pairwise(particles))]
 
     def angles(self) -> tuple[list[float], Sequence[float], list[float]]:
-        """Return the initial lengths, masses and angles."""
+        """Return the length, the mass and the initial angle of each rod, for an AngleChain."""
         count = len(self.masses)
         return [self.length] * count, self.masses, [self.angle] * count
 
     def by_its_angles(self) -> AngleChain:
-        """Describe the chain by its angles. If all masses are equal, return an AngleRope."""
+        """Describe the chain by the angles of its rods, instead of by its particles.
+
+        If all masses are equal, the result is an AngleRope, which takes less time per step.
+        """
         _, masses, angles = self.angles()
         if len(set(masses)) == 1:
             return AngleRope(self.length, masses[0], angles, gravity=self.gravity)
@@ -106,7 +109,7 @@ class Chain:
 
 
 def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
-    """Return the models for ``chain``. Pymunk's models come last.
+    """Return all models for ``chain``, with pymunk's models at the end.
 
     ``steps`` are the numbers of steps per frame to try.
     """
@@ -133,14 +136,18 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
 
 
 def by_angles(chain: Chain, steps: int) -> Outcome:
-    """Step only the angles with Runge-Kutta 4. Each step evaluates the forces four times."""
+    """Run the chain by its angles, with Runge-Kutta 4. A step evaluates the forces four times."""
     angles = chain.by_its_angles()
     places = in_frames(angles.step, lambda: flat(angles.positions), chain.frames, steps)
     return Outcome(places, 4 * chain.frames * steps * len(chain.masses))
 
 
 def by_long_steps(chain: Chain, steps: int) -> Outcome:
-    """Make ``steps`` long steps of the angles in LONG frames, and interpolate with cubics."""
+    """Run the chain by its angles in steps longer than a frame, and interpolate with cubics.
+
+    There are ``steps`` steps in every LONG frames. The cubics give the positions at the end of each
+    frame.
+    """
     angles = chain.by_its_angles()
     length, places, made = LONG / steps, [], 0  # frames of a step
     old, fast = [*angles.angles], [*angles.angular_velocities]
@@ -163,7 +170,7 @@ def by_long_steps(chain: Chain, steps: int) -> Outcome:
 
 
 def by_tensions(chain: Chain, steps: int) -> Outcome:
-    """Step the particles with Runge-Kutta 4. The tensions of the rods act as forces."""
+    """Run the chain with Runge-Kutta 4, where the tensions of the rods act as forces."""
     particles = chain.particles()
     rods = RodTensions(particles, Vector3())
     places = in_frames(
@@ -176,7 +183,7 @@ def by_tensions(chain: Chain, steps: int) -> Outcome:
 
 
 def by_direct_chain(chain: Chain, steps: int) -> Outcome:
-    """Step the particles, and solve for the impulses of all rods at the same time."""
+    """Run the chain with a DirectChain, which solves for the impulses of all rods at once."""
     particles = chain.particles()
     solver = DirectChain(particles, Vector3())
     places = in_frames(solver.step, lambda: places_of(particles), chain.frames, steps)
@@ -189,7 +196,7 @@ def by_resolver(
     rods: Callable[[Sequence[Particle]], list[Any]],
     steps: int,
 ) -> Outcome:
-    """Step the particles, and let a resolver handle the contacts that their rods generate."""
+    """Run the chain with an integrator, and resolve the contacts of its rods after each step."""
     particles = chain.particles()
     resolver, work = ContactResolver(), 0
 
@@ -204,7 +211,7 @@ def by_resolver(
 
 
 def by_pin_joints(chain: Chain, iterations: int, steps: int) -> Outcome:
-    """Connect the particles with pin joints in pymunk.
+    """Run the chain in pymunk, where pin joints act as the rods.
 
     ``iterations`` is the number of iterations of pymunk's solver.
     """
@@ -229,10 +236,10 @@ def by_pin_joints(chain: Chain, iterations: int, steps: int) -> Outcome:
 
 
 def places_of(particles: Sequence[Particle]) -> Place:
-    """Return the coordinates of all particles in the X-Y plane."""
+    """Return the x and y coordinates of all particles in one flat tuple."""
     return flat([particle.position for particle in particles])
 
 
 def flat(vectors: Sequence[Vector3]) -> Place:
-    """Return the x and y of all vectors in one sequence."""
+    """Return the x and y coordinates of all vectors in one flat tuple."""
     return tuple([part for vector in vectors for part in (vector.x, vector.y)])

@@ -40,7 +40,8 @@ G = 9.81  # m/s^2
 def projectile() -> Scene:
     """Return the scene of a shot with linear drag.
 
-    Its models use the closed form, the particle's damping, or drag as a force.
+    Some of its models use the closed form, while others treat the drag as the particle's damping or
+    as a force.
     """
     frames = round(PROJECTILE.duration * RATE)
     k1 = -math.log(PROJECTILE.damping)
@@ -108,7 +109,8 @@ def quadratic_drag() -> Scene:
 def orbit(e: float, turns: int, period: float) -> Scene:
     """Return the scene of an orbit with the eccentricity ``e`` and a semi-major axis of 1 m.
 
-    ``period`` is in s. The orbit begins at the point nearest to the center of attraction.
+    The orbit begins at the point nearest to the center of attraction, and each turn takes
+    ``period`` s.
     """
     frames = math.floor(turns * period * RATE)
     rate = 2.0 * math.pi / period
@@ -164,6 +166,6 @@ def floating_block() -> Scene:
     return Scene("floating block", frames, amplitude, truth, models)
 
 
-# One orbit is like a planet's. The other is like a comet's, with 60 frames per turn.
+# The first orbit resembles a planet's. The second resembles a comet's, and takes only 60 frames.
 ORBITS = [partial(orbit, 0.5, 3, 2.0 * math.pi), partial(orbit, 0.9, 1, 1.0)]
 FLIGHTS: list[Callable[[], Scene]] = [projectile, quadratic_drag, *ORBITS, floating_block]

@@ -1,7 +1,8 @@
 """Scenes of bouncing balls: a ball with and without losses, and one ball on top of another.
 
-The work is the number of searches for contacts, which is one per step, or one per impact and frame.
-If the motion of a ball is computed from its impacts alone, the work is the number of heights.
+The work is the number of searches for contacts. Most models search once per step, while time
+division searches once per impact and once per frame. A model that computes a ball's height from its
+impacts alone counts these heights instead.
 """
 
 from __future__ import annotations
@@ -26,9 +27,9 @@ RADIUS = 0.1  # m
 
 
 class Balls:
-    """Balls above each other that start at rest. A height is the height of a ball's center.
+    """One or more balls above each other that start at rest, with the lowest ball first.
 
-    The lowest ball comes first.
+    A height is the height of a ball's center in m.
     """
 
     def __init__(
@@ -38,21 +39,24 @@ class Balls:
         self.ground, self.pair = ground, pair  # restitutions
 
     def particles(self) -> list[Particle]:
-        """Return the balls as particles."""
+        """Return the balls as new particles of the engine."""
         return [
             Particle(Vector3(0.0, y), acceleration=Vector3(0.0, -G), mass=mass)
             for y, mass in zip(self.heights, self.masses, strict=True)
         ]
 
     def detectors(self, particles: list[Particle]) -> Detectors:
-        """Return the detectors of the balls' contacts."""
+        """Return detectors for contacts with the ground and between the balls."""
         ground = GroundPlane(particles, radius=RADIUS, restitution=self.ground)
         if len(particles) == 1:
             return Detectors(ground)
         return Detectors(ground, ParticlePairs(particles, RADIUS, self.pair))
 
     def places_at(self, times: Sequence[float]) -> list[Place]:
-        """Compute the heights at ``times`` in plain numbers, from impact to impact."""
+        """Compute the exact heights at ``times``, by following the balls from impact to impact.
+
+        The computation uses only plain numbers, so that mistakes in the engine cannot affect it.
+        """
         heights, speeds, now = [*self.heights], [0.0] * len(self.heights), 0.0
         found = []
         for time in times:
@@ -94,7 +98,7 @@ def _fall(
 
 
 def by_time_division(balls: Balls, frames: int, steps: int) -> Outcome:
-    """Advance from impact to impact."""
+    """Run the balls with time division, which advances from one impact to the next."""
     particles = balls.particles()
     detectors, work = balls.detectors(particles), 0
 
@@ -116,14 +120,17 @@ def by_time_division(balls: Balls, frames: int, steps: int) -> Outcome:
 
 
 def by_its_impacts(balls: Balls, frames: int, _: int) -> Outcome:
-    """Compute the height of a single ball only at the times at which it is needed."""
+    """Compute the height of a single ball from its impacts alone, at the end of each frame.
+
+    Between two impacts the height is a closed form, so this needs no steps.
+    """
     (height,) = balls.heights
     heights = heights_in_frames(height - RADIUS, 0.0, balls.ground, 1.0 / RATE, frames, G)
     return Outcome([(RADIUS + height,) for height in heights], frames)
 
 
 def by_resolver(integrator: Integrator, balls: Balls, frames: int, steps: int) -> Outcome:
-    """Make a step, and then detect and resolve the contacts."""
+    """Run the balls with an integrator, and detect and resolve contacts after each step."""
     particles = balls.particles()
     detectors, resolver = balls.detectors(particles), ContactResolver()
     step = resolving(integrator, particles, [detectors], resolver.resolve_contacts)
@@ -159,7 +166,7 @@ def by_pymunk(balls: Balls, frames: int, steps: int) -> Outcome:
 
 
 def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
-    """Return the scene of these balls, with every model."""
+    """Return the scene in which these balls fall, with all models that can run it."""
     exact = balls.places_at([frame / RATE for frame in range(1, frames + 1)])
 
     def truth(time: float) -> Place:
@@ -194,7 +201,7 @@ def bouncing_ball(restitution: float) -> Scene:
 def two_balls() -> Scene:
     """Return the scene of a light ball on a heavy ball, both dropped from 1 m (exercise 7.3).
 
-    The scene takes 1.5 s.
+    The scene lasts 1.5 s.
     """
     gap = 1e-3
     balls = Balls((1.0 + RADIUS, 1.0 + 3.0 * RADIUS + gap), (1.0, 0.1), 0.9, 0.8)

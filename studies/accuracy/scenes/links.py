@@ -46,9 +46,9 @@ def pendulum() -> Scene:
 
 
 def double_pendulum() -> Scene:
-    """Return the scene of two bobs of 1 kg on two rods of 1 m, for 2 s.
+    """Return the scene of a double pendulum that swings for 2 s.
 
-    Both rods start at 60 degrees.
+    It has two bobs of 1 kg on two rods of 1 m. Both rods start at 60 degrees from straight down.
     """
     chain = Chain(1.0, [1.0, 1.0], math.radians(60.0), G, frames=120)
 
@@ -62,9 +62,10 @@ def double_pendulum() -> Scene:
 
 
 def heavy_tip() -> Scene:
-    """Return the scene of a bob of 10 kg on five rods of 1 m with joints of 1 kg, for 2 s.
+    """Return the scene of a chain with a heavy tip that swings for 2 s.
 
-    The chain starts at 60 degrees.
+    The chain has five rods of 1 m. Their joints have a mass of 1 kg, and the bob at the tip has 10
+    kg. The chain starts at 60 degrees from straight down.
     """
     chain = Chain(1.0, [1.0, 1.0, 1.0, 1.0, 10.0], math.radians(60.0), G, frames=120)
     models = models_of(chain)
@@ -72,9 +73,10 @@ def heavy_tip() -> Scene:
 
 
 def rope() -> Scene:
-    """Return the scene of a rope of thirty rods of 0.1 m and 0.1 kg, for 1 s.
+    """Return the scene of a rope that swings for 1 s.
 
-    It is released at 30 degrees.
+    The rope has thirty rods of 0.1 m, with a particle of 0.1 kg at the end of each. It is released
+    at 30 degrees from straight down.
     """
     chain = Chain(0.1, [0.1] * 30, math.radians(30.0), ROUND_G, frames=60)
     steps = STEPS[:6]

@@ -34,7 +34,7 @@ FINE = 8  # steps per frame of our own run, with which the truth is compared
 
 
 def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) -> Scene:
-    """Return the scene of a net in a plane. The net is built only when it is first run.
+    """Return the scene of a net in a plane, which is built when one of its models first runs.
 
     SciPy computes the exact solution. ``differs`` compares it with a run of our own net in short
     steps.
@@ -65,17 +65,20 @@ def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) ->
 
 
 def bridge_ties() -> list[Tie]:
-    """Return the cables of one side of the rope bridge. Their lengths are seen from the side."""
+    """Return the cables of one side of the rope bridge, with their lengths seen from the side."""
     return [(start, end, length, 1) for start, end, length in cables()]
 
 
 def hung() -> list[tuple[float, float]]:
-    """Return the rest positions of the rows on one side, with a load on the third row."""
+    """Return where the rows of the bridge hang on one side, with a load on the third row."""
     return [(x, y) for x, y in hanging()]
 
 
 def settled(plane: Plane, wind: float = 0.0) -> Plane:
-    """Return a plane whose knots are at rest in a wind. ``wind`` is along X, in m/s^2."""
+    """Let a net come to rest in a steady wind, and return it with its knots in these positions.
+
+    ``wind`` is an acceleration along X in m/s^2. In the result it no longer blows.
+    """
     knots = plane.particles()
     for knot in knots:
         knot.acceleration.x = wind
@@ -103,8 +106,8 @@ def swinging() -> Scene:
 def walked_over() -> Scene:
     """Return the scene of one side of the bridge with a ball that walks across. It lasts 3.6 s.
 
-    The ball has a mass of 5 kg and walks at 2 m/s. This side carries half of its weight, which is
-    divided between the two rows beside the ball. All cables stay taut.
+    The ball has a mass of 5 kg and walks at 2 m/s. This side of the bridge carries half of its
+    weight, which is divided between the two rows beside the ball, and all cables stay taut.
     """
 
     def make() -> Plane:
@@ -115,13 +118,13 @@ def walked_over() -> Scene:
 
 
 def catching() -> Scene:
-    """Return the scene of a net of 6 by 6 knots that catches a ball of 1 kg, for 0.6 s.
+    """Return the scene of a net of 6 by 6 knots that catches a ball. It lasts 0.6 s.
 
     The net hangs between two poles, and each knot has a mass of 0.2 kg. The horizontal cables are
     0.55 m long in the top row. In the rows below it they are 0.59 m long and hang slack. Vertical
-    cables of 0.45 m connect each knot to the knot below it. The ball falls 0.3 m and lands slightly
-    off center. It collides with those knots of the upper two rows that come within its radius of
-    0.5 m.
+    cables of 0.45 m connect each knot to the knot below it. The ball has a mass of 1 kg. It falls
+    0.3 m and lands slightly off center, where it collides with any knots of the upper two rows that
+    come within its radius of 0.5 m.
     """
     size, gap, radius = 6, 0.5, 0.5
 

@@ -1,8 +1,8 @@
-"""Run a net in a plane: by its exact motion, by our nets, and by pymunk's slide joints.
+"""Run a net in a plane with our nets and with pymunk, and compute its exact motion.
 
 Our nets have order 2 or 4. The work is the number of links that are solved for. A net of order 4
-solves for all of its links four times per step. Pymunk solves for its joints in every iteration of
-a step.
+solves for all of its links four times per step. Pymunk uses slide joints, and solves for each of
+them in every iteration of a step.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ from studies.accuracy.scene import RATE, Outcome, Place, in_frames
 from studies.accuracy.scenes.taut import TautMotion, Tie
 
 COUNTED = "links solved for"
-LONG = 12  # frames, in which a net of order 4 makes few steps
-FAR = 1e3  # m: no slide joint gets as long
+LONG = 12  # frames; the number of long steps is given per this many frames
+FAR = 1e3  # m, more than the length that any slide joint reaches
 
 
 @dataclass(frozen=True)
@@ -34,8 +34,8 @@ class Plane:
     """A net in the X-Y plane: knots with masses in kg, and the ties between them (see TautMotion).
 
     ``places`` are the initial positions of the knots. ``walker`` describes a load that moves across
-    the knots in their order. It consists of the initial x in m, the speed in m/s and the weight in
-    N. The two knots beside the walker carry the weight, and the nearer knot carries more of it.
+    the knots in their order. It is a tuple of the initial x in m, the speed in m/s and the weight
+    in N. The two knots beside the walker carry the weight, and the nearer knot carries more of it.
     """
 
     masses: Sequence[float]
@@ -46,7 +46,7 @@ class Plane:
     gravity: float = 9.81
 
     def load(self, time: float, places: Any) -> Any:
-        """Return the weights of all knots in N, including the weight of the walker."""
+        """Return the weight of each knot in N, including the part of the walker that it carries."""
         forces = numpy.outer(self.masses, (0.0, -self.gravity))
         if self.walker:
             start, pace, weight = self.walker
@@ -84,18 +84,19 @@ class Plane:
 
 
 def borne(xs: Sequence[float], x: float) -> tuple[int, float]:
-    """Find the knot behind a walker at ``x``. Return its index and the progress to the next knot.
+    """Find which two knots carry a walker at ``x``, if the knots are at ``xs``.
 
-    The progress is between 0 and 1.
+    Return the index of the knot behind the walker, and how far the walker has come from there to
+    the next knot, as a fraction between 0 and 1.
     """
     knot = sum(x >= other for other in xs[1:-1])
     return knot, min(max((x - xs[knot]) / (xs[knot + 1] - xs[knot]), 0.0), 1.0)
 
 
 class Walker:
-    """A force generator for the weight of a walker.
+    """A force generator that puts the weight of a walker on the knots of a net.
 
-    Register the generator for only one knot. It adds forces to both knots beside the walker.
+    Register it for one knot only, because it adds forces to both knots beside the walker.
     """
 
     def __init__(self, knots: Sequence[Particle], walker: Particle, weight: float) -> None:
@@ -110,7 +111,7 @@ class Walker:
 
 
 def made(plane: Plane, kind: type[DirectNet] | type[SmoothNet]) -> tuple[list[Particle], Any]:
-    """Create the knots of a net, and a function that makes one step. Return both."""
+    """Create the knots of a net, and a function that advances the net by one step."""
     knots = plane.particles()
     registry, walkers = ForceRegistry(), []
     if plane.walker:
@@ -132,7 +133,7 @@ def made(plane: Plane, kind: type[DirectNet] | type[SmoothNet]) -> tuple[list[Pa
 
 
 def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) -> Outcome:
-    """Step the net, and record the positions of the knots at the end of every frame."""
+    """Run the net in steps, and return the positions of its knots at the end of every frame."""
     knots, step = made(plane, kind)
 
     def place() -> Place:
@@ -144,10 +145,10 @@ def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) ->
 
 
 def by_long_steps(plane: Plane, steps: int) -> Outcome:
-    """Make ``steps`` long steps of order 4 in LONG frames, and interpolate between their ends.
+    """Run the net in steps longer than a frame, and interpolate between them with cubics.
 
-    The interpolation uses cubics, which are accurate only for smooth motion. A cubic cannot follow
-    the jump in velocity at an impact.
+    There are ``steps`` steps of order 4 in every LONG frames. Cubics are accurate only for smooth
+    motion, because they cannot follow the jump in velocity at an impact.
     """
     knots, step = made(plane, SmoothNet)
 
@@ -169,7 +170,7 @@ def by_long_steps(plane: Plane, steps: int) -> Outcome:
 
 
 def by_slide_joints(plane: Plane, iterations: int, steps: int) -> Outcome:
-    """Hold the knots with pymunk's slide joints.
+    """Run the net in pymunk, where slide joints hold the knots.
 
     ``iterations`` is the number of iterations of pymunk's solver per step.
     """

@@ -47,7 +47,7 @@ def spring(stiffness: float, damping: float) -> Scene:
     def truth(time: float) -> Place:
         """Return the exact motion as the sum of two complex exponentials.
 
-        The formula would fail if both roots were equal, but in these scenes they never are.
+        The formula would fail for critical damping, but no spring of these scenes has that.
         """
         root = cmath.sqrt(0.25 * damping * damping - stiffness)
         a, b = -0.5 * damping + root, -0.5 * damping - root
@@ -135,7 +135,7 @@ def elastic_pendulum() -> Scene:
 
 
 def by_solver(solver: Solver, stiffness: float, damping: float, steps: int) -> Outcome:
-    """Step a linear spring with ``solver``. It evaluates one formula per step."""
+    """Run a linear spring with ``solver``, which evaluates one formula per step."""
     x, v = 1.0, 0.0
 
     def step(duration: float) -> None:
@@ -145,7 +145,7 @@ def by_solver(solver: Solver, stiffness: float, damping: float, steps: int) -> O
     return Outcome(in_frames(step, lambda: (x, 0.0), FRAMES, steps), FRAMES * steps)
 
 
-# The springs have a tenth of critical damping, c = 0.2 sqrt(k), but one has a hundredth of it.
+# Every spring has a tenth of critical damping, c = 0.2 sqrt(k), except for one with a hundredth.
 SPRINGS: list[Callable[[], Scene]] = [
     *(partial(spring, k, 0.2 * math.sqrt(k)) for k in (10.0, 100.0, 1e4)),
     partial(spring, 1e6, 20.0),

@@ -6,10 +6,9 @@ tensions keep the taut cables at their lengths. This phase ends when a tension d
 when a slack cable reaches its full length. After that, a different set of cables is taut, and the
 velocities may jump.
 
-Both the new set and the jump are found by solving a least-squares problem in which the unknowns,
-the tensions, must not be negative. This works because an impact without bounce removes as little
-kinetic energy as possible (Moreau, in Nonsmooth Mechanics and Applications, 1988). SciPy has a
-solver for such problems.
+To find the new set and the jump, SciPy solves a least-squares problem whose unknowns, the tensions,
+must not be negative. This works because an impact without bounce removes as little kinetic energy
+as possible (Moreau, in Nonsmooth Mechanics and Applications, 1988).
 """
 
 from __future__ import annotations
@@ -21,7 +20,8 @@ import numpy
 from scipy.integrate import solve_ivp  # type: ignore[import-untyped]
 from scipy.optimize import nnls  # type: ignore[import-untyped]
 
-# From which knot, or anchor, to which knot; the length in m; 1 for a cable, -1 for a strut.
+# A tie leads from a knot or an anchor to a knot. Its length is in m. Its kind is 1 for a cable and
+# -1 for a strut.
 Tie = tuple[int | tuple[float, float], int, float, int]
 Load = Callable[[float, Any], Any]  # the forces in N on all knots, at a time and at their positions
 NEAR, SLOW = 1e-9, 1e-9  # m and m/s; a tie this close to its limit is at its limit
@@ -29,9 +29,10 @@ EVENTS = 2000
 
 
 class TautMotion:
-    """The motion of knots that are held by ties. The masses are in kg.
+    """The exact motion of knots in a plane that are held by cables and struts, here called ties.
 
-    ``load`` returns the external forces in N. They may depend on the time and on the positions.
+    The masses are in kg. ``load`` returns the external forces in N, which may depend on the time
+    and on the positions.
     """
 
     def __init__(self, masses: Sequence[float], ties: Sequence[Tie], load: Load) -> None:
@@ -50,12 +51,16 @@ class TautMotion:
         self.events = 0
 
     def gaps(self, places: Any) -> Any:
-        """Return each tie's distance in m from its limit. It is negative beyond the limit."""
+        """Return by how many meters each tie could still move before it reaches its limit.
+
+        This is how much longer a cable could become, or how much shorter a strut could become. The
+        number is negative if the tie is beyond its limit.
+        """
         ways = self.ends @ places.reshape(-1, 2) - self.anchors
         return self.kinds * (self.lengths - numpy.linalg.norm(ways, axis=1))
 
     def rows(self, places: Any, speeds: Any) -> tuple[Any, Any]:
-        """Return how the ties' lengths depend on the coordinates, and the effect of their rotation.
+        """Return the derivatives of the ties' lengths that the equations of motion need.
 
         The first result is the Jacobian matrix of the lengths, with one row per tie. The second
         result is the part of each length's second derivative that comes from the tie's rotation.
@@ -70,14 +75,18 @@ class TautMotion:
         return self.kinds[:, None] * matrix, self.kinds * bent
 
     def least(self, matrix: Any, wanted: Any) -> Any:
-        """Return pulls p >= 0 with p (A p - wanted) = 0 and A p >= wanted, where A = J M^-1 J^T."""
+        """Find the pulls that keep the ties within their limits, where no tie can push.
+
+        With A = J M^-1 J^T, the pulls p satisfy A p >= wanted. A tie pulls only where the two sides
+        are equal, so p (A p - wanted) = 0.
+        """
         weighted = (matrix * numpy.sqrt(self.inverse)).T
         target, *_ = numpy.linalg.lstsq(weighted.T, wanted, rcond=None)
         pulls, _ = nnls(weighted, target, maxiter=100 * len(wanted) + 100)
         return pulls
 
     def accelerations(self, time: float, state: Any, taut: Any) -> tuple[Any, Any]:
-        """Return the accelerations of the knots, and the pulls of the taut ties."""
+        """Return the accelerations of the knots, and the pulls of the taut ties that hold them."""
         places, speeds = numpy.split(state, 2)
         matrix, bent = self.rows(places, speeds)
         free = self.inverse * self.load(time, places)
@@ -87,9 +96,9 @@ class TautMotion:
         return free - self.inverse * (held.T @ pulls), pulls
 
     def choose(self, time: float, state: Any) -> tuple[Any, Any]:
-        """Resolve the impacts at ``time``.
+        """Determine which ties are taut at ``time``, and resolve any impacts first.
 
-        Return the new state and the indices of the taut ties.
+        Return the state after the impacts, and the indices of the taut ties.
         """
         places, speeds = numpy.split(state, 2)
         matrix, bent = self.rows(places, speeds)
@@ -106,7 +115,7 @@ class TautMotion:
         ]
 
     def run(self, places: Any, speeds: Any, times: Sequence[float]) -> Any:
-        """Start from the state at time 0. Return the positions at ``times``, one row per time."""
+        """Compute the motion from time 0. Return the positions at ``times``, one row per time."""
         state = numpy.concatenate([numpy.ravel(places), numpy.ravel(speeds)]).astype(float)
         time, found = 0.0, []
         for _ in range(EVENTS):

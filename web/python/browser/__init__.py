@@ -1,1 +1,1 @@
-"""The course in a browser: Python that runs in Pyodide, in a worker of the page."""
+"""Check students' work and run scenes in a web worker of the page, with Pyodide."""

@@ -1,4 +1,4 @@
-"""Check a chapter or an exercise for the page, in the same way as make check."""
+"""Check a chapter or an exercise in the browser, in the same way as make check."""
 
 from __future__ import annotations
 
@@ -27,25 +27,25 @@ memories: dict[str, Memory] = {}  # the results of earlier chapters' checks, key
 
 
 class Progress(ProgressBar):
-    """A progress bar that reports to the page, but no more often than a reader can follow."""
+    """A progress bar on the page, which is updated no more often than a reader can follow."""
 
     def __init__(self, processes: Processes) -> None:
         self.processes = processes
         self.next = 0.0  # earliest time of the next report in seconds
 
     def show(self, done: int, of: int) -> None:
-        """Report how many checks are done, unless an earlier worker has already reported this."""
+        """Tell the page how many checks are done, unless an earlier worker has already done so."""
         if self.processes.is_live and (done == of or time.monotonic() >= self.next):
             post("progress", done=done, of=of)
             self.next = time.monotonic() + PERIOD
 
 
 class Runs:
-    """A callable that runs checks, and remembers the results of other chapters.
+    """Runs the checks for one request of the page, and remembers the results of other chapters.
 
-    It takes seconds to run another chapter, so the page first shows the failure that was found in
-    this chapter. If a loop does not end, no other chapter is run at all. The failure already names
-    the line, and the other chapters would run into the same loop.
+    It takes seconds to check another chapter, so the page first shows the failure that was found in
+    the requested chapter. If a loop does not end, no other chapter is checked at all, because the
+    failure already names the line, and the other chapters would run into the same loop.
     """
 
     def __init__(
@@ -61,7 +61,7 @@ class Runs:
         self.shown = False
 
     def __call__(self, chapter: Chapter, engine: list[Path], **options: Any) -> list[Verdict]:
-        """Return the verdicts on a chapter, as run_checks does."""
+        """Check a chapter and return the verdicts, as run_checks does."""
         if chapter == self.chapter:
             self.found = self.run(chapter, engine, seed=self.seed, **options)
             return self.found
@@ -72,7 +72,7 @@ class Runs:
         return self.memory(chapter, engine, **options)
 
     def show(self, engine: list[Path]) -> None:
-        """Send the first failure to the page before the earlier chapters are checked."""
+        """Show the first failure on the page before any other chapter is checked."""
         self.shown = True
         wanted = {verdict.exercise for verdict in self.found}
         results = [r for r in results_of(self.chapter, self.found) if r.exercise.id in wanted]
@@ -83,7 +83,7 @@ class Runs:
 
 
 def check(request: dict[str, Any], folder: Folder) -> dict[str, Any]:
-    """Return the report for which the page asks.
+    """Check the student's work as the page requests, and return the report for the page.
 
     Raises:
         ValueError: The request is not valid.

@@ -1,4 +1,4 @@
-"""Maintain the student's folder, in which files from the page replace the stubs."""
+"""Keep the student's files in a folder, from which the checks and the scenes import them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,10 @@ TAKEN = re.compile(r"ch\d\d_[a-z0-9_]+/[^/]+")
 
 
 class Folder:
-    """A folder of chapters, whose files are stubs unless the page has provided others."""
+    """A folder of chapters that contains the student's files.
+
+    Each file that the page has not sent is the stub that students start from.
+    """
 
     def __init__(self, folder: Path = CHAPTERS) -> None:
         self.folder = folder
@@ -25,7 +28,7 @@ class Folder:
         self.there = dict(self.stubs)
 
     def lay(self, files: Mapping[str, str]) -> None:
-        """Write the page's files into the folder, and stubs for all others.
+        """Write the page's files into the folder, and write stubs for all other files.
 
         Raises:
             ValueError: A path does not have the form chNN_name/name.

@@ -1,4 +1,4 @@
-"""Start the Python side of the worker, and answer messages from the page one at a time."""
+"""Start Python in the page's worker, and answer messages from the page one at a time."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ links: dict[int, Link] = {}
 def start() -> None:
     """Prepare for messages, and tell the page that Python is ready.
 
-    The message includes the texts that the page shows if Python itself can no longer explain a
-    failure.
+    The message includes two explanations that the page can show by itself, for failures after which
+    Python no longer answers.
     """
     os.chdir(ROOT)
     watchdog.install()

@@ -1,4 +1,4 @@
-"""Communicate with the worker from Python: send messages, and start or stop the clock."""
+"""Talk to the worker that runs Python: send messages to the page, and start or stop the clock."""
 
 from __future__ import annotations
 
@@ -19,5 +19,5 @@ def start_clock(seconds: float) -> None:
 
 
 def stop_clock() -> None:
-    """Tell the worker not to send the signal."""
+    """Tell the worker that the signal is no longer needed."""
     worker.stopClock()

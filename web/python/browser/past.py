@@ -1,4 +1,4 @@
-"""Continue a run that another worker has begun, by first repeating what that worker reported.
+"""Continue a run of checks that an earlier worker could not finish.
 
 If a check does not end, the page has to stop the worker, but it keeps the worker's reports. A new
 worker then starts the run from the beginning. It repeats the results that are already known,
@@ -30,7 +30,7 @@ from web.python.browser.watchdog import watchdog
 
 @dataclass(frozen=True)
 class Past:
-    """A process that an earlier worker ran, with its reports and the way it ended.
+    """A process of checks that an earlier worker ran, with its reports and the way it ended.
 
     ``run`` names the chapter and the checks that the process was meant to run. ``left`` is the time
     in seconds that remained for all checks when the process began. ``seconds`` is the time that it
@@ -47,7 +47,7 @@ class Past:
 
 
 class Processes:
-    """The processes that a request to check needs, in the order in which they run."""
+    """Runs the processes that are needed for one request to check, or repeats their reports."""
 
     def __init__(self, past: list[dict[str, Any]], *, shallow: bool) -> None:
         self.past = [Past(**one) for one in past]
@@ -55,11 +55,14 @@ class Processes:
 
     @property
     def is_live(self) -> bool:
-        """Whether reports are new, rather than repeated from an earlier worker."""
+        """Whether the reports come from new checks, rather than from an earlier worker."""
         return not self.past
 
     def judge(self, run: Run) -> Ending:
-        """Run the next process, pass its reports to the run, and return how it ended."""
+        """Run the checks of one process, and return how they ended.
+
+        If an earlier worker has already run this process, its reports are repeated instead.
+        """
         order = run.order
         # Folders with given modules have a different name each time, so only their number counts.
         key = f"{order.chapter.name} on {len(order.engine)}: {' '.join(order.exercises)}"
@@ -80,7 +83,7 @@ class Processes:
         return ending
 
     def _repeat(self, run: Run, past: Past) -> Ending:
-        """Pass the reports of an earlier process to the run, as if they had just arrived."""
+        """Pass on the reports of an earlier process, as if they had just arrived."""
         for line in past.lines:
             run.hear(line)
         run.deadline = time.monotonic() + past.left - past.seconds
@@ -91,7 +94,7 @@ class Processes:
 
 
 def failure_of_hang(run: Run, stack: str) -> dict[str, Any] | None:
-    """Return the failure of a check that did not end, which is shown before the rest is done."""
+    """Describe the failure of a check that did not end, so that the page can show it at once."""
     if not isinstance(run.current, Started):
         return None
     check, order = run.checks[run.current.name], run.order

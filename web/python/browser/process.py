@@ -1,6 +1,6 @@
-"""Run checks in this interpreter as if it were a new process, which a browser cannot start.
+"""Run checks as if in a new process, although a browser cannot start one.
 
-When a run ends, it undoes everything that would disappear together with a process: imported
+At the end of a run, everything that would disappear together with a process is undone: imported
 modules, entries in sys.path, and the working folder.
 """
 
@@ -37,15 +37,18 @@ code = StudentsCode([], {})  # the code that is checked, and that is restricted
 
 
 def install_limits() -> None:
-    """Restrict what the student's code may import and do. Call this once, before the first run."""
+    """Restrict what the student's code may import and do.
+
+    Call this once, before the first run.
+    """
     limit_imports(code)
     limit_acts(code)
 
 
 def compile_once() -> None:
-    """Keep the compiled code of every module, because a check imports up to 40 modules again.
+    """Keep the compiled code of every module, because each check imports up to 40 modules again.
 
-    Call this once. It saves a third of the time of a short check.
+    This saves a third of the time of a short check. Call it only once.
     """
     compiled = lru_cache(maxsize=1000)(compile)
 
@@ -57,7 +60,7 @@ def compile_once() -> None:
 
 
 class InBrowser(InProcess):
-    """The student's modules, imported in a browser, where no process can be ended."""
+    """Imports the student's modules in a browser, where no process can be ended from outside."""
 
     def surround(self) -> None:
         """Give the code the same environment and the same limits as in the grader."""
@@ -77,10 +80,10 @@ class InBrowser(InProcess):
 
 
 class BrowserRecorder(Recorder):
-    """A recorder that reads only the files it needs, because WebAssembly reads files slowly."""
+    """Reads only the files of checks that it needs, because files are slow to read in a browser."""
 
     def pytest_ignore_collect(self, collection_path: Path) -> bool | None:
-        """Ignore a file of checks if it names none of the exercises."""
+        """Ignore a file of checks if none of the requested exercises is in it."""
         if not collection_path.name.startswith("test_"):
             return None
         text = collection_path.read_text(encoding="utf-8")
@@ -89,9 +92,10 @@ class BrowserRecorder(Recorder):
 
 
 def run_here(config: Config, send: Send, *, shallow: bool) -> Ending:
-    """Run the checks that a configuration names, and send their events.
+    """Run the checks that ``config`` names, and send an event for each step of the run.
 
-    If ``shallow`` is true, the recursion limit for the student's code is lower than in the grader.
+    If ``shallow`` is true, the recursion limit for the student's code is lower than in the grader,
+    because the stack of some browsers is small.
     """
     said = io.StringIO()
     with as_a_process(), contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
@@ -112,7 +116,7 @@ def run_here(config: Config, send: Send, *, shallow: bool) -> Ending:
 
 @contextlib.contextmanager
 def as_a_process() -> Iterator[None]:
-    """Undo all changes to the interpreter at the end of the context."""
+    """Undo the changes of a run to this interpreter when the context ends."""
     path, limit = list(sys.path), sys.getrecursionlimit()
     forget_modules()
     os.chdir(ROOT)

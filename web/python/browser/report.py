@@ -1,4 +1,4 @@
-"""Convert the results of checks to plain data for the page, in the words of make check."""
+"""Convert the results of checks to data that the page can show, in the words of make check."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from autograder.student.screen import (
 def report_to_page(
     report: Report, exercise: Exercise | None, engine: list[Path], given: list[Chapter]
 ) -> dict[str, Any]:
-    """Return the output of make check for a chapter, or for an exercise and its prerequisites."""
+    """Return what make check would print for a chapter or an exercise, as data for the page."""
     chapter, reports = report.chapter, [report]
     first = first_open(reports, exercise)
     failure = failure_of(*first, engine) if first else None
@@ -76,7 +76,7 @@ def _results(report: Report, engine: list[Path]) -> list[dict[str, Any]]:
 
 
 def failure_to_page(failure: Failure) -> dict[str, Any]:
-    """Return a failure as plain data. If no line of the file should be opened, `line` is 0."""
+    """Return a failure as data for the page. ``line`` is 0 if there is no line to open."""
     file, _, line = failure.place.removeprefix("chapters/").partition(":")
     return {
         "heading": failure.heading,

@@ -1,8 +1,8 @@
-"""Run scenes for the page. Each link has its own host and engine, but all share one interpreter.
+"""Run several scenes of the page in one interpreter, each with its own host and engine.
 
 The modules of all engines have the same names, so they cannot all be in sys.modules at the same
-time. Each link therefore keeps the modules that it has imported, and puts them into sys.modules
-only while it answers a message.
+time. Each link to a scene therefore keeps the modules that it has imported, and puts them into
+sys.modules only while it answers a message.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ SHARED = set(sys.modules)  # modules that all links share
 
 
 class Link:
-    """The connection to one scene on the page: an engine, and the scene that it runs."""
+    """The connection to one scene of the page, which has its own engine."""
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
@@ -42,9 +42,10 @@ class Link:
         self.given = ExitStack()  # the reference's modules, kept until the link is closed
 
     def receive(self, message: Message) -> list[Message]:
-        """Return the answers to a message from the page.
+        """Answer a message about the scene.
 
-        A load message contains the student's files.
+        A message that loads a scene also contains the student's files, from which its engine is
+        built.
         """
         try:
             if message.get("kind") == "load":
@@ -65,7 +66,7 @@ class Link:
         self.given.close()
 
     def _choose(self, files: dict[str, str], numbers: list[int]) -> None:
-        """Build the engine from these files and the reference's given chapters."""
+        """Build the engine from the student's files and the given chapters of the reference."""
         if self.loaded == (files, numbers):
             return
         self.loaded = None
@@ -82,7 +83,7 @@ class Link:
 
     @contextmanager
     def _at_work(self) -> Iterator[None]:
-        """Import and restrict this link's engine, instead of any other, until the context ends."""
+        """Use this link's engine, with the limits for student code, until the context ends."""
         code.change(*self.known)
         sys.setrecursionlimit(SHALLOW)
         path, sys.path = sys.path, [*sys.path, *map(str, self.engine)]

@@ -6,7 +6,7 @@ Python calls ``Watchdog.hear`` at the current line of the student's code. ``hear
 and the page then ends the worker.
 
 A loop inside a C function, such as sum, never checks for signals. In this case, the page ends the
-worker one second later and does not learn the line.
+worker one second later without knowing the line.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from web.python.browser.page import post, start_clock, stop_clock
 
 
 class Watchdog:
-    """Reports code that does not end to the page, together with its current line.
+    """Tells the page when a student's code does not end, and at which line it is.
 
     The caller sets `explain` to a function that turns a stack trace into an explanation.
     """
@@ -33,7 +33,7 @@ class Watchdog:
         signal.signal(signal.SIGALRM, self.hear)
 
     def start(self, seconds: float) -> None:
-        """Start the clock."""
+        """Start the clock. When it runs out, the worker sends the signal."""
         start_clock(seconds)
 
     def stop(self) -> None:
@@ -41,7 +41,7 @@ class Watchdog:
         stop_clock()
 
     def hear(self, _: int, frame: FrameType | None) -> None:
-        """Report the current line of the code to the page, and wait to be ended by the page."""
+        """Report the current line to the page, and then wait until the page ends the worker."""
         stack = stack_of(frame)
         post("hung", stack=stack, **self.explain(stack))
         while True:
@@ -49,7 +49,7 @@ class Watchdog:
 
 
 def stack_of(frame: FrameType | None) -> str:
-    """Return a stack trace in the format of faulthandler, with the innermost call first."""
+    """Format the current calls like a stack trace of faulthandler, innermost call first."""
     lines = []
     while frame is not None:
         code = frame.f_code

@@ -102,6 +102,9 @@ def main() -> None:
     """Fork a judge for each order, until the control socket is closed."""
     from autograder.checks import verdicts
     from autograder.isolation import in_worker  # noqa: F401 - imported once for all judges
+    from autograder.isolation.starting import start_waiting
+
+    start_waiting()
 
     control = socket.socket(fileno=int(sys.argv[1]))
     gc.freeze()  # so that collecting garbage in a judge does not copy the memory that it shares

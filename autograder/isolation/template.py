@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 import contextlib
-import json
 import marshal
 import os
-import shutil
 import signal
 import socket
 import subprocess
-import sys
-import sysconfig
 import tempfile
 import time
 from collections.abc import Callable, Mapping, Sequence
@@ -24,12 +20,18 @@ from autograder.checks.faults import GraderFault
 from autograder.isolation.handles import Session
 from autograder.isolation.patience import Patience
 from autograder.isolation.sandbox import Level
+from autograder.isolation.starting import (
+    SYSTEM_LIBRARIES,
+    fork_template,
+    python_folders,
+    start_process,
+)
 from autograder.isolation.wire import Wire
 from autograder.manifest import ROOT
 from autograder.message import Message
 
 START_LIMIT = 20.0  # seconds for our own process to start on a busy machine
-SYSTEM_LIBRARIES = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/etc/ld.so.cache", "/dev/null")
+END_LIMIT = 1.0  # seconds for it to end
 
 
 class TemplateError(GraderFault):
@@ -109,7 +111,7 @@ class Template:
 
     def warm_up(self) -> None:
         """Order the next worker, unless it is already ordered, but do not wait for it."""
-        if self._process is None:
+        if self._control is None:
             self._start()
         if self._next is None:
             self._next = self._order()
@@ -149,7 +151,7 @@ class Template:
         A worker has compiled and marshaled this code.
         """
         self._compiled = dict(compiled)
-        if self._process is not None:
+        if self._control is not None:
             self._discard_next()  # because it was forked without this code
             self._send_code()
 
@@ -233,33 +235,19 @@ class Template:
         self._control, theirs = socket.socketpair()
         self._control.settimeout(START_LIMIT)
         self._answers = self._control.makefile("rb")
-        readable = [*SYSTEM_LIBRARIES, *_python_folders(), *self.folders]
         config = {
             "root": str(ROOT),
             "engine": self.engine,
             "folders": self.folders,
             "level": vars(self.level),
-            "readable": readable,
+            "readable": [*SYSTEM_LIBRARIES, *python_folders(), *self.folders],
             "seconds": int(self.seconds) + 2,
             "preload": not self.fresh,
-            "control": theirs.fileno(),
         }
-        code = f"import sys; sys.path.append({str(ROOT)!r}); "
-        code += "from autograder.isolation import worker; worker.main(sys.argv[1])"
-        python = os.path.realpath(sys.executable)
-        command = [python, "-I", "-S", "-B", "-c", code]
-        if self.level.bubblewrap:
-            command = [*_bubblewrap([*readable, python, str(ROOT / "autograder")]), *command]
         with theirs:
-            self._process = subprocess.Popen(
-                [*command, json.dumps(config)],
-                cwd="/",
-                env={"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"},
-                stdin=subprocess.DEVNULL,
-                stdout=self._log,
-                stderr=self._log,
-                pass_fds=[theirs.fileno()],
-            )
+            forked = not self.fresh and not self.level.bubblewrap
+            if not (forked and fork_template(config, theirs, self._log)):
+                self._process = start_process(config, self.level, theirs, self._log)
         if self._compiled:
             self._send_code()
 
@@ -267,33 +255,18 @@ class Template:
         if self._next is not None:
             self._next.close()
             self._next = None
-        if self._process is None:
+        if self._control is None:
             return
-        assert self._control is not None
         assert self._answers is not None
+        self._control.settimeout(END_LIMIT)
+        with contextlib.suppress(OSError):
+            self._control.shutdown(socket.SHUT_WR)  # the template then ends its worker and itself
+            while self._control.recv(1024):  # until it has done so
+                pass
         self._answers.close()
-        self._control.close()  # the template then ends its worker and itself
-        try:
-            self._process.wait(1.0)
-        except subprocess.TimeoutExpired:
-            self._process.send_signal(signal.SIGKILL)
+        self._control.close()
+        self._control = None
+        if self._process is not None:
+            self._process.kill()
             self._process.wait()
-        self._process = None
-
-
-def _python_folders() -> list[str]:
-    """Return the folders of the standard library and the libraries that Python itself needs."""
-    paths = {sysconfig.get_path("stdlib"), sysconfig.get_path("platstdlib")}
-    if library := sysconfig.get_config_var("LIBDIR"):
-        paths |= {str(path) for path in Path(library).glob("libpython*")}
-    return sorted(paths)
-
-
-def _bubblewrap(visible: Sequence[str]) -> list[str]:
-    """Return the bubblewrap command for a program that may read these paths and nothing else."""
-    program = shutil.which("bwrap") or "bwrap"
-    command = [program, "--unshare-all", "--uid", "65534", "--gid", "65534", "--die-with-parent"]
-    command += ["--cap-drop", "ALL", "--dev", "/dev", "--chdir", "/"]
-    for path in visible:
-        command += ["--ro-bind-try", path, path]
-    return [*command, "--remount-ro", "/"]
+            self._process = None

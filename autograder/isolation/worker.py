@@ -47,9 +47,48 @@ PRELOADED += "copy heapq"
 RULES, WIRE, STACK = 29, 30, 31
 
 
+def start_templates(number: str) -> None:
+    """Fork a template for each order on a socket, until nobody is left who could send one.
+
+    ``number`` is the socket's descriptor.
+    """
+    orders = socket.socket(fileno=int(number))
+    _preload()
+    gc.freeze()  # so that collecting garbage in a template does not copy the memory that it shares
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody waits for templates
+    while True:
+        text, descriptors, _, _ = socket.recv_fds(orders, 1 << 16, 2)
+        if not text:
+            return
+        if os.fork() == 0:
+            orders.close()
+            signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+            control, log = descriptors
+            for output in (1, 2):
+                os.dup2(log, output)
+            os.close(log)
+            try:
+                run_template({**json.loads(text), "control": control})
+            except BaseException:
+                traceback.print_exc()
+            finally:
+                os._exit(0)  # at once, because nobody waits for its exit code
+        for descriptor in descriptors:
+            os.close(descriptor)
+
+
+def _preload() -> None:
+    for name in PRELOADED.split():
+        importlib.import_module(name)
+
+
 def main(text: str) -> None:
-    """Run the template, which forks workers on request until the control socket is closed."""
-    config = json.loads(text)
+    """Run the template that this process has been started for. ``text`` is its configuration."""
+    run_template(json.loads(text))
+
+
+def run_template(config: dict[str, Any]) -> None:
+    """Fork workers on request until the control socket is closed."""
     # The number of this descriptor depends on the files that the runner has open. We replace it by
     # a low one, because that cannot be one of the numbers above, and because workers close it.
     control = socket.socket(fileno=os.dup(config["control"]))
@@ -60,8 +99,8 @@ def main(text: str) -> None:
     sys.pycache_prefix = "/nowhere"  # bytecode beside the files that were handed in is not used
     for add in (site.setquit, site.setcopyright, site.sethelper):  # built-ins that python -S lacks
         add()
-    for name in PRELOADED.split() if config["preload"] else ():
-        importlib.import_module(name)
+    if config["preload"]:
+        _preload()
     for folder in sorted({path.name for f in config["folders"] for path in Path(f).glob("ch??_*")}):
         importlib.import_module(folder)  # it has no code, but Python then remembers where it is
         importlib.util.find_spec(f"{folder}.nothing")

@@ -1,0 +1,104 @@
+"""Start a template, as a fork of a process that waits for orders, or as a new Python process.
+
+A new Python process needs 70 ms to start and to import what a template needs. A grader starts one
+template for each chapter and submission, so it has a process that has imported these modules once.
+This process forks a template for each order, never runs any student's code, and ends when no
+process is left that could send an order.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import shutil
+import socket
+import subprocess
+import sys
+import sysconfig
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from autograder.isolation.sandbox import Level
+from autograder.manifest import ROOT
+
+SYSTEM_LIBRARIES = ("/lib", "/lib64", "/usr/lib", "/usr/lib64", "/etc/ld.so.cache", "/dev/null")
+ENVIRONMENT = {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8"}
+
+# The connection to the waiting process. Judges inherit it when they are forked.
+_waiting: list[socket.socket] = []
+
+
+def start_waiting() -> None:
+    """Start the process that forks templates, where the system can send orders as whole packets."""
+    with contextlib.suppress(OSError, AttributeError):
+        own, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        with theirs:
+            subprocess.Popen(
+                _python("start_templates", str(theirs.fileno())),
+                cwd="/",
+                env=ENVIRONMENT,
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+                pass_fds=[theirs.fileno()],
+            )
+        _waiting.append(own)
+
+
+def fork_template(config: dict[str, Any], control: socket.socket, log: int) -> bool:
+    """Let the waiting process fork a template. Return False if there is no such process.
+
+    ``control`` is the template's end of its control socket. The output of the template goes to
+    ``log``, which is a descriptor.
+    """
+    for waiting in _waiting:
+        with contextlib.suppress(OSError):
+            socket.send_fds(waiting, [json.dumps(config).encode()], [control.fileno(), log])
+            return True
+    return False
+
+
+def start_process(
+    config: dict[str, Any], level: Level, control: socket.socket, log: int
+) -> subprocess.Popen[bytes]:
+    """Start a template as a new Python process, within bubblewrap if the level says so."""
+    command = _python("main", json.dumps({**config, "control": control.fileno()}))
+    if level.bubblewrap:
+        visible = [*config["readable"], command[0], str(ROOT / "autograder")]
+        command = [*_bubblewrap(visible), *command]
+    return subprocess.Popen(
+        command,
+        cwd="/",
+        env=ENVIRONMENT,
+        stdin=subprocess.DEVNULL,
+        stdout=log,
+        stderr=log,
+        pass_fds=[control.fileno()],
+    )
+
+
+def python_folders() -> list[str]:
+    """Return the folders of the standard library and the libraries that Python itself needs."""
+    paths = {sysconfig.get_path("stdlib"), sysconfig.get_path("platstdlib")}
+    if library := sysconfig.get_config_var("LIBDIR"):
+        paths |= {str(path) for path in Path(library).glob("libpython*")}
+    return sorted(paths)
+
+
+def _python(function: str, argument: str) -> list[str]:
+    """Return the command that calls a function of ``worker`` in a new Python process."""
+    code = f"import sys; sys.path.append({str(ROOT)!r}); "
+    code += f"from autograder.isolation import worker; worker.{function}(sys.argv[1])"
+    return [os.path.realpath(sys.executable), "-I", "-S", "-B", "-c", code, argument]
+
+
+def _bubblewrap(visible: Sequence[str]) -> list[str]:
+    """Return the bubblewrap command for a program that may read these paths and nothing else."""
+    program = shutil.which("bwrap") or "bwrap"
+    command = [program, "--unshare-all", "--uid", "65534", "--gid", "65534", "--die-with-parent"]
+    command += ["--cap-drop", "ALL", "--dev", "/dev", "--chdir", "/"]
+    for path in visible:
+        command += ["--ro-bind-try", path, path]
+    return [*command, "--remount-ro", "/"]

@@ -57,14 +57,14 @@ def test_a_sandbox_works_however_many_files_its_runner_has_open(level: Level, mo
 
 
 def test_a_wall_that_cannot_be_put_up_is_not_believed(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("autograder.isolation.template._python_folders", lambda: ["/"])
+    monkeypatch.setattr("autograder.isolation.template.python_folders", lambda: ["/"])
     assert what_fails(Level(landlock=True)), "everything can be read"
 
 
 def test_a_template_that_cannot_start_says_so(
     tmp_path: Path, level: Level, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("autograder.isolation.template.ROOT", tmp_path)  # it has no autograder
+    monkeypatch.setattr("autograder.isolation.starting.ROOT", tmp_path)  # it has no autograder
     template = Template(level, [], str(tmp_path), tmp_path, 1.0)
     with (
         contextlib.closing(template),

@@ -15,8 +15,8 @@ Point = tuple[float, float]
 def wrap_angle(angle: float) -> float:
     """Return the equivalent angle in the range -pi < angle <= pi (9.1.1).
 
-    Angles that differ by 2 pi have the same direction, so wrap angles before you compare them. For
-    both pi and -pi the result is pi.
+    Angles that differ by a full turn point in the same direction, so wrap them before you compare
+    them. The angles pi and -pi are the same direction too, and both give pi.
     """
     raise NotImplementedError("Exercise B9.1: Wrapping an angle")
 
@@ -30,7 +30,8 @@ def rotate_point(point: Point, angle: float, origin: Point) -> Point:
     """Return the world position of a point that is given relative to an object (Eq. 9.2).
 
     ``angle`` is the object's orientation in the world, and ``origin`` is its position. Rotate
-    ``point`` first, and then add ``origin``.
+    ``point`` first and then add ``origin``, because in the other order the position would rotate
+    too.
 
     >>> x, y = rotate_point((1.5, -0.75), 3 * math.pi / 8, (4, 3.85))  # a headlight of a car
     >>> round(x, 2), round(y, 2)

@@ -125,9 +125,10 @@ class Particle(particle.Particle):
     def last_acceleration(self) -> Vector3:
         """The total acceleration in the last step, as a new vector (Eq. 3.2).
 
-        This is the constant acceleration plus f / m. It is computed from the forces that the last
-        step used, and from the current mass and constant acceleration. Before the first step, and
-        for an immovable particle, it is the constant acceleration.
+        This is the constant acceleration plus f / m, where f is the sum of the forces that the last
+        step used. The mass and the constant acceleration are the current ones. Before the first
+        step there is no such force, and an immovable particle does not react to it, so the result
+        is the constant acceleration alone.
         """
         force = Vector3(*(self._forces[1] or ()))
         return self.acceleration + force * self._inverse_mass
@@ -135,10 +136,11 @@ class Particle(particle.Particle):
     def kick(self, duration: float) -> None:
         """Change the velocity by the acceleration and the forces: v' = (v + a h) d^h.
 
-        Here a is the constant acceleration plus f / m, where f is the sum of the forces since the
-        last kick, and h is ``duration``. The kick then clears the sum, even for an immovable
-        particle, but keeps a copy for ``last_acceleration``. You do not have to write ``integrate``
-        again, because chapter 3's version drifts and then calls this method.
+        Here h is ``duration``, and a is the constant acceleration plus f / m, where f is the sum of
+        the forces since the last kick. Afterward the kick clears the sum, so that each force acts
+        only once. It does so even for an immovable particle, but it keeps a copy for
+        ``last_acceleration``. You do not have to write ``integrate`` again, because the version of
+        chapter 3 drifts and then calls this method.
 
         As in chapter 3, the duration is not checked.
         """

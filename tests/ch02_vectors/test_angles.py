@@ -51,8 +51,8 @@ def test_the_sign_of_a_scalar_product_names_the_angle(rng: Random, word: str) ->
     for a in (long, (0.01 * long[0], 0.01 * long[1], 0.01 * long[2])):
         about.call = f"scalar_product_and_angle(Vector3{a}, Vector3{b})"
         about.cause = (
-            "Return a pair. Its first element is the scalar product a . b, and its second is the "
-            "word that names the angle."
+            "Return two results as a pair: first the scalar product a . b, and then the word that "
+            "says which kind of angle it is."
         )
         product, got = exercises.scalar_product_and_angle(Vector3(*a), Vector3(*b))
         name = f"{about.call}, the first"
@@ -172,7 +172,11 @@ def test_the_angles_of_the_book() -> None:
             "The angles are in degrees, but this function must return radians. "
             "math.asin already returns radians, so do not convert its result.",
         ),
-        (wanted[::-1], "The angles are in the wrong order. Return the smaller angle first."),
+        (
+            wanted[::-1],
+            "Both angles are right, but they are in the wrong order. Return the smaller "
+            "angle first.",
+        ),
         (
             wanted[0],
             "Only one of the two possible angles was returned. Because pi - t has the same sine "
@@ -215,8 +219,9 @@ def test_the_angles_by_the_vector_product(rng: Random, kind: str) -> None:
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; angles_by_vector_product(v, w)"
     about.cause = (
-        "The sine of the angle is |v x w| divided by both lengths. Return t and pi - t in radians. "
-        "The formula sqrt(1 - (v . w)^2) gives the sine for unit vectors only."
+        "The sine of the angle is |v x w| divided by both lengths. Compute the arcsine t of this "
+        "number, and return t and pi - t in radians. The formula sqrt(1 - (v . w)^2) does not help "
+        "here, because it gives the sine for unit vectors only."
     )
     about.read = "book 2.1.8, Eq. 2.6"
     got = exercises.angles_by_vector_product(v, w)

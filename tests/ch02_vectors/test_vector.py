@@ -189,7 +189,7 @@ def test_magnitude_of_huge_and_tiny_components(rng: Random) -> None:
 def test_the_zero_vector_has_the_length_zero() -> None:
     about(
         "Vector3(0, 0, 0).magnitude()",
-        cause="All components are zero, so the length must be zero too.",
+        cause="All components of this vector are zero, so its length must be zero too.",
     )
     about.read = "book 2.1"
     expect_close(Vector3(0.0, 0.0, 0.0).magnitude(), 0.0)

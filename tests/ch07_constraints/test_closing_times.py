@@ -26,7 +26,7 @@ def test_when_a_gap_closes(rng: Random) -> None:
                                "equation."),
         (5.0, 0.0, -10.0, 1.0, rest),
         (15.0, 10.0, -10.0, 3.0, "The body first rises and then falls back, so it passes this "
-                                 "height twice. It is closing at the later time."),
+        "height twice. The gap closes only the second time, so return the later time."),
         (40.0, -10.0, -10.0, 2.0,
          "The equation has two solutions. One of them is negative and lies in the past, so take "
          "the positive one."),
@@ -89,8 +89,8 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
         (-1e-18, 0.0, -x, 0.0, lies),
         (x, 1.0, 0.0, math.inf, "The body moves away, and no acceleration brings it back. Return "
                                 "math.inf."),
-        (x, 0.0, 0.0, math.inf, "The body does not move at all, so it never arrives. Return "
-                                "math.inf."),
+        (x, 0.0, 0.0, math.inf, "The body does not move at all, so it never reaches the ground. "
+        "Return math.inf."),
         (x, 0.0, 2.0, math.inf, "The body is at rest and is accelerated away from the ground, so "
                                 "it never arrives. Return math.inf."),
         (x, 2.0, 3.0, math.inf, "The body moves away and is accelerated away as well, so it never "

@@ -42,7 +42,7 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
         (simple, 1.0, 3.0, 0.75, share_of_a),
         (drawn, ma, mb, mb / (ma + mb), share_of_a),
         (drawn, ma, wall, 1.0, whole_a),
-        (small, wall, mb, 0.0, "a is immovable, so b must move by the whole depth."),
+        (small, wall, mb, 0.0, "The particle a is immovable, so b must move by the whole depth."),
         (small, ma, None, 1.0, whole_a),
     ):
         about(f"a of {first} kg at {p}, b ", cause=cause)
@@ -104,7 +104,8 @@ def test_what_is_not_in_each_other_is_not_moved(rng: Random) -> None:
     gap = "A negative penetration means that there is a gap between the particles. Do not move "
     gap += "them, however small the gap is."
     for depth, mass, cause in (
-        (0.0, 2.0, "The two particles only touch, so neither of them may be moved."),
+        (0.0, 2.0, "The penetration is 0, so the two particles only touch. Do not move either of "
+        "them."),
         (-positive_number(rng), 2.0, gap),
         (-0.125, 2.0, gap),
         (-1e-10, 2.0, gap),
@@ -159,8 +160,9 @@ def test_the_moves_are_vectors_of_their_own(rng: Random) -> None:
     p, q, n = components(rng), components(rng), direction(rng)
     about.call = f"a at {p}; c = Contact(a, None, Vector3{n}, 0.5, 1.0); moves = "
     about.call += "c.resolve_penetration(); moves[0].x += 1; moves[1].x += 1"
-    separate = "The caller may change the returned moves. Return new vectors, and never the "
-    separate += "contact's normal or a particle's position itself, and do not change the normal."
+    separate = "The caller may change the two returned vectors, so they must be new. Do not return "
+    separate += "the contact's normal or a particle's position itself, and do not change the "
+    separate += "normal."
     about.cause = separate
     a = Particle(Vector3(*p))
     c = Contact(a, None, Vector3(*n), 0.5, 1.0)

@@ -113,7 +113,8 @@ def test_what_is_pushed_moves_in_that_frame(rng: Random) -> None:
         expect_exactly(woken, True, then=": does it wake within 10 steps")
         got = done["velocity"] or (math.nan,) * 3
         about.cause = "The particle must already move in the step in which it wakes, and each "
-        about.cause += "force must act on it once."
+        about.cause += "force must act on it exactly once. Call wake_pushed before the integrator, "
+        about.cause += "and clear the accumulators after the comparison."
         twice = tuple(2.0 * part for part in velocity)
         if any(velocity):
             seen = "The forces act twice, because they are still in the accumulator when the "
@@ -122,7 +123,10 @@ def test_what_is_pushed_moves_in_that_frame(rng: Random) -> None:
         expect_close(
             got, velocity, then=": velocity after the step in which it wakes", tolerance=1e-12
         )
-        about.cause = "The generators got a wrong duration. Pass the duration of the step to them."
+        about.cause = (
+            "The generators were called with a wrong duration. Pass the duration of the step on "
+            "to them."
+        )
         expect_exactly(done["durations"], [1.0 / 60.0], then=": the durations that they got")
 
 
@@ -190,9 +194,9 @@ def test_what_is_touched_wakes_with_all_that_it_touches(rng: Random, first: bool
     about.cause = "The contact has woken only some of the balls. A ball that wakes can touch the "
     about.cause += "next one, so find the contacts again until no more balls wake in this step."
     if hit < 0:
-        about.cause = "No ball wakes. If one particle of a contact can move and the other one "
-        about.cause += "sleeps, wake the other one. The sleeping one can be the first or the "
-        about.cause += "second of the two, so check both."
+        about.cause = "No ball wakes, although a moving ball touches a sleeping one. If one "
+        about.cause += "particle of a contact can move and the other one sleeps, wake the sleeping "
+        about.cause += "one. It can be the first or the second of the two, so check both."
     expect_exactly(done["seen"][hit], [], then=": who sleeps after the step of the hit")
     about.cause = "Momentum has been lost. A sleeping ball acts like a wall, so give all balls "
     about.cause += "that wake their masses back before the contacts are resolved."
@@ -265,9 +269,9 @@ def test_what_fell_asleep_as_one_wakes_as_one() -> None:
     about.cause += "so all three must wake in the same step. Find such pairs with "
     about.cause += "joined(self.registry)."
     expect_exactly(seen[1], [], then=": who sleeps after a step")
-    about.cause = "The center of mass has not moved at 2 m/s, although the forces of a spring "
-    about.cause += "are equal and opposite. Perhaps one particle was still asleep while the others "
-    about.cause += "moved. Wake all three in the same step."
+    about.cause = "The center of mass has not moved at 2 m/s, although the forces of a spring are "
+    about.cause += "equal and opposite. Perhaps one particle was still asleep while the others "
+    about.cause += "moved, so wake all three in the same step."
     drift = 2.0 * sum(0.9 ** (i / 60.0) for i in range(1, 21)) / 60.0
     middle = math.fsum(place[0] for place in places) / 3.0 - 1.0
     expect_close(
@@ -284,13 +288,15 @@ def test_what_hangs_still_sleeps_on() -> None:
     about.cause += "is large compared with it. Compare the change with |a| + |f / m| instead."
     expect_exactly(hung(40, 40, 0.0)[4:], [[0]] * 36)
     about.call += ", with an extra push of 0.15 N/kg from step 20 on"
-    about.cause = "Here |a| + |f / m| is 20 m/s^2, and SAME times that is 0.2 m/s^2. The push of "
-    about.cause += "0.15 N/kg is less, so the mass must stay asleep."
+    about.cause = "Here |a| + |f / m| is 20 m/s^2, so a change of up to 0.2 m/s^2 (SAME times this "
+    about.cause += "sum) wakes nothing. The push of 0.15 N/kg is weaker, so the mass must stay "
+    about.cause += "asleep."
     expect_exactly(hung(40, 20, 0.15)[4:], [[0]] * 36)
     about.call = "a mass that hangs from a spring, almost at rest, with an extra push of 0.5 "
     about.call += "N/kg from step 20 on; wake_pushed(): does it wake within 10 steps"
-    about.cause = "Here |a| + |f / m| is 20 m/s^2, and SAME times that is 0.2 m/s^2. The push of "
-    about.cause += "0.5 N/kg is more, so the mass must wake."
+    about.cause = "Here |a| + |f / m| is 20 m/s^2, so a change of more than 0.2 m/s^2 (SAME times "
+    about.cause += "this sum) wakes the mass. The push of 0.5 N/kg is stronger, so the mass must "
+    about.cause += "wake."
     expect_exactly([] in hung(31, 20, 0.5)[20:], True)
 
 

@@ -1,7 +1,8 @@
 """A Catherine wheel (mini-project 4.4): a nozzle on a rotating wheel throws sparks.
 
 The wheel rotates at a constant rate, so a formula gives the angle, the position and the velocity of
-the nozzle at any time. No force has to be simulated, and only the sparks are particles.
+the nozzle at any time. The wheel itself therefore needs no simulation, and only the sparks are
+particles.
 """
 
 from __future__ import annotations

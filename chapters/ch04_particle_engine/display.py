@@ -61,7 +61,7 @@ def is_over(display: Display) -> bool:
 
 
 def tick(display: Display, duration: float) -> None:
-    """Advance the game by ``duration`` s: update the show, and count the time until it is over.
+    """Update the show by ``duration`` s, and count this time unless the game is already over.
 
     Raises ValueError if the duration is not positive and finite. In that case nothing changes.
     """

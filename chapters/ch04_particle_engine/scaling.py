@@ -14,7 +14,8 @@ from __future__ import annotations
 def muzzle_energy(mass: float, speed: float) -> float:
     """Return the kinetic energy m v^2 / 2 of a shot in J.
 
-    The mass is in kg and the speed in m/s.
+    This energy decides how much work the shot can do on a target. The mass is in kg and the speed
+    in m/s.
 
     Raises ValueError if the mass is not positive and finite, or if the speed is negative or not
     finite.

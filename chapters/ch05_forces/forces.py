@@ -32,22 +32,22 @@ class ForceGenerator(Protocol):
 class ForceRegistry:
     """Stores pairs of a particle and a force generator that acts on it in every step.
 
-    The constructor sets ``_pairs`` to an empty list. The list holds tuples (particle, generator) in
-    the order in which they were added. You may store the pairs in another way, but then change
-    ``pairs`` to match.
+    The list ``_pairs`` is empty at first. It holds tuples (particle, generator) in the order in
+    which they were added. You may store the pairs in another way, but then change ``pairs`` to
+    match.
     """
 
     def __init__(self) -> None:
         self._pairs: list[tuple[Particle, ForceGenerator]] = []
 
     def pairs(self) -> list[tuple[Particle, ForceGenerator]]:
-        """Return a new list of the pairs, in order. Later chapters use this method."""
+        """Return a new list of the pairs, in the order in which they were added."""
         return [*self._pairs]
 
     def add(self, particle: Particle, generator: ForceGenerator) -> None:
         """Let ``generator`` act on ``particle`` in every later step (5.2.2).
 
-        If you add the same pair twice, the force acts twice.
+        The same pair may be added more than once, and its force then acts as many times.
 
         Raises:
             TypeError: if the particle has no ``add_force``, or the generator has no
@@ -85,8 +85,8 @@ class ForceRegistry:
 class Gravity:
     """The weight of a particle, m g (Eq. 3.4). ``acceleration`` is g, a vector in m/s^2.
 
-    If g is the same everywhere and at all times, set ``Particle.acceleration`` instead. It has the
-    same effect at a lower cost (5.3).
+    You do not need this generator if g is the same everywhere and at all times. Setting
+    ``Particle.acceleration`` then has the same effect at a lower cost (5.3).
     """
 
     def __init__(self, acceleration: Vector3) -> None:
@@ -118,8 +118,8 @@ class Drag:
 def drag_force(velocity: Vector3, k1: float, k2: float) -> Vector3:
     """Return the drag in N at ``velocity`` in m/s as a new vector (Eq. 5.1).
 
-    The drag is -v^ (k1 |v| + k2 |v|^2), where v^ is the unit vector along the velocity. It is zero
-    if the velocity is zero. ``k1`` is in N s/m and ``k2`` in N s^2/m^2.
+    The drag is -v^ (k1 |v| + k2 |v|^2), where v^ is the unit vector along the velocity. If the
+    velocity is zero, so is the drag. ``k1`` is in N s/m and ``k2`` in N s^2/m^2.
     """
     raise NotImplementedError("Exercise B5.5: Drag")
 
@@ -149,9 +149,10 @@ class Uplift:
 
 
 class Airbrake:
-    """Exercise 5.2: strong drag that can be switched on and off. The force is -k v.
+    """Exercise 5.2: strong drag that can be switched on and off, with the force -k v.
 
-    ``k`` is in N s/m. The attribute ``on`` is the switch. A new brake is off.
+    ``k`` is in N s/m. Set the attribute ``on`` to True or False to switch the brake. It is off at
+    first.
 
     Raises:
         ValueError: if k is negative or not finite.
@@ -195,7 +196,8 @@ class PointGravity:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Exercise 5.3: add a force of m times ``strength`` toward the center.
 
-        At the center the force has no direction, so it is zero. Skip an immovable particle.
+        At the center the force would have no direction, so it is zero there. Skip an immovable
+        particle, because its force would be infinite.
         """
         raise NotImplementedError("Exercise 5.3: Gravity toward a point")
 
@@ -217,7 +219,7 @@ class InverseSquareGravity:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Exercise 5.4: add the force m mu / r^2 toward the center, where r is the distance in m.
 
-        Skip an immovable particle.
+        Skip an immovable particle, because its force would be infinite.
 
         Raises:
             ArithmeticError: if the particle is at the center, or so close to it that the force is

@@ -103,8 +103,8 @@ class SniperRange:
     def change_wind(self) -> None:
         """Project 4.2: draw a new horizontal wind from ``self.random``.
 
-        Draw the component along X first, and then the component along Z. Each is from
-        -STRONGEST_WIND to STRONGEST_WIND.
+        Draw the component along X first, and then the component along Z, both from -STRONGEST_WIND
+        to STRONGEST_WIND. The order matters, because the same seed must always give the same winds.
         """
         raise NotImplementedError("Exercise P4.2a: Sniper range: the wind")
 

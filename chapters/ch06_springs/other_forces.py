@@ -15,10 +15,11 @@ class Buoyancy:
 
     - ``max_depth`` is half the height of the body, in m. So the body just touches the water when
       its center is this far above the surface, and it is completely submerged when its center is
-      this far below the surface. - ``volume`` is in m^3, and ``gravity`` is in m/s^2.  -
-      ``water_height`` is the height of the water surface in m. - ``liquid_density`` is in kg/m^3:
-      1000 for fresh water, and from 1020 to 1030 for sea water. The example in the book's text is
-      too large by a factor of 1000 (E-21).
+      this far below the surface.
+    - ``volume`` is in m^3, and ``gravity`` is in m/s^2.
+    - ``water_height`` is the height of the water surface in m.
+    - ``liquid_density`` is in kg/m^3: 1000 for fresh water, and from 1020 to 1030 for sea water.
+      The example in the book's text is too large by a factor of 1000 (E-21).
 
     Raises ValueError if ``max_depth``, ``volume`` or ``liquid_density`` is not positive,
     ``gravity`` is negative, or one of them is not finite.
@@ -114,6 +115,6 @@ class HomingBullet:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Exercise 6.4: add k times the displacement between the two future positions.
 
-        The target feels no force.
+        Only the bullet feels this force, so the target is not pulled toward it.
         """
         raise NotImplementedError("Exercise 6.4: A homing bullet")

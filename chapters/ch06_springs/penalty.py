@@ -1,4 +1,4 @@
-"""Going further: collisions with springs, and why they fail (E-36)."""
+"""Going further: use springs to keep particles out of the ground, and see why this fails (E-36)."""
 
 from __future__ import annotations
 

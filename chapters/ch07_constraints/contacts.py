@@ -69,9 +69,9 @@ class Contact:
         self.penetration = penetration
 
     def separating_velocity(self) -> float:
-        """Return the separating velocity (va - vb) . n in m/s, which is negative when closing.
+        """Return the velocity in m/s at which the two bodies move apart, (va - vb) . n.
 
-        If ``other`` is None, vb is zero. Book 7.1.1, Eq. 7.2.
+        It is negative while they approach each other. If ``other`` is None, vb is zero (Eq. 7.2).
         """
         raise NotImplementedError("Exercise B7.1: Separating velocity")
 

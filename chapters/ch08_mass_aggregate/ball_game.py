@@ -50,7 +50,7 @@ class Rules:
 
     @property
     def over(self) -> bool:
-        """Whether the game is won or lost. The score and the lives no longer change after that."""
+        """Whether the game is won or lost, so that the score and the lives no longer change."""
         raise NotImplementedError("Exercise P8.1a: A ball game: the rules")
 
     def landed(self, row: int) -> None:
@@ -66,7 +66,7 @@ class Rules:
         raise NotImplementedError("Exercise P8.1a: A ball game: the rules")
 
     def fell(self) -> None:
-        """Take away one life after the ball touched the ground. Do nothing if the game is over."""
+        """Take away one life, because the ball has touched the ground, unless the game is over."""
         raise NotImplementedError("Exercise P8.1a: A ball game: the rules")
 
 

@@ -131,10 +131,12 @@ class SleepingWorld(ParticleWorld):
         """Move all particles that are awake forward by one time step. ``duration`` is in s.
 
         - Wake the particles that were changed by hand. In every LOOK_EVERY-th step, also wake the
-          particles on which the generators now act differently. - If all particles sleep, the step
-          is finished.  - Otherwise, call the integrator with only the particles that are awake.  -
-          Find the contacts. If a contact wakes a particle, find the contacts again, until no
-          particle wakes.  - Resolve the contacts, and then let tired groups fall asleep.
+          particles on which the generators now act differently.
+        - If all particles sleep, the step is finished.
+        - Otherwise, call the integrator with only the particles that are awake.
+        - Find the contacts. If a contact wakes a particle, find the contacts again, until no
+          particle wakes.
+        - Resolve the contacts, and then let tired groups fall asleep.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.

@@ -1,8 +1,8 @@
 """A platform that tilts on a pivot, and a weight that tips it (book 8.2.2, mini-project 8.1).
 
-Seen from the side, the platform is a V made of rods. The tip of the V is a pivot on the ground, and
-the right end is farther from the pivot than the left end. The platform consists of two such Vs, at
-z = -1 and z = 1, with rods between them. Arguments of the wrong type raise TypeError.
+Seen from the side, the platform is a V made of rods, whose tip is a pivot on the ground. The right
+end is farther from the pivot than the left end. In space the platform consists of two such Vs, at z
+= -1 and z = 1, with rods between them. Arguments of the wrong type raise TypeError.
 """
 
 from __future__ import annotations

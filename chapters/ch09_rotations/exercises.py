@@ -119,8 +119,8 @@ def easy_inverse(matrix: Matrix4) -> Matrix4:
 def center_of_stones(stones: Sequence[Stone]) -> Point:
     """Exercise 9.7: return the center of mass (x, y) of a box with stones, in m.
 
-    Each stone is a tuple of its name, its mass in kg, and the x and y of its center in m. Include
-    the empty box as one of the stones, unless its mass is negligible.
+    Each stone is a tuple of its name, its mass in kg, and the x and y of its center in m. The box
+    has a mass too, so include it as one of the stones unless its mass is negligible.
 
     Raises:
         ValueError, TypeError: for the same reasons as ``center_of_mass``.

@@ -79,7 +79,9 @@ class Matrix4:
     def inverse(self) -> Matrix4:
         """Return the inverse as a new matrix (9.4.3).
 
-        The book's listings contain errors (E-13, E-29, E-30).
+        The 3x3 part of the inverse is the inverse of the 3x3 part. The translation of the inverse
+        is the negative translation, multiplied by this inverse. Do not copy the book's listings,
+        because they contain errors (E-13, E-29, E-30).
 
         Raises:
             ValueError: if ``Matrix3.inverse`` rejects the 3x3 part.
@@ -88,18 +90,22 @@ class Matrix4:
 
     @staticmethod
     def from_orientation_and_position(q: Quaternion, p: Vector3) -> Matrix4:
-        """Return the matrix from object to world coordinates. It rotates by ``q``, then adds ``p``.
+        """Return the matrix that converts coordinates of an object to world coordinates.
+
+        ``q`` is the orientation of the object and ``p`` its position, so the matrix rotates by
+        ``q`` and then adds ``p``.
 
         Raises:
-            ValueError: if the quaternion's length is not 1 (``is_unit``).
+            ValueError: if the length of ``q`` is not 1 (``is_unit``).
         """
         raise NotImplementedError("Exercise B9.15: Between an object and the world")
 
     def transform_inverse(self, v: Vector3) -> Vector3:
         """Return the point that ``transform`` maps to ``v``, as a new vector (9.4.5).
 
-        Subtract the translation, and then multiply by the transpose of the 3x3 part. The transpose
-        is the inverse only of a rotation, so for any other 3x3 part the result is wrong.
+        Subtract the translation, and then multiply by the transpose of the 3x3 part. This is faster
+        than a general inverse, but it is right only for a rotation, because only then is the
+        transpose the inverse.
         """
         raise NotImplementedError("Exercise B9.15: Between an object and the world")
 

@@ -89,9 +89,9 @@ class Matrix3:
         """Return the inverse as a new matrix (9.4.3).
 
         Raises:
-            ValueError: if an entry is not finite, or if |determinant| is not greater than
-                ``SINGULAR`` (1e-13) times the product of the rows' lengths. The message shows the
-                determinant, and its ratio to that product.
+            ValueError: if an entry is not finite, or if the matrix is singular, which means that
+                |determinant| is at most ``SINGULAR`` (1e-13) times the product of the rows'
+                lengths. The message shows the determinant, and its ratio to that product.
         """
         raise NotImplementedError("Exercise B9.5: Determinant and inverse")
 
@@ -107,9 +107,10 @@ class Matrix3:
 
     @staticmethod
     def from_quaternion(q: Quaternion) -> Matrix3:
-        """Return the rotation matrix of a quaternion. Its columns are the rotated axes.
+        """Return the matrix that rotates vectors in the same way as the quaternion ``q``.
 
-        The book prints the transpose, which rotates in the opposite direction (E-11).
+        The columns of the matrix are the axes X, Y and Z after the rotation. The book prints the
+        transpose of this matrix, which rotates in the opposite direction (E-11).
 
         Raises:
             ValueError: if the quaternion's length is not 1 (``is_unit``).

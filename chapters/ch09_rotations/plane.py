@@ -1,8 +1,8 @@
 """Angles, directions and points in the plane, and the center of mass (book 9.1).
 
 A point or direction is a tuple (x, y). Angles are in radians, counter-clockwise from the X axis
-toward the Y axis. The functions do not change their arguments. They raise ValueError for a number
-that is not finite, and TypeError for anything that is not a number.
+toward the Y axis. The functions do not change their arguments, and they raise ValueError for a
+number that is not finite, and TypeError for anything that is not a number.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def center_of_mass(masses: Sequence[float], positions: Sequence[Point]) -> Point
     ``masses`` are in kg. ``positions`` are in m, in the same order as the masses.
 
     Raises:
-        ValueError: also if there are no masses, if the numbers of masses and positions differ, or
-            if a mass is not positive.
+        ValueError: if there are no masses, if the numbers of masses and positions differ, if a mass
+            is not positive, or if a number is not finite.
     """
     raise NotImplementedError("Exercise B9.3: The center of mass")

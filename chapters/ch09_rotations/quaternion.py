@@ -65,7 +65,7 @@ class Quaternion:
         return Quaternion(self.r, self.i, self.j, self.k)
 
     def magnitude(self) -> float:
-        """Return the length, sqrt(r^2 + i^2 + j^2 + k^2). It is 1 for an orientation.
+        """Return the length, sqrt(r^2 + i^2 + j^2 + k^2), which is 1 for an orientation.
 
         The result must also be correct for components as large as 1e200 and as small as 1e-200.
         """
@@ -78,8 +78,9 @@ class Quaternion:
     def normalize(self) -> None:
         """Divide all components by the length, in place (9.4.8).
 
-        A zero quaternion becomes (1, 0, 0, 0). The result must also be correct for components as
-        large as 1e200 and as small as 1e-200.
+        A zero quaternion cannot be divided by its length, so it becomes (1, 0, 0, 0), the
+        reference. The result must also be correct for components as large as 1e200 and as small as
+        1e-200.
         """
         raise NotImplementedError("Exercise B9.7: The length of a quaternion")
 
@@ -95,7 +96,8 @@ class Quaternion:
     def from_axis_angle(axis: Vector3, angle: float) -> Quaternion:
         """Return the rotation by ``angle`` in radians about ``axis`` (Eq. 9.4).
 
-        The axis may have any length except 0.
+        Only the direction of the axis matters, so the axis may have any length except 0. The result
+        is a new unit quaternion.
 
         Raises:
             ValueError: if the axis is zero or a number is not finite.
@@ -140,8 +142,8 @@ class Quaternion:
         """Add scale/2 times (0, vector) q to q, in place (Eq. 9.5).
 
         If ``vector`` is an angular velocity and ``scale`` is a duration, this is the book's time
-        step for an orientation. It is accurate only to first order, and it increases the length of
-        the quaternion (E-31). Do not normalize here, because the exercises measure this error.
+        step for an orientation. It is accurate only to first order, and it makes the quaternion
+        longer (E-31). Do not normalize the result, because the exercises measure this error.
 
         Raises:
             ValueError: if the vector or the scale is not finite. In that case nothing changes.

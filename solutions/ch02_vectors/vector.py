@@ -141,8 +141,8 @@ class Vector3:
     def normalize(self) -> None:
         """Scale the vector to length 1 without changing its direction, in place (2.1.3).
 
-        The zero vector has no direction and stays zero. The result must also be correct for
-        components as large as 1e200 or as small as 1e-200.
+        The zero vector has no direction, so it stays zero. The result must also be correct for
+        components as large as 1e200 or as small as 1e-200, like that of ``magnitude``.
         """
         length = self.magnitude()
         if length == 0.0:

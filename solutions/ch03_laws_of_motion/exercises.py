@@ -34,7 +34,8 @@ def speed_ratio(first_mass: float, second_mass: float) -> float:
 def gravity_between(first_mass: float, second_mass: float, distance: float) -> float:
     """Exercise 3.2: return the gravitational force in N between two masses (Eq. 3.3).
 
-    The masses are in kg and the distance is in m. G is the book's 6.67428e-11 N m^2/kg^2.
+    The masses are in kg and the distance is in m. For the gravitational constant G, use the book's
+    value, 6.67428e-11 N m^2/kg^2.
 
     Raises ValueError if a mass or the distance is not positive and finite.
 
@@ -69,8 +70,9 @@ def state_by_steps(
 ) -> tuple[Vector3, Vector3]:
     """Exercise 3.4b and c: return the position and the velocity after ``steps`` equal steps.
 
-    Each step applies Eq. 2.7 and then Eq. 2.8, as ``Particle.integrate`` does when the damping is
-    1. ``duration`` is the duration of one step in s.
+    Each step first moves the position with the old velocity (Eq. 2.7) and then changes the velocity
+    (Eq. 2.8), as ``Particle.integrate`` does when the damping is 1. ``duration`` is the duration of
+    one step in s.
 
     Raises ValueError if the duration is not positive and finite, or if ``steps`` is below 1.
 

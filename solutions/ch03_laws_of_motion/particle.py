@@ -84,7 +84,7 @@ class Particle:
 
     @property
     def has_finite_mass(self) -> bool:
-        """Whether the mass is finite. A particle of infinite mass is immovable."""
+        """Whether the particle can be moved, which is true if its mass is finite."""
         return self.mass < math.inf
 
     @property
@@ -120,7 +120,8 @@ class Particle:
     def last_acceleration(self) -> Vector3:
         """The total acceleration of the last step, as a new vector.
 
-        In this chapter it equals the constant acceleration. Chapter 5 adds the effect of forces.
+        No forces act in this chapter, so it equals the constant acceleration. Chapter 5 adds the
+        effect of forces.
         """
         return self.acceleration.copy()
 

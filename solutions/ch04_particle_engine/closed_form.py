@@ -61,8 +61,8 @@ def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
 def state_after(particle: Particle, time: float) -> tuple[Vector3, Vector3]:
     """Return the position and velocity of ``particle`` after ``time`` s, as new vectors.
 
-    Use this function for a prediction, such as where a shell will land. The particle itself does
-    not change. An immovable particle keeps its position and velocity.
+    Use this function for a prediction, such as where a shell will land. It does not change the
+    particle. For an immovable particle, return copies of its current position and velocity.
 
     Raises ValueError if the time is negative or not finite, and OverflowError as ``drag_factors``
     does.

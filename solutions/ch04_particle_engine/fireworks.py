@@ -1,7 +1,7 @@
 """Fireworks (book 4.2): particles that burn for a while and then light other fireworks.
 
-Each type of firework is described by a rule, which is plain data. You can therefore add a type
-without writing new code.
+Each type of firework is described by a rule, which is plain data, so you can add a type without
+writing new code.
 """
 
 from __future__ import annotations

@@ -1,6 +1,7 @@
 """The behavior of a grenade (mini-project 4.1): it bounces, and it bursts at the end of its fuse.
 
-The bounce here is a rule for this one type of shot. Chapter 7 adds contacts for any particle.
+The bounce is a simple rule that works only for this type of shot on level ground. Chapter 7
+replaces such rules by contacts, which work for any particle.
 """
 
 from __future__ import annotations

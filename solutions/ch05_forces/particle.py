@@ -50,9 +50,9 @@ class Particle(particle.Particle):
     def take_forces(self) -> Numbers:
         """Return the sum of the forces in N as three numbers, and clear the sum.
 
-        This has the same effect as ``force_accumulator`` followed by ``clear_forces``, but takes a
-        third of the time. The difference matters for an integrator that evaluates the forces
-        several times per step.
+        You get the same result from ``force_accumulator`` followed by ``clear_forces``, but this
+        method takes only a third of the time. The difference matters for an integrator that
+        evaluates the forces several times per step.
         """
         forces = self._forces
         force = forces[0]
@@ -62,9 +62,9 @@ class Particle(particle.Particle):
     def add_force_pair(self, other: Particle, x: float, y: float, z: float) -> None:
         """Add a force in N to this particle, and the opposite force to ``other``.
 
-        ``x``, ``y`` and ``z`` are the components of the force. The two forces obey Newton's third
-        law. This method takes half the time of two calls of ``add_force``, which matters for a
-        cloth with hundreds of springs.
+        ``x``, ``y`` and ``z`` are the components of the force on this particle. By Newton's third
+        law, ``other`` gets the opposite force. You could also call ``add_force`` twice, but this
+        method takes half the time, which matters for a cloth with hundreds of springs.
 
         Raises:
             ValueError: if a component, or one of the two sums, is not finite. In that case neither

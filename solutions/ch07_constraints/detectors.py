@@ -68,8 +68,8 @@ class GroundPlane:
     def contacts(self) -> list[Contact]:
         """Exercise 7.5: return a contact for each particle that touches the ground or is below it.
 
-        The contact's ``other`` is None and its normal is (0, 1, 0). Its penetration is the depth of
-        the sphere's lowest point below the ground. Immovable particles have no contacts.
+        In each contact, ``other`` is None, the normal is (0, 1, 0), and the penetration is the
+        depth of the sphere's lowest point below the ground. Immovable particles have no contacts.
         """
         found = []
         for particle in self.particles:
@@ -108,7 +108,7 @@ class GroundPlane:
 
 
 class ParticlePairs:
-    """Finds contacts between pairs of spheres. All spheres have the same positive ``radius``."""
+    """Finds contacts and impacts between spheres that all have the same positive ``radius``."""
 
     def __init__(
         self, particles: Sequence[Particle], radius: float, restitution: float = 0.0

@@ -50,7 +50,7 @@ class Rules:
 
     @property
     def over(self) -> bool:
-        """Whether the game is won or lost. The score and the lives no longer change after that."""
+        """Whether the game is won or lost, so that the score and the lives no longer change."""
         return self.won or self.lives == 0
 
     def landed(self, row: int) -> None:
@@ -73,7 +73,7 @@ class Rules:
             self.score += BONUS * self.lives
 
     def fell(self) -> None:
-        """Take away one life after the ball touched the ground. Do nothing if the game is over."""
+        """Take away one life, because the ball has touched the ground, unless the game is over."""
         if not self.over:
             self.lives -= 1
 

@@ -59,7 +59,9 @@ def links_of(rows: Sequence[Row]) -> list[ContactGenerator]:
 class Deck:
     """A contact generator for a ball that rolls over rows of planks.
 
-    ``radius`` is the radius of the ball in m. ``rows`` must be in order along X.
+    A row has particles only at its two ends, so a ball would fall through between them. The deck is
+    a surface that connects the rows and carries the ball. ``radius`` is the radius of the ball in
+    m, and ``rows`` must be in order along X.
 
     Raises:
         ValueError: if the radius is not positive and finite, the restitution is not from 0 to 1, or

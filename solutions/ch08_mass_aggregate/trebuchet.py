@@ -62,10 +62,10 @@ class Design:
 class Throw:
     """The result of a throw: its range, and the share of the energy that reached the projectile.
 
-    The range is in m, measured from the pivot. The share is the energy that the projectile has
-    gained, divided by the energy that the counterweight has lost, both from the start to the
-    release. The projectile gains kinetic and potential energy, and the counterweight loses
-    potential energy. If the projectile was never released, both numbers are 0.
+    The range is in m, measured from the pivot. The share tells you how much of the counterweight's
+    energy was used for the throw: it is the kinetic and potential energy that the projectile has
+    gained, divided by the potential energy that the counterweight has lost, both from the start to
+    the release. If the projectile was never released, both numbers are 0.
     """
 
     range: float
@@ -110,8 +110,8 @@ class Trebuchet:
     def beam(self) -> list[ContactGenerator]:
         """Return rods that join the pivot, the counterweight and the tip into a rigid beam.
 
-        Use the current positions of these particles for the lengths of the rods. Any set of rods
-        that makes the beam rigid is accepted.
+        Any set of rods that makes the beam rigid is accepted. The length of each rod is the current
+        distance between its ends.
         """
         ends = ((self.pivot, self.weight), (self.pivot, self.tip), (self.weight, self.tip))
         return [TwoSidedRod(a, b, (b.position - a.position).magnitude()) for a, b in ends]

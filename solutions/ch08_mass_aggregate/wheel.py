@@ -1,6 +1,6 @@
 """A wheel of rods around an immovable hub, driven at its rim (mini-project 8.3).
 
-The wheel rotates in the X-Y plane. A positive angular velocity is counter-clockwise.
+The wheel rotates in the X-Y plane, and a positive angular velocity is counter-clockwise.
 """
 
 from __future__ import annotations

@@ -58,8 +58,8 @@ def test_the_sign_of_a_scalar_product_names_the_angle(rng: Random, word: str) ->
         name = f"{about.call}, the first"
         cosine = dot(a, b) / math.sqrt(dot(a, a) * dot(b, b))
         divided = (
-            "The result is the cosine of the angle, so it was divided by both lengths. Return the "
-            "scalar product a . b without this division."
+            "The result is the cosine of the angle, which is the scalar product divided by both "
+            "lengths. Return the scalar product itself, without this division."
         )
         blame(product, [(cosine, divided)])
         expect_close(product, dot(a, b), call=name, tolerance=1e-12)
@@ -115,8 +115,8 @@ def test_the_angles_of_the_book() -> None:
     a, b = Vector3(0.0, 1.0, 1.0), Vector3(0.0, -1.0, 0.0)
     about.call = "angle_by_scalar_product(Vector3(0, 1, 1), Vector3(0, -1, 0))"
     about.cause = (
-        "Divide a . b by both lengths, which gives the cosine of the angle. Then return math.acos "
-        "of this cosine, which is the angle in radians."
+        "Divide a . b by both lengths to get the cosine of the angle, and then return math.acos of "
+        "this cosine, which is the angle in radians."
     )
     about.read = "book 2.1.7, Eq. 2.4"
     got = exercises.angle_by_scalar_product(a, b)
@@ -195,8 +195,8 @@ def test_the_angle_by_the_scalar_product(rng: Random, kind: str) -> None:
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; angle_by_scalar_product(v, w)"
     about.cause = (
-        "Divide v . w by both lengths, which gives the cosine of the angle. Then return math.acos "
-        "of this cosine, which is the angle in radians."
+        "Divide v . w by both lengths to get the cosine of the angle, and then return math.acos of "
+        "this cosine, which is the angle in radians."
     )
     about.read = "book 2.1.7, Eq. 2.4"
     got = exercises.angle_by_scalar_product(v, w)

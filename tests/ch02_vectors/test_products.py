@@ -157,7 +157,8 @@ def test_the_component_product_in_place(rng: Random) -> None:
     wanted = (a[0] * b[0], a[1] * b[1], a[2] * b[2])
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.component_product_update(w)"
     about(
-        cause="This method changes v itself. Store the three products in the components of v.",
+        cause="This method must change v itself, so store the three products in the components of "
+        "v.",
         read="book 2.1.6",
     )
     v.component_product_update(w)

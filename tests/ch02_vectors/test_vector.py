@@ -66,7 +66,8 @@ def test_clear_leaves_zero(rng: Random) -> None:
     v = Vector3(*a)
     about(
         f"v = Vector3{a}; v.clear()",
-        cause="This method changes the vector itself. Set all three components of self to zero.",
+        cause="This method must change the vector itself, so set all three components of self to "
+        "zero.",
     )
     about.read = "the docstring of Vector3.clear"
     v.clear()

@@ -303,8 +303,8 @@ def test_momentum_is_a_vector_of_its_own(rng: Random) -> None:
 def test_an_immovable_particle_has_no_momentum(rng: Random) -> None:
     v = components(rng)
     about.cause = (
-        "An immovable particle has no momentum. Check has_finite_mass first, because infinity "
-        "times 0 is NaN."
+        "An immovable particle has no momentum, so return a zero vector. Check has_finite_mass "
+        "first, because infinity times 0 is NaN."
     )
     about.read = "the docstring of momentum"
     for velocity in (ZERO, v):

@@ -222,8 +222,8 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
 def test_a_faked_spring_needs_a_duration() -> None:
     about.read = "the docstring of FakeStiffSpring.update_force"
     about.cause = (
-        "The duration must be positive and finite. Check it before anything else, so that "
-        "ValueError is raised for an immovable particle too. positive() does this check."
+        "The duration must be positive and finite. Check it with positive() before anything else, "
+        "so that ValueError is raised for an immovable particle too."
     )
     s = FakeStiffSpring(Vector3(), 400.0, 3.0)
     for mass in (1.0, math.inf):

@@ -41,7 +41,10 @@ def test_how_the_particle_is_released() -> None:
     )
     expect_exactly(len(seen) > 0, True, call=name, cause=calls)
     count, place, velocity, mass, damping, before, force, h, drift = seen[0]
-    about.cause = "Pass a list with exactly one particle to the integrator."
+    about.cause = (
+        "The integrator must get a list with exactly one particle. Do not add any others, such "
+        "as the anchor, to the list."
+    )
     expect_exactly(count, 1, then=": the number of particles")
     about.cause = (
         "The particle must have a mass of 1 kg, because the stiffness is measured for this mass. A "
@@ -58,7 +61,10 @@ def test_how_the_particle_is_released() -> None:
             "spring, so pass it to Particle."
         )
     expect_close(damping, 0.25, then=": its damping")
-    about.cause = "Pass the duration on to the integrator unchanged."
+    about.cause = (
+        "The integrator was called with a wrong duration. Pass the duration of the steps on to "
+        "it unchanged."
+    )
     expect_close(h, 0.125, then=": the duration")
     about.cause = "Release the particle at a distance of START from the anchor, which is 10 m."
     expect_close(math.hypot(*place), 10.0, then=": distance from the anchor")
@@ -160,8 +166,8 @@ def test_swings_that_stay_as_they_are_are_not_wider() -> None:
     expect_exactly(got, True)
     about.call = "swings_wider(integrator, 1.0, 1.0, 1/60), the book's step"
     about.cause = (
-        "Without damping the book's step is unstable for every spring. This oscillation is a "
-        "slow case, and grows by 12 % in FRAMES steps. Make that many steps before you decide."
+        "Without damping the book's step is unstable for every spring, but this oscillation grows "
+        "slowly, by only 12 % in FRAMES steps. Make that many steps before you decide."
     )
     got = wider(1.0, True, 1.0, 1.0, 1.0 / 60.0)
     expect_exactly(got, True)

@@ -22,12 +22,12 @@ EXERCISES = {
 }
 RULES = {
     "explicit_euler": "Explicit Euler first moves the particle with its old velocity, p' = p + v "
-    "h. Then it changes the velocity, v' = (v + a h) d^h, with the acceleration at the start. "
-    "The damping acts once.",
+    "h. Then it changes the velocity with the acceleration at the start and damps it once, v' = (v "
+    "+ a h) d^h.",
     "semi_implicit_euler": (
-        "Semi-implicit Euler first changes the velocity, v' = (v + a h) d^h, and damps it once. "
-        "Then it moves the old position with the new velocity, p' = p + v' h. Copy a vector "
-        "before you change it in place."
+        "Semi-implicit Euler first changes the velocity and damps it once, v' = (v + a h) d^h. "
+        "Then it moves the old position with the new velocity, p' = p + v' h, so copy a vector if "
+        "you need its old value later."
     ),
     "leapfrog": (
         "Leapfrog first moves for half the step, p1 = p + v h / 2, and evaluates the forces "
@@ -35,9 +35,9 @@ RULES = {
         "p1 + v' h / 2."
     ),
     "velocity_verlet": (
-        "Velocity Verlet first moves, p' = p + v h + a h^2 / 2. Then it evaluates the "
-        "acceleration b at p', with the velocity v + a h, and sets v' = (v + (a + b) h / 2) d^h. "
-        "The damping acts once."
+        "Velocity Verlet first moves the particle, p' = p + v h + a h^2 / 2. Then it evaluates the "
+        "acceleration b at p', with the velocity v + a h, and sets v' = (v + (a + b) h / 2) d^h, "
+        "which is damped once."
     ),
     "runge_kutta_4": (
         "Runge-Kutta takes a weighted mean of four rates, in which the second and the third "

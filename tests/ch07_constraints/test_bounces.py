@@ -300,8 +300,8 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
             mistakes.append((longer, name))
         why = cause_of(got, mistakes, about.cause)
         expect_close(got, wanted, cause=why, tolerance=1e-14)
-        kept = "The vector that was passed in has changed. Perhaps you used *=, which works in "
-        kept += "place. Return force * number instead, which is a new vector."
+        kept = "The vector that was passed in has changed, perhaps because you used *=, which "
+        kept += "works in place. Return force * number instead, which creates a new vector."
         expect_unchanged("f", xyz(force), f, cause=kept)
     about.call = f"f = Vector3{f}; force_for_frame(f, 1.0, 1.0).x += 1.0"
     about.cause = (

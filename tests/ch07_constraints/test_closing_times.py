@@ -82,9 +82,9 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
         (-x, -x, 3.0, 0.0, "The body is inside the ground and moves farther in, so the time is 0."),
         (0.0, -1e-9, 0.0, 0.0, "The body touches the ground and is closing, if only slowly, so "
                                "the time is 0."),
-        (2.0, -2.0, 1.0, math.inf, "The root is 0, which means that the body reverses exactly "
-                                   "when it touches the ground. It arrives with no speed, so "
-                                   "there is no impact. Return math.inf."),
+        (2.0, -2.0, 1.0, math.inf, "The root is 0, which means that the body reverses exactly when "
+         "it touches the ground. Because it arrives with no speed, there is no impact, so return "
+         "math.inf."),
         (0.0, 0.0, -x, 0.0, lies),
         (-1e-18, 0.0, -x, 0.0, lies),
         (x, 1.0, 0.0, math.inf, "The body moves away, and no acceleration brings it back. Return "
@@ -120,9 +120,9 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
 def test_the_digits_of_a_time_are_kept() -> None:
     about.read = CLOSE
     for a in (-10.0, 10.0):
-        about.cause = "The time has lost most of its digits. Perhaps you used (-v - sqrt(...)) / "
-        about.cause += "a, which subtracts two nearly equal numbers. Use 2 gap / (sqrt(v v - 2 a "
-        about.cause += "gap) - v) instead."
+        about.cause = "The time has lost most of its digits, perhaps because you used (-v - "
+        about.cause += "sqrt(...)) / a, which subtracts two nearly equal numbers. Use 2 gap / "
+        about.cause += "(sqrt(v v - 2 a gap) - v) instead."
         about.call = f"time_to_close(1e-10, -1000.0, {a})"
         got = time_to_close(1e-10, -1000.0, a)
         # The acceleration changes it by 1e-15 of it.

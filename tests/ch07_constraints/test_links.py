@@ -92,8 +92,8 @@ def places(pair: list[Any]) -> Components:
 
 @scoped
 def expect_ends(pair: list[Any], before: Components) -> None:
-    about.cause = "contacts() has moved an end of the link. Perhaps you used -=, which works in "
-    about.cause += "place. Compute b - a instead, because it creates a new vector."
+    about.cause = "contacts() has moved an end of the link, perhaps because you used -=, which "
+    about.cause += "works in place. Compute b - a instead, because it creates a new vector."
     expect_unchanged("the pair of positions", places(pair), before)
 
 

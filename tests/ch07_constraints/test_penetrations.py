@@ -53,8 +53,8 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
         contact = Contact(a, b, Vector3(*n), 0.5, depth)
         moves = contact.resolve_penetration()
         got = xyz(contact.normal)
-        whole = "The contact's normal has changed. Perhaps you used *= or normalize, which work in "
-        whole += "place. Compute a new vector with * instead."
+        whole = "The contact's normal has changed, perhaps because you used *= or normalize, which "
+        whole += "work in place. Compute a new vector with * instead."
         expect_unchanged("the normal", got, n, cause=whole)
         move = tuple(share * depth * part for part in n)
         back = tuple((share - 1.0) * depth * part for part in n)
@@ -192,8 +192,8 @@ def test_the_moves_are_vectors_of_their_own(rng: Random) -> None:
         expect_close(got, wanted, call=shown, tolerance=1e-14 * 8)
         got = xyz(particle.velocity)
         shown = f"{about.call}; {name}.velocity"
-        about.cause = "A velocity has changed. resolve_penetration changes positions only, and "
-        about.cause += "resolve_velocity changes the velocities."
+        about.cause = "A velocity has changed. Leave the velocities to resolve_velocity, because "
+        about.cause += "resolve_penetration must change only positions."
         expect_close(got, ZERO, call=shown)
 
 
@@ -205,8 +205,8 @@ def test_what_lies_on_the_ground_stays_there() -> None:
         about.call = f"a body of restitution {restitution} lies on the ground, gravity is "
         about.call += f"{gravity}; 15 s of semi-implicit steps of 1/60 s, each with "
         about.call += "Contact.resolve(1/60)"
-        sinks = "The body sinks into the ground. Contact.resolve must call resolve_penetration as "
-        sinks += "well as resolve_velocity."
+        sinks = "The body sinks into the ground, perhaps because only its velocity is resolved. "
+        sinks += "Contact.resolve must call resolve_velocity and then resolve_penetration."
         jumps = "The body jumps, although it should lie still. In resolve_velocity, leave out of "
         jumps += "the bounce the velocity that gravity has added in this time step."
         about.cause = sinks

@@ -49,8 +49,8 @@ def test_without_an_impact_the_flight_is_exact(rng: Random) -> None:
          "particle to the end of the step."),
         (without, "The term a t^2 / 2 is missing, as in explicit Euler. Use p + v t + a t^2 / 2."),
         ((wanted[0], 9.0 + v[1] * h - 10.0 * h * h, wanted[2]),
-         "The step adds a t^2 to the position. The velocity grows from v to v + a t, so on "
-         "average only half of it counts. Add a t^2 / 2."),
+         "The step adds a t^2 to the position. The velocity grows from v to v + a t, so on average "
+         "only half of the growth counts, and the term must be a t^2 / 2."),
     ]  # fmt: skip
     seen = cause_of(place, mistakes, about.cause)
     expect_close(place, wanted, then="position", cause=seen)

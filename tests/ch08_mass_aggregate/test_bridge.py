@@ -181,9 +181,9 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
     rows = draw_rows(rng, 4)
     points = middles(rows)
     about.cause = (
-        "Between two rows, the deck is the straight line from one midpoint to the next. "
-        "Interpolate its height at the x of the ball. The nearest row is the one whose midpoint "
-        "is closer to the ball along X."
+        "Between two rows, the deck is the straight line from one midpoint to the next, so "
+        "interpolate its height at the x of the ball. The nearest row is the one whose midpoint is "
+        "closer to the ball along X."
     )
     for i, ((x, y), (u, v)) in enumerate(pairwise(points)):
         for share in (0.25, 0.4, 0.75):
@@ -237,8 +237,8 @@ def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
     for x, i in ((-1.0, 0), (5.0, 2)):
         about.call = nearest_of(points, x)
         about.cause = (
-            "The deck reaches beyond its first and its last row by half a SPACING, which is 1 m. "
-            "The ball is still above it here. Return None only farther out."
+            "The deck reaches beyond its first and its last row by half a SPACING, which is 1 m, "
+            "so the ball is still above it here. Return None only farther out."
         )
         got = deck((x, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
         expect_exactly(got is None, False, then=" is None")
@@ -318,8 +318,8 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         ends = [(a, b) for a, b, *_ in got]
         if ends == []:
             about.cause = (
-                "The ball touches the deck, but there are no contacts. Compare the lowest point "
-                "of the ball with the deck. This point is y - radius, not y."
+                "The ball touches the deck, but there are no contacts. Compare the lowest point of "
+                "the ball, which is y - radius, with the height of the deck."
             )
             if not depth:
                 about.cause = (

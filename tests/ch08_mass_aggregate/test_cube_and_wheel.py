@@ -34,7 +34,7 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
             "Eight corners have 24 degrees of freedom, and a rigid body keeps 6 of them. Each "
             "rod removes one, so you need at least 24 - 6 rods.",
         ),
-        (3, 3, "A triangle is rigid, so three particles need three rods."),
+        (3, 3, "A triangle of three rods is rigid, so three particles need three rods."),
         (
             2,
             1,
@@ -43,7 +43,7 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
             "case separately.",
         ),
         (1, 0, "A single particle has no distance to keep, so it needs no rod."),
-        (4, 6, "A tetrahedron is rigid, so four particles need six rods."),
+        (4, 6, "A tetrahedron of six rods is rigid, so four particles need six rods."),
     ):
         about(f"fewest_rods({count})", cause=cause)
         got = fewest_rods(count)

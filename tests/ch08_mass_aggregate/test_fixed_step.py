@@ -204,9 +204,9 @@ def test_a_step_that_fails_is_still_due(rng: Random) -> None:
         "time of 6 steps, and then by 0"
     )
     about.cause = (
-        "A step that raises an error was not made, so its time must stay in self.left. Subtract "
-        "the duration only after self.step has returned, and let the error pass through. The next "
-        "call then makes the failed step again."
+        "A step that raises an error was not made, so its time must stay in self.left, and the "
+        "next call makes the step again. Subtract the duration only after self.step has returned, "
+        "and let the error pass through."
     )
     done = advanced(STEP, [6.0 * STEP, 0.0], raise_at=good + 1)
     expect_exactly(
@@ -231,7 +231,8 @@ def test_a_time_that_is_none_is_refused() -> None:
     ):
         about.call = f"a FixedStep of {STEP} s with left = {0.25 * STEP}; advance({time!r})"
         about.cause = (
-            'Check elapsed before you change self.left, with not_negative("elapsed", elapsed).'
+            "The time elapsed must be finite and not negative. Check it with "
+            'not_negative("elapsed", elapsed) before you change self.left.'
         )
         name, left, made = refused_time(STEP, time)
         expect_exactly(name, error, then=": the name of the error ('' if there was none)")

@@ -329,7 +329,8 @@ def better(design: Sequence[float], distance: float) -> str:
 def test_your_own_trebuchet(meters: int, percent: int) -> None:
     about(
         "my_design()",
-        cause="my_design() must return a Design, which consists of five numbers.",
+        cause="my_design() must return a Design. Create it with your five numbers, in the order of "
+        "its attributes.",
         read=DESIGN,
     )
     design = my_design()

@@ -76,7 +76,8 @@ def test_whatever_is_moved_a_little_wakes(how: str) -> None:
         about.call = f"three particles that sleep on the ground; the {new} of particles 1 and 2 "
         about.call += f"is changed by {by} along {axis}; a step of 1/60 s, wake_moved()"
         about.cause = (
-            "All three particles are at rest, so they must fall asleep. Check fall_asleep first."
+            "All three particles are at rest, but they have not all fallen asleep. Check "
+            "fall_asleep before you work on waking."
         )
         before, after = woken_by_little(how, axis, by)
         expect_exactly(before, [0, 1, 2], then=": who slept before")
@@ -145,9 +146,9 @@ def test_what_is_pushed_otherwise_wakes(old: float, new: float, late: bool) -> N
     about.cause = "The wall holds the particle, so it is at rest and must fall asleep first."
     seen = woken_by_force(old, new, 10, late)
     expect_exactly(seen[0], [0], then=": who slept before")
-    about.cause = "The force has changed, so the particle must wake. Call wake_pushed in every "
-    about.cause += "LOOK_EVERY-th step, which is at least once in 10 steps. It must evaluate the "
-    about.cause += "forces while the particle has its own mass."
+    about.cause = "The force has changed, so the particle must wake within 10 steps. Call "
+    about.cause += "wake_pushed in every LOOK_EVERY-th step, and evaluate the forces there while "
+    about.cause += "the particle has its own mass."
     expect_exactly(seen[-1], [], then=": who sleeps after 10 steps")
 
 
@@ -237,7 +238,10 @@ def test_what_wakes_still_stands_on_the_ground(rng: Random) -> None:
 def test_what_fell_asleep_as_one_wakes_as_one() -> None:
     about.read = f"{WAKE}wake, and fall_asleep"
     about.call = "ball 1 sleeps on ball 0, which is then moved away by hand; wake(), 6 steps"
-    about.cause = "Both balls are at rest, so they must fall asleep. Check fall_asleep first."
+    about.cause = (
+        "Both balls are at rest, but they have not both fallen asleep. Check fall_asleep before "
+        "you work on waking."
+    )
     before, after, speed = support_gone(6)
     expect_exactly(before, [0, 1], then=": who slept before")
     about.cause = "Ball 0 wakes when it is moved, so ball 1 must wake with it and fall. In "
@@ -254,20 +258,22 @@ def test_what_fell_asleep_as_one_wakes_as_one() -> None:
             about.cause += "Check fall_asleep before you work on wake."
             expect_exactly(was, [0, 1, 2, 3, 4], then=": who slept before")
             about.cause = "The wrong particles are awake. Wake the whole group, which includes the "
-            about.cause += "neighbors of neighbors, and no other particle. As neighbors, store all "
-            about.cause += "particles that touched in the last sleep_frames steps."
+            about.cause += "neighbors of neighbors, but no other particle. The neighbors of a "
+            about.cause += "particle are all particles that it has touched in the last "
+            about.cause += "sleep_frames steps."
             expect_exactly(now, [4], then=": who sleeps afterward")
     about.call = (
         "three particles in a row sleep on two springs, and the last one gets 6 m/s; wake()"
     )
     about.cause = (
-        "All three particles are at rest, so they must fall asleep. Check fall_asleep first."
+        "All three particles are at rest, but they have not all fallen asleep. Check fall_asleep "
+        "before you work on waking."
     )
     seen, places = on_a_spring(20)
     expect_exactly(seen[0], [0, 1, 2], then=": who slept before")
     about.cause = "Some particles are still asleep. Particles that share a generator form a group, "
-    about.cause += "so all three must wake in the same step. Find such pairs with "
-    about.cause += "joined(self.registry)."
+    about.cause += "so all three must wake in the same step. Use joined(self.registry) to find out "
+    about.cause += "which particles share a generator."
     expect_exactly(seen[1], [], then=": who sleeps after a step")
     about.cause = "The center of mass has not moved at 2 m/s, although the forces of a spring are "
     about.cause += "equal and opposite. Perhaps one particle was still asleep while the others "
@@ -350,7 +356,8 @@ def test_a_frame_without_a_duration_is_refused_here_too() -> None:
     for duration, error in ((0.0, "ValueError"), (math.nan, "ValueError"), ("1", "TypeError")):
         about.call = f"world.run_physics({duration!r})"
         about.cause = (
-            'Check the duration before anything changes, with positive("duration", duration).'
+            'The duration must be positive and finite. Check it with positive("duration", '
+            "duration) before anything changes."
         )
         name, force = refused(duration)
         expect_exactly(name, error, then=": the name of the error ('' if there was none)")

@@ -45,8 +45,8 @@ def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
         "60 J here."),
         (60.0, "The result is the potential energy alone. Add the kinetic energy, which is m v^2 / "
         "2 = 16 J here."),
-        (-44.0, "The potential energy has the wrong sign. It is - m a . p, and since a points "
-                "down, it grows with the height."),
+        (-44.0, "The potential energy has the wrong sign. It must grow with the height, and "
+         "because a points down, this means - m a . p."),
         (74.86, "The result uses 9.81 m/s^2 for gravity. This particle has its own acceleration "
                 "of 10 m/s^2, so use particle.acceleration."),
         (92.0, "The kinetic energy is twice as large as it should be. It is m v^2 / 2, so the "
@@ -190,8 +190,8 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
                 why,
             )
             for c, d, why in (
-                (1.0, 0.0, "The forces of the registry are missing. Pass "
-                           "self.registry.update_forces to the integrator."),
+                (1.0, 0.0, "The forces of the registry have no effect. Pass "
+                 "self.registry.update_forces to the integrator, which calls it."),
                 (1.0, 2.0, "The forces of the registry count twice. The integrator calls "
                            "update_forces itself, so do not call it as well."),
                 (0.0, 1.0, "The force that was added after start_frame is lost. Only start_frame "
@@ -366,7 +366,8 @@ def test_a_frame_without_a_duration_is_refused(method: str) -> None:
     ):
         about(
             f"world.{method}({duration!r})",
-            cause='Check the duration first, with positive("duration", duration).',
+            cause='The duration must be positive and finite. Check it with positive("duration", '
+            "duration) before you do anything else.",
         )
         done = refused(method, duration)
         expect_exactly(done["error"], error, then=": the name of the error ('' if there was none)")

@@ -241,8 +241,8 @@ def test_a_step_from_rest(rng: Random) -> None:
 def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
     about.read = STEP
     q, w, a = draw_quad(rng), components(rng), components(rng)
-    about.cause = "Check all arguments before you change any of them. Use positive and "
-    about.cause += "finite_vector from arguments.py."
+    about.cause = "One of the arguments is not valid. Check all of them with positive and "
+    about.cause += "finite_vector from arguments.py before you change any of them."
     nan = math.nan
     for velocity, acceleration, h, error in (
         (w, a, 0.0, ValueError),

@@ -137,7 +137,8 @@ def test_one_turn_leads_back(rng: Random) -> None:
 @pytest.mark.exercise("9.2")
 def test_the_way_back_at_the_ends(rng: Random) -> None:
     about(
-        cause="This orientation is already the reference, so the angle is 0. Any axis is correct.",
+        cause="This orientation is already the reference, so the angle must be 0, and any unit "
+        "vector is correct as the axis.",
         read=BACK,
     )
     for q in ((1.0, 0.0, 0.0, 0.0), (-1.0, 0.0, 0.0, 0.0)):

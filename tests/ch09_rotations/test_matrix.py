@@ -184,8 +184,8 @@ def test_the_determinant(rng: Random) -> None:
     about.read = "book 9.4.3, and the docstring of Matrix3.determinant"
     m = draw_matrix(rng)
     about.cause = (
-        "Treat the rows as vectors. The determinant is first . (second x third), and it can be "
-        "negative."
+        "If you treat the rows as vectors, the determinant is first . (second x third). It can be "
+        "negative, so do not take an absolute value."
     )
     for rows in ((0, 1, 2), (1, 0, 2), (2, 0, 1)):
         n = tuple(m[3 * row + column] for row in rows for column in range(3))
@@ -243,7 +243,7 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
             "The result has not been divided by the determinant.": [
                 determinant(n) * one for one in IDENTITY
             ],
-            "The result has been divided by the determinant twice.": [
+            "The result has been divided by the determinant twice instead of once.": [
                 one / determinant(n) for one in IDENTITY
             ],
             "the result without the sign of the determinant": [-one for one in IDENTITY],
@@ -253,7 +253,10 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
         if product is not got and all(type(number) in (int, float) for number in got):
             back = times(n, transposed(got))
             if all(abs(b - one) < 1e-9 for b, one in zip(back, IDENTITY, strict=True)):
-                slips["The rows and columns of the inverse have been swapped."] = product
+                slips[
+                    "The rows and columns of the inverse have been swapped, which gives its "
+                    "transpose."
+                ] = product
         why = named(product, how, slips)
         expect_close(product, IDENTITY, cause=why, tolerance=TIGHT)
         expect_unchanged("m", entries(matrix), n, cause=UNCHANGED)

@@ -50,7 +50,8 @@ def test_a_point_is_transformed_and_moved(rng: Random) -> None:
     got = xyz(Matrix4(*twelve).transform(v))
     slips = {
         "The translation is missing from the result.": applied(m, a),
-        "The point has been translated before it was rotated.": applied(m, added(a, p)),
+        "The point has been translated before it was rotated, so the translation has been rotated "
+        "too.": applied(m, added(a, p)),
         "the result with rows and columns swapped": moved(transposed(m), p, a),
         "The translation has been subtracted from the rotated point instead of added to "
         "it.": subtracted(applied(m, a), p),

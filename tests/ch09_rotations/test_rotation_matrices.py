@@ -250,7 +250,7 @@ def expect_back(q: Quad) -> None:
     r, i, j, k = q
     slips = {
         "Either the sign of r is wrong, or the signs of i, j and k are wrong.": (-r, i, j, k),
-        "All components are positive, so their signs have been lost.": [
+        "All four components are positive, so their signs have been lost in a square root.": [
             abs(component) for component in q
         ],
         "twice the quaternion": [2.0 * component for component in q],
@@ -344,7 +344,8 @@ def test_only_a_rotation_has_a_quaternion(rng: Random) -> None:
     about.read = TO
     m = draw_slight_turn(rng)
     about.cause = (
-        "This matrix is not a rotation, so it has no quaternion. Call is_rotation() first."
+        "This matrix is not a rotation, so no quaternion represents it. Call is_rotation() first, "
+        "and raise ValueError if it returns False."
     )
     for n in (
         tuple(2.0 * number for number in m),

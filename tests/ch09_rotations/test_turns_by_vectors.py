@@ -150,11 +150,12 @@ def add_slips(q: Quad, a: Components, scale: float) -> dict[str, Quad]:
         in_turn[place] += 0.5 * scale * hamilton((0.0, *a), in_turn)[place]
     return {
         "The factor 1/2 of Eq. 9.5 is missing from this step.": stepped(q, left, scale),
-        "The scale is missing from this step.": stepped(q, left, 0.5),
+        "The vector has not been multiplied by the scale in this step.": stepped(q, left, 0.5),
         "The factors are in the wrong order, so the step rotates about an axis of the object and "
         "not of the world.": stepped(q, right, 0.5 * scale),
         "The result has been normalized. The step of Eq. 9.5 changes the length a little (E-31), "
-        "but add_scaled must not correct this.": unit(stepped(q, left, 0.5 * scale)),
+        "but the exercises measure this error, so add_scaled must not correct "
+        "it.": unit(stepped(q, left, 0.5 * scale)),
         "This is the exact rotation that rotate_by makes. Here you must make the first-order step "
         "of Eq. 9.5, which adds scale/2 times (0, vector) q to q.": hamilton(
             quad(a, scale * math.hypot(*a)), q

@@ -1,10 +1,11 @@
 """Integrators: methods that move particles forward by a time step, with their order and limits.
 
-The first five take ``(particles, apply_forces, duration)``. ``particles`` lists each particle once.
-``apply_forces(duration)`` adds the current forces to the accumulators of these particles only, as
-``ForceRegistry.update_forces`` does. An integrator calls it once or several times. Before each
-call, the accumulators contain only the forces that were added by hand before the step. After the
-step they are empty, and ``Particle.last_acceleration`` is the mean acceleration of the step.
+The first five integrators take ``(particles, apply_forces, duration)``. ``particles`` lists each
+particle once. ``apply_forces(duration)`` adds the current forces to the accumulators of these
+particles only, as ``ForceRegistry.update_forces`` does. An integrator calls it once or several
+times. Before each call, the accumulators contain only the forces that were added by hand before the
+step. After the step they are empty, and ``Particle.last_acceleration`` is the mean acceleration of
+the step.
 
 A particle's own damping d multiplies its velocity by d^h once, at the end of a step of h s. The
 orders given below hold for d = 1, and for any other d the order is 1. Unless stated otherwise, a
@@ -105,7 +106,7 @@ def runge_kutta_4(
 def backward_euler(
     x: float, v: float, stiffness: float, damping: float, mass: float, duration: float
 ) -> tuple[float, float]:
-    """Return the state of one linear spring after one step of backward Euler.
+    """Return the position and velocity of a linear spring after a step of backward Euler.
 
     The new position in m and velocity in m/s solve x' = x + v' h and v' = v + a' h, where a'
     depends on the new values: m a' = -(k x' + c v'). The spring is at rest at x = 0. ``stiffness``
@@ -124,7 +125,7 @@ def backward_euler(
 def trapezoidal(
     x: float, v: float, stiffness: float, damping: float, mass: float, duration: float
 ) -> tuple[float, float]:
-    """Return the state of one linear spring after one step of the trapezoidal rule.
+    """Return the position and velocity of a linear spring after a step of the trapezoidal rule.
 
     Solve x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, which use the means of old and new
     values. Here m a = -k x - c v. The arguments and the units are those of ``backward_euler``.

@@ -26,11 +26,11 @@ DEPTH_TOLERANCE = 1e-9  # m: a smaller depth counts as touching
 class Contact:
     """A contact between two particles, or with the immovable world if ``other`` is None.
 
-    ``normal`` is a unit vector, copied, that points from ``other`` to ``particle``. For two balls
-    it is the direction of pa - pb, and on the ground it is (0, 1, 0) (Eq. 7.2, 7.4).
+    ``normal`` is a unit vector that points from ``other`` to ``particle``, and is copied. For two
+    balls it is the direction of pa - pb, and on the ground it is (0, 1, 0) (Eq. 7.2, 7.4).
     ``restitution`` is the separating speed after a bounce divided by the closing speed before it.
     ``penetration`` is the depth of the overlap, which is 0 if the bodies just touch, and negative
-    if there is a gap. You may change the attributes later, but these changes are not checked.
+    if there is a gap. Later changes of the attributes are not checked.
 
     Raises:
         ValueError: if the length of the normal differs from 1 by more than 1e-6, the restitution is
@@ -89,8 +89,8 @@ class Contact:
         includes forces. Use 0 for an immovable or missing particle. The book uses only the constant
         acceleration, so a body under a gravity generator would jitter (7.2.3, E-26).
 
-        With time division, pass a duration of 0. It resolves each impact at the moment when it
-        happens, so no such velocity has built up.
+        Time division resolves each impact at the moment when it happens. No such velocity has built
+        up by then, so pass a duration of 0.
 
         Raises:
             ValueError: if the duration is negative or not finite, in every case.
@@ -152,11 +152,11 @@ class ContactGenerator(Protocol):
 class ContactResolver:
     """Resolves the contacts of a time step in two phases: velocities, then penetrations (7.3.1).
 
-    In each phase, the resolver always resolves the worst contact next, or the first of several
-    equally bad contacts. This can make other contacts better or worse, so the resolver compares all
-    contacts again afterward. ``iterations`` limits the number of resolutions in each phase, and
-    None means twice the number of contacts. ``iterations_used`` counts the resolutions of both
-    phases together in the last step.
+    In each phase, the worst contact comes next: the one that closes fastest, and then the deepest
+    one. Resolving it can make other contacts better or worse, so the resolver compares all contacts
+    again afterward. ``iterations`` limits the number of resolutions in each phase, and None means
+    twice the number of contacts. ``iterations_used`` counts the resolutions of both phases together
+    in the last step.
 
     Raises:
         ValueError: if ``iterations`` is less than 1.

@@ -31,11 +31,11 @@ def restitution_of_drop(initial_height: float, bounce_height: float) -> float:
 def table_of_drops(drops: Sequence[Drop]) -> list[tuple[str, int, float, float | None]]:
     """Exercise 7.1: return a row (material, number of drops, mean, standard error) per material.
 
-    Each drop in ``drops`` is a tuple of a material, an initial height and a bounce height. Heights
-    are in m. For each material, compute the restitutions of its n drops, their mean, and the
-    standard error of this mean. The standard error is s / sqrt(n), where s is the standard
-    deviation of the n restitutions, computed with n - 1. A single drop has no standard deviation,
-    so its standard error is None. The rows are in the order in which the materials first appear.
+    Each drop in ``drops`` is a tuple of a material, an initial height and a bounce height, both in
+    m. For each material, compute the restitutions of its n drops, their mean, and the standard
+    error of this mean. The standard error is s / sqrt(n), where s is the standard deviation of the
+    n restitutions, computed with n - 1. A single drop has no standard deviation, so its standard
+    error is None. The rows are in the order in which the materials first appear.
 
     Raises:
         ValueError, TypeError: for the same reasons as ``restitution_of_drop``.

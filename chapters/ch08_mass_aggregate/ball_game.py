@@ -115,7 +115,7 @@ class BallGame:
         self.ball.velocity = Vector3()
 
     def step(self, duration: float) -> None:
-        """Make one time step. ``duration`` is in s. Do nothing if the game is over.
+        """Make one time step of ``duration`` s, or do nothing if the game is over.
 
         First push the ball in the player's direction so that it gets an acceleration of ``PUSH``,
         and step the world. Then check where the ball is:

@@ -86,8 +86,9 @@ class SleepingWorld(ParticleWorld):
     def wake_moved(self) -> None:
         """Wake every sleeping particle that was changed by hand since it fell asleep.
 
-        You can recognize such a change because a particle that is left alone keeps its position,
-        has no velocity and an infinite mass, and has no force in its accumulator.
+        If nobody changes a sleeping particle, it keeps its position and its infinite mass, it has
+        no velocity, and its accumulator contains no force. So wake it if one of these is no longer
+        true.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 

@@ -31,7 +31,7 @@ MOST_WEIGHT, LONGEST_BEAM = 400.0, 5.0  # kg, and m for both arms: the limits of
 
 @dataclass(frozen=True)
 class Design:
-    """The design of a trebuchet. Masses are in kg, lengths in m, and angles in degrees.
+    """The design of a trebuchet, with masses in kg, lengths in m, and angles in degrees.
 
     The sling releases the projectile as soon as it flies forward and its direction is at most
     ``release_angle`` above the horizontal.

@@ -5,8 +5,8 @@ this fraction applies. In Eq. 3.5 each step keeps the fraction d, however long t
 3.6 each second of simulated time keeps it, so the motion does not depend on the frame rate.
 
 Both functions return the velocity after a step as a new vector, and do not change their arguments.
-The velocity is in m/s, the acceleration in m/s^2 and the duration in s. Both functions raise
-TypeError for a damping or a duration that is not a number.
+The velocity is in m/s, the acceleration in m/s^2 and the duration in s. A damping or a duration
+that is not a number raises TypeError.
 """
 
 from __future__ import annotations

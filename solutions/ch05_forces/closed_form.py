@@ -21,7 +21,7 @@ def terminal_speed(weight: float, k1: float, k2: float) -> float:
 
     Raises:
         ValueError: if the weight is not positive, a coefficient is negative, an argument is not
-            finite, or both coefficients are 0. Without drag, the speed grows without limit.
+            finite, or both coefficients are 0, because without drag the speed grows without limit.
     """
     positive("weight", weight)
     not_negative("k1", k1)

@@ -114,7 +114,7 @@ class SniperRange:
         )
 
     def shoot(self, azimuth: float, elevation: float) -> bool:
-        """Project 4.2: fire a bullet. Return True if it was fired, and False otherwise.
+        """Project 4.2: fire a bullet if possible, and return whether it was fired.
 
         The rifle does not fire while another bullet is in flight, or if no shots are left.
         Otherwise a bullet starts at ``MUZZLE`` with ``MUZZLE_SPEED``, and ``shots_left`` decreases

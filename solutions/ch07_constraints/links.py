@@ -99,7 +99,7 @@ class AnchoredRod:
 
 
 class Limits:
-    """Exercise 7.6: keeps two particles between ``min_length`` and ``max_length`` apart.
+    """Exercise 7.6: keeps two particles at least ``min_length`` and at most ``max_length`` apart.
 
     If ``min_length`` is 0, there is no lower limit. The constructor also raises ValueError if
     ``min_length`` is negative or greater than ``max_length``.

@@ -47,10 +47,10 @@ def time_division_step(
     because detectors read the acceleration from ``last_acceleration``.
 
     Between impacts the motion is exact: p + v t + a t^2 / 2. At each impact that ``detector`` finds
-    in the rest of the step, resolve the velocity of its contact with a duration of 0. There is no
-    penetration to resolve, because the bodies just touch. At the end of the step, multiply each
-    velocity once by d^h, where d is the particle's damping and h is ``duration``. Immovable
-    particles do not move.
+    in the rest of the step, resolve the velocity of its contact with a duration of 0. Do not
+    resolve its penetration, because bodies just touch at an impact. At the end of the step,
+    multiply each velocity once by d^h, where d is the particle's damping and h is ``duration``.
+    Immovable particles do not move.
 
     Impacts at the same time are resolved one after the other, in the order in which the detector
     finds them. A ball that hits a row of touching balls therefore passes its motion on to the last

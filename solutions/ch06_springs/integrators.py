@@ -2,10 +2,9 @@
 
 The first five integrators take ``(particles, apply_forces, duration)``. ``particles`` lists each
 particle once. ``apply_forces(duration)`` adds the current forces to the accumulators of these
-particles only, as ``ForceRegistry.update_forces`` does. An integrator calls it once or several
-times. Before each call, the accumulators contain only the forces that were added by hand before the
-step. After the step they are empty, and ``Particle.last_acceleration`` is the mean acceleration of
-the step.
+particles only, as ``ForceRegistry.update_forces`` does. It is called one or more times. Before each
+call, the accumulators contain only the forces that were added by hand before the step. After the
+step they are empty, and ``Particle.last_acceleration`` is the mean acceleration of the step.
 
 A particle's own damping d multiplies its velocity by d^h once, at the end of a step of h s. The
 orders given below hold for d = 1, and for any other d the order is 1. Unless stated otherwise, a

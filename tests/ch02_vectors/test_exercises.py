@@ -57,8 +57,8 @@ def test_split_the_vector_of_the_book() -> None:
     mistakes = [
         (
             (2.0, -2.0, -2.0),
-            "The second result is v itself. It should be the direction of v, which is a vector of "
-            "length 1.",
+            "The second result is v itself, but it should be the direction of v, which is a vector "
+            "of length 1. Divide v by its length.",
         ),
         (
             (1.0 / 6.0, -1.0 / 6.0, -1.0 / 6.0),

@@ -220,7 +220,8 @@ def test_normalize_keeps_the_direction_and_makes_the_length_one(rng: Random) -> 
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.normalize()"
     about.cause = (
-        "A unit vector has length 1. Divide each of the three components of self by the length."
+        "After the call, self must be a unit vector, which has length 1. Divide each of its three "
+        "components by the length."
     )
     about.read = "book 2.1.3"
     v.normalize()

@@ -179,9 +179,8 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
             wanted = tuple(-left * part for part in d)
             own = sum(part * u for part, u in zip(d, xyz(p.velocity), strict=True))
             slips = {
-                "The damping force is missing. Add -c l' along the rope.": [
-                    -k * extension * part for part in d
-                ],
+                "The damping has no effect on the force. Add the term -c l', which acts along the "
+                "rope.": [-k * extension * part for part in d],
                 (
                     "The damping is so large here that the rope pushes. A rope can only pull, so "
                     "add no force in this "

@@ -120,8 +120,8 @@ def test_out_of_the_water_there_is_no_lift_and_deep_in_it_no_more(rng: Random) -
         (
             surface - 1.5 * s,
             1.0,
-            "The whole body is under water, so the submerged fraction is 1 and the lift is rho V "
-            "g.",
+            "The whole body is under water, so the submerged fraction must be 1 and the lift must "
+            "be the full rho V g.",
         ),
         (
             surface - 50.0,

@@ -58,9 +58,8 @@ def test_a_connection_serves_both_ends(rng: Random) -> None:
         slips = {
             "The force is half of what it should be. Both ends get the whole spring_force, in "
             "opposite directions, so do not split it.": [0.5 * part for part in wanted],
-            "The damping force is missing. Add -c l' along the spring.": tension(
-                here, v, there, w, (k, rest, 0.0)
-            ),
+            "The damping has no effect on the force. Add the term -c l', which acts along the "
+            "spring.": tension(here, v, there, w, (k, rest, 0.0)),
             "Your force uses the sum of the two velocities. The rate at which the length changes "
             "depends on their difference, so subtract "
             "b's velocity from a's.": tension(here, both, there, ZERO, numbers),

@@ -36,8 +36,8 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
         (
             0.1,
             (
-                "A compressed spring pushes with its full stiffness, however short it is. The "
-                "limit applies only to stretching."
+                "A compressed spring pushes with its full stiffness, however short it is, because "
+                "the limit applies only to stretching."
             ),
         ),
     ):
@@ -75,7 +75,7 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
     about.call += "0.25).update_force(p, 0.5); p.force_accumulator"
     about.cause = (
         "The length equals the limit here, so the spring still pulls with its full stiffness. "
-        "Only the length beyond the limit counts with share."
+        "Multiply only the part of the length beyond the limit by share."
     )
     p, q = Particle(Vector3(4.0, 0.0, 0.0)), Particle()
     ElasticLimitSpring(q, k, 2.0, 4.0, 0.25).update_force(p, 0.5)

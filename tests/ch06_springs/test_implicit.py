@@ -63,8 +63,9 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
             "v, so include the term with c.": off(method, x, v, stiffness, 0.0, m, h, new),
             "The stiffness has no effect on the result. The acceleration follows from m a = -k x - "
             "c v, so include the term with k.": off(method, x, v, 0.0, damping, m, h, new),
-            "The stiffness and the damping have not been divided by the mass. The acceleration "
-            "needs k / m and c / m.": off(method, x, v, stiffness, damping, 1.0, h, new),
+            "The stiffness and the damping have not been divided by the mass, but the acceleration "
+            "needs k / m and c / m. Divide both of them "
+            "first.": off(method, x, v, stiffness, damping, 1.0, h, new),
         }
         # If the new state solves the equations of a mistake, that mistake was made.
         slip = next((slip for slip in fits if max(map(abs, fits[slip])) < 1e-10), "")

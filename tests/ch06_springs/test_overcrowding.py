@@ -124,7 +124,7 @@ def test_a_particle_does_not_push_itself_nor_who_is_at_its_place(rng: Random) ->
     about.call += "5.0).update_force(p, 0.5)"
     about.cause = (
         "The particles p and q are at the same position, so there is no direction for a push "
-        "between them. Only r pushes p, and it pushes downward."
+        "between them. Skip q, so that only r pushes p downward."
     )
     p, q = Particle(Vector3(*here)), Particle(Vector3(*here))
     r = Particle(p.position + Vector3(0.0, 1.0, 0.0), mass=math.inf)

@@ -55,8 +55,8 @@ def spring_slips(
         "The force uses the squared length of the offset. The extension needs the length itself, "
         "so take the magnitude.": along(-k * (length**2 - rest) - c * rate),
         "The damping force is missing. Add -c (v . d^) d^ along the spring.": along(-pull),
-        "There is no force, as if this were a slack rope. A spring also pushes when it is "
-        "shorter than its rest length.": along(0.0 * pull),
+        "There is no force, as if this were a slack rope. Unlike a rope, a spring pushes when it "
+        "is shorter than its rest length.": along(0.0 * pull),
         "The damping is -c v, so it also slows down motion across the spring, which does not "
         "change its length. Use only the part of v along the spring.": [
             a - c * v for a, v in zip(along(-pull), velocity, strict=True)

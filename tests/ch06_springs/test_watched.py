@@ -54,7 +54,8 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         )
         about.cause = (
             "Check every particle after each step, and raise SimulationDiverged(i, steps, speed, "
-            "speed_limit) for the first one that is too fast. The first step has the number 1."
+            "speed_limit) for the first one that is too fast. Here i is its index in the list, and "
+            "steps counts from 1."
         )
         calls, error = watching(limit, speeds)
         wanted = (fast, number, 1.25 * limit, limit)

@@ -295,7 +295,7 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
             longer = tuple(part / share for part in f)
             name = (
                 "The ratio is inverted. The same impulse is now spread over a longer time, so the "
-                "force must become smaller."
+                "force must become smaller: multiply it by contact_time / frame."
             )
             mistakes.append((longer, name))
         why = cause_of(got, mistakes, about.cause)

@@ -33,8 +33,8 @@ def test_when_a_gap_closes(rng: Random) -> None:
         (6.0, -5.0, 2.0, 2.0, "The body slows down but still arrives. The second solution is the "
                               "time when it would come back, so take the first one."),
         (0.5 * pull * t * t, 0.0, -pull, t, rest),
-        (1e-6, -1e-6, 0.0, 1.0, "The body approaches slowly, but it does arrive. Return this time "
-                                "instead of math.inf."),
+        (1e-6, -1e-6, 0.0, 1.0, "The body approaches slowly, but it does arrive. Return the time "
+         "at which it arrives instead of math.inf."),
         (5e-7, 0.0, -1e-6, 1.0, "The acceleration is small, but it does bring the body to the "
                                 "ground. Do not treat it as 0."),
         (0.0, 10.0, -10.0, 2.0,
@@ -74,14 +74,19 @@ def test_when_a_gap_closes(rng: Random) -> None:
 def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
     about.read = CLOSE
     x = positive_number(rng)
-    lies = "The body lies on the ground and is accelerated into it, so the time is 0."
+    lies = (
+        "The body lies on the ground and is accelerated into it, so the gap closes at once. "
+        "Return 0."
+    )
     slow = "The speed is below VELOCITY_TOLERANCE, so it counts as a rounding error and does not "
     slow += "close the gap. Return math.inf."
     for gap, v, a, wanted, cause in (
-        (0.0, -x, 0.0, 0.0, "The body touches the ground and is closing, so the time is 0."),
-        (-x, -x, 3.0, 0.0, "The body is inside the ground and moves farther in, so the time is 0."),
-        (0.0, -1e-9, 0.0, 0.0, "The body touches the ground and is closing, if only slowly, so "
-                               "the time is 0."),
+        (0.0, -x, 0.0, 0.0, "The body touches the ground and moves into it, so the gap closes at "
+         "once. Return 0."),
+        (-x, -x, 3.0, 0.0, "The body is inside the ground and moves farther in, so the gap is "
+         "already closed. Return 0."),
+        (0.0, -1e-9, 0.0, 0.0, "The body touches the ground and moves into it, if only slowly, so "
+         "the gap closes at once. Return 0."),
         (2.0, -2.0, 1.0, math.inf, "The root is 0, which means that the body reverses exactly when "
          "it touches the ground. Because it arrives with no speed, there is no impact, so return "
          "math.inf."),

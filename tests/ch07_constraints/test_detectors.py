@@ -76,9 +76,8 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
                 # Rounding of heights up to 10 m.
                 shown = f"{name}: penetration"
                 mistakes = [
-                    (wanted - radius, "The radius is missing, so the center would have to reach "
-                                      "the ground. The lowest point of the sphere is at y - "
-                                      "radius."),
+                    (wanted - radius, "The radius is missing, so the center of the sphere would "
+                     "have to reach the ground. Use its lowest point, which is at y - radius."),
                     (wanted - 2.0 * radius, "The radius has the wrong sign, so this is the "
                                             "highest point of the sphere. The lowest point is at "
                                             "y - radius."),
@@ -238,8 +237,8 @@ def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
         about.cause += "from the second particle of the pair to the first."
         # Differences of positions of up to 10 m, over a distance of half a meter or more.
         expect_close(normal, right[2], then=": normal", tolerance=1e-13)
-        about.cause = "A contact has the wrong restitution. Pass the detector's restitution to "
-        about.cause += "each contact."
+        about.cause = "A contact has the wrong restitution. Pass the restitution of the detector "
+        about.cause += "to each contact that you create."
         expect_close(restitution, right[3], then=": restitution")
         apart = size - right[4]
         mistakes = [
@@ -324,7 +323,9 @@ def test_pairs_are_those_of_now(rng: Random) -> None:
     )
     expect_exactly(second, [0, 3, 1, 4, 2, 4])
     about.call += "; p.radius doubled"
-    about.cause = "The radius has changed since the first call. Read it again on every call."
+    about.cause = (
+        "The radius of the detector has changed since the first call. Read it again on every call."
+    )
     expect_exactly(third, [0, 1, 0, 3, 1, 2, 1, 4, 2, 4])
 
 

@@ -98,7 +98,7 @@ def test_when_two_spheres_meet(rng: Random) -> None:
 def test_spheres_that_touch_or_never_meet() -> None:
     about.read = PAIRS
     meet = "The centers are 5 m apart, and the spheres touch when this distance has become 2 m. At "
-    meet += "3 m/s this takes 1 s."
+    meet += "3 m/s this takes 1 s, so return this time."
     for x, y, speed, wanted, cause in (
         (2.0, 0.0, -3.0, 0.0, "The spheres touch and approach each other, so the time is 0."),
         (1.5, 0.0, -3.0, 0.0, "The spheres overlap and approach each other, so the time is 0."),

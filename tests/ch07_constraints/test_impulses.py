@@ -92,8 +92,8 @@ def test_two_balls_bounce_by_the_inverse_of_their_masses(rng: Random) -> None:
                            "opposite, so add -n g / mb to the velocity of b."),
             (-impulse, f"{momentum}, and add -n g / mb."),
         ]  # fmt: skip
-        otherwise = "The impulse on b is opposite to the impulse on a, so it must change the "
-        otherwise += "velocity of b by -n g / mb."
+        otherwise = "The impulse on b is opposite to the impulse on a. It must therefore change "
+        otherwise += "the velocity of b by -n g / mb, with the mass of b."
         about.cause = cause_of(got, along(w, n, mistakes), otherwise)
         expect_close(got, wanted_b, then="; b.velocity", tolerance=1e-12)
 

@@ -114,7 +114,10 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
     about.cause += "not sort or reorder it."
     expect_close(depths, (0.5, 0.75, -0.25), then="; penetrations of the contacts")
     about.call = "resolve_velocities([], 9, 0.5)"
-    about.cause = "The list of contacts is empty, so there is nothing to resolve. Return 0."
+    about.cause = (
+        "The list of contacts is empty, so there is nothing to resolve. Return 0 as the number "
+        "of resolutions."
+    )
     used, _, _ = resolved([], [], "resolve_velocities", 9)
     expect_exactly(used, 0)
 

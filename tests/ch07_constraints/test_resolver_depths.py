@@ -123,7 +123,10 @@ def test_one_contact_is_resolved_once(rng: Random) -> None:
         left = 0.0 if wanted else deep
         expect_close(depths[0], left, then=": penetration")
     about.call = "resolve_penetrations([], 9)"
-    about.cause = "The list of contacts is empty, so there is nothing to resolve. Return 0."
+    about.cause = (
+        "The list of contacts is empty, so there is nothing to resolve. Return 0 as the number "
+        "of resolutions."
+    )
     used, _, _ = resolved([], [], "resolve_penetrations", 9)
     expect_exactly(used, 0)
 
@@ -169,8 +172,8 @@ def test_both_phases_have_their_own_limit() -> None:
     about.call += "restitution 0; an immovable one deep in the ground; "
     own = "The two phases share one limit here, but each of them may resolve up to `iterations` "
     own += "contacts. Pass the full limit to both."
-    default = "If iterations is not given, the limit of each phase is twice the number of contacts "
-    default += "in which something can move."
+    default = "No iterations were given, so the limit of each phase must be twice the number of "
+    default += "contacts. Count only contacts in which a particle can move."
     for iterations, wanted, cause in ((None, 8, default), (3, 6, own), (1, 2, own)):
         about.cause = cause
         name = f"{about.call}ContactResolver({iterations}).resolve_contacts; iterations_used"

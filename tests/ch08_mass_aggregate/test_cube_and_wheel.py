@@ -132,8 +132,8 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
         read=WHEEL,
     )
     about.cause = (
-        "Join the hub to each particle of the rim with a rod. Also join each particle of the rim "
-        "to the next particle, and the last particle to the first."
+        "The wheel needs two kinds of rods. Join the hub to each particle of the rim, and also "
+        "join each particle of the rim to the next one, and the last to the first."
     )
     rods = sorted(wheel_rods(hub, rim))
     wanted = [(0, i + 1) for i in range(count)] + [(i, i + 1) for i in range(1, count)]

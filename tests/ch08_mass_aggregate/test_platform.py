@@ -144,7 +144,8 @@ def test_what_balances_a_platform(rng: Random) -> None:
         got = balancing_mass([1.0], [place], x)
         expect_close(got, wanted)
     for masses, places, x, why in (
-        ([2.0, 1.0], [-1.0, 2.0], 5.0, "The platform is already balanced, so the answer is 0."),
+        ([2.0, 1.0], [-1.0, 2.0], 5.0, "The platform is already balanced, so it needs no mass. "
+         "Return 0."),
         ([2.0, 1.0], [-1.0, 2.0], 0.0, "The platform is already balanced, so no mass is needed, "
         "even though x is 0. Return 0 before you divide by x."),
         ([], [], 3.0, "There are no masses, so the platform is balanced and the answer is 0."),

@@ -200,8 +200,8 @@ def test_sleep_stops_and_waking_gives_the_mass_back(rng: Random) -> None:
     expect_close(done["inverse mass asleep"], 0.0, then=": inverse_mass", tolerance=0.0)
     expect_close(done["velocity asleep"], (0.0,) * 3, then=": velocity", tolerance=0.0)
     about.cause = (
-        "The particle falls asleep at the end of the third step, so exactly three steps move it. "
-        "After that it must stay where it is."
+        "The particle falls asleep at the end of the third step, so exactly three steps may move "
+        "it. After that it must stay where it is."
     )
     place = (1.0 + 3.0 * speed / 60.0, 2.0, 3.0)
     for name in ("place asleep", "place later"):

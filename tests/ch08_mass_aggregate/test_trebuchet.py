@@ -215,8 +215,8 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
                                    "It is the counterweight that falls, so use its mass."),
         (1.0 / wanted, "The fraction is upside down. Divide the energy that the projectile gained "
                        "by the energy that the counterweight lost."),
-        (100.0 * wanted, "This share is a percentage. Return a fraction, so that 1 stands for all "
-                         "of the energy."),
+        (100.0 * wanted, "The share is given as a percentage. Return it as a fraction, so that 1 "
+         "stands for all of the energy."),
     ]  # fmt: skip
     blame(share, mistakes)
     expect_close(share, wanted, then=": share", tolerance=1e-9)

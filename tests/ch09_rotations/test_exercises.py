@@ -146,8 +146,8 @@ def test_the_way_back_at_the_ends(rng: Random) -> None:
         about.call = f"back_to_reference(Quaternion{q}), the angle"
         expect_close(angle, 0.0, tolerance=0.0)
     axis, near = turned(draw_quad(rng), X_AXIS), math.pi - 2e-7
-    about.cause = "A half-turn is undone by another half-turn about the same axis. It can go in "
-    about.cause += "either direction."
+    about.cause = "A half-turn is undone by another half-turn about the same axis, in either "
+    about.cause += "direction."
     for q, turn in (((0.0, *axis), math.pi), (quad(axis, near), near)):
         unit, angle = way_back(q)
         got, wanted = (abs(angle), *same_sign(unit, axis)), (turn, *axis)

@@ -189,7 +189,8 @@ def test_the_center_of_two_masses_is_nearer_to_the_larger() -> None:
     )
     got = center_of_mass([6.0, 2.0], [(0.0, 0.0), (4.0, 8.0)])
     slips = {
-        "The sums of m x and m y have not been divided by the total mass.": (8.0, 16.0),
+        "The sums of m x and m y have been returned as they are, without dividing them by the "
+        "total mass.": (8.0, 16.0),
         "The sums of m x and m y have been divided by the number of masses instead of the total "
         "mass.": (4.0, 8.0),
         "This is the mean of the positions, so the masses have been ignored.": (2.0, 4.0),

@@ -112,8 +112,8 @@ def test_what_is_no_rotation(rng: Random) -> None:
 def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
     m = draw_slight_turn(rng)
     limit = (
-        "The scalar products of the rows may differ from 1 and 0 by up to ROTATION_TOLERANCE "
-        "(1e-5)."
+        "Compare the scalar products of the rows with 1 and 0, and accept differences of up to "
+        "ROTATION_TOLERANCE (1e-5)."
     )
     for scale, wanted in ((4e-6, True), (-4e-6, True), (7e-6, False), (-7e-6, False)):
         about.cause = (

@@ -112,7 +112,9 @@ def offset_slips(stones: Stones, angle: float) -> dict[str, float]:
     half = 0.5 * math.fsum(mass for _, mass in sides)
     offset = next(side for (side, _), mass in zip(sides, passed, strict=True) if mass >= half)
     return {
-        "This offset is measured to the right instead of the left.": -left_of(center, angle),
+        "This offset is measured to the right instead of the left, so its sign is wrong.": -left_of(
+            center, angle
+        ),
         "This distance is measured along the edge instead of to the left of it.": left_of(
             center, angle - 0.5 * math.pi
         ),

@@ -223,8 +223,7 @@ def expect_same_object(made: str, step: str, v: Any, before: Any) -> None:
     before.x = 99.0
     about(
         f"{made}; w = v; {step}; w.x = 99.0; v.x",
-        cause="Before this operation v and w were the same vector, but afterward they are two "
-        "different ones, because the method returned a new vector. Change self.x, self.y and "
+        cause="v and w were the same vector, but now v is a new one. Change self.x, self.y and "
         "self.z, and end with return self, instead of creating a new vector.",
     )
     expect_close(v.x, 99.0)

@@ -380,8 +380,8 @@ def test_a_vector_crossed_with_itself_in_place(rng: Random) -> None:
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.cross_update(v)"
     about.cause = (
-        "The vector product of a vector with itself is zero. Here v is both factors, so a "
-        "component that you overwrite changes both. Read all components before you change the "
+        "The vector product of a vector with itself is zero. Here v is both factors, so "
+        "overwriting a component changes both of them. Read all components before you change the "
         "first."
     )
     about.read = "book 2.1.8"

@@ -149,8 +149,9 @@ def test_out_of_the_water_there_is_no_lift_and_deep_in_it_no_more(rng: Random) -
 def test_lift_is_the_weight_of_the_water_in_newtons() -> None:
     about("p at (0, 0, 0); Buoyancy(0.5, 0.001, 0, gravity=10).update_force(p, 0.5)", read=READ)
     about.cause = (
-        "The body displaces half a liter of water, which weighs 5 N if g is 10. So the lift rho V "
-        "g must be 5 N. The listing in the book leaves out the factor g (E-5)."
+        "The body displaces half a liter of water, which weighs 5 N if g is 10, so the lift rho V "
+        "g must be 5 N. If your result is 0.5, the factor g is missing, as in the book's listing "
+        "(E-5)."
     )
     p = Particle()
     Buoyancy(0.5, 0.001, 0.0, gravity=10.0).update_force(p, 0.5)

@@ -272,8 +272,8 @@ def test_soft_and_stiff_springs_swing_alike() -> None:
             (1.0, 1.0, 1e12, 1e3, 1.0, 100.0),
             0.0,
             1e-12,
-            "The damping has had 100 s to act. By then the oscillation has died out, so the "
-            "position must be 0.",
+            "The damping has had 100 s to act, so the oscillation has died out and the position "
+            "must be 0.",
         ),
         (
             (1.0, 0.0, 1e-8, 0.0, 1.0, 1e4),

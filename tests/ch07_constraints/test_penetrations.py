@@ -207,8 +207,9 @@ def test_what_lies_on_the_ground_stays_there() -> None:
         about.call += "Contact.resolve(1/60)"
         sinks = "The body sinks into the ground, perhaps because only its velocity is resolved. "
         sinks += "Contact.resolve must call resolve_velocity and then resolve_penetration."
-        jumps = "The body jumps, although it should lie still. In resolve_velocity, leave out of "
-        jumps += "the bounce the velocity that gravity has added in this time step."
+        jumps = "The body jumps, although it should lie still. Pass the duration on to "
+        jumps += "resolve_velocity, so that the velocity that gravity has added in this time step "
+        jumps += "does not bounce."
         about.cause = sinks
         heights, fastest = lying(restitution, generated, 900, 1.0 / 60.0)
         # Up to a millimeter counts as rest; rounding leaves some 1e-15 m.

@@ -158,7 +158,9 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
             wanted = -5.0 - (moves.get(p, 0.0) - moves.get(q, 0.0)) * dot(n, m)
             about.cause = "For each other contact, subtract the distance that contact.particle "
             about.cause += "moved along its normal, and add the distance that contact.other "
-            about.cause += "moved. Compare particles with `is`. If other is None, it never moves."
+            about.cause += (
+                "moved. Compare particles with `is`, and leave out contact.other if it is None."
+            )
             name = f"{about.call} {names[p]} and {names[q]}"
             expect_close(got, wanted, call=name, tolerance=1e-14)
 

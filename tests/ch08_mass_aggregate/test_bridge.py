@@ -348,10 +348,9 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
             )
             expect_close(normal, UP, then=": the normal", tolerance=1e-15)
             about.cause = (
-                "The restitution or the penetration is wrong. Pass self.restitution as the "
-                "restitution. The penetration is height + radius - y, where height is the height "
-                "of the deck, because it is the depth of the lowest point of the ball below the "
-                "deck."
+                "The restitution or the penetration is wrong. The restitution is self.restitution, "
+                "and the penetration is the depth of the lowest point of the ball below the deck. "
+                "Compute it as height + radius - y, where height is the height of the deck."
             )
             mistakes = [
                 ((0.0, depth), "The restitution is 0, but it should be that of the deck. Pass "

@@ -46,9 +46,9 @@ def test_what_is_moved_by_hand_wakes(
     new = how.replace("place", "position")
     about.call = f"a particle of 2 kg that sleeps on the ground gets a new {new}; a step of 1/60 "
     about.call += "s, wake_moved()"
-    about.cause = f"A particle that gets a new {new} must wake. Compare it with the values that "
-    about.cause += "are stored in its Sleep. Call wake_moved before the integrator, so that this "
-    about.cause += "step already moves the particle."
+    about.cause = f"A particle that gets a new {new} must wake, and already move in this step. "
+    about.cause += "Compare it in wake_moved with the values that are stored in its Sleep, and "
+    about.cause += "call wake_moved before the integrator."
     if how == "nothing":
         about.call = "a particle of 2 kg that sleeps on the ground; a step of 1/60 s, wake_moved()"
         about.cause = "Nothing about the particle has changed, so it must stay asleep. Wake it "

@@ -272,8 +272,8 @@ def test_contacts_are_those_of_the_new_places(rng: Random) -> None:
     about.call = (
         f"a particle that is 0.5 m above a floor and moves at {-speed} m/s; world.run_physics({h})"
     )
-    about.cause = "First move the particles, then collect the contacts, and then resolve them. "
-    about.cause += "The particle ends up on the floor, and it no longer falls."
+    about.cause = "Move the particles first, then collect the contacts, and then resolve them, so "
+    about.cause += "that the particle ends up at rest on the floor."
     done = frame(bodies, "run_physics", h, floors=[0.0])
     place, velocity = done["states"][0]
     fallen = 0.5 - speed * h

@@ -67,8 +67,8 @@ def test_near_which_length_it_is_a_turn(rng: Random) -> None:
         scaled = tuple(component * length for component in q)
         about.call = f"Quaternion{scaled}.is_unit(), of length {abs(length)}"
         about.cause = (
-            "The length must differ from 1 by no more than UNIT_TOLERANCE (1e-6), and it can be "
-            "above or below 1."
+            "A quaternion is accepted if its length differs from 1 by at most UNIT_TOLERANCE "
+            "(1e-6), whether it is above or below 1."
         )
         if 0.0 < abs(length - 1.0) < 1e-5:
             about.cause += (

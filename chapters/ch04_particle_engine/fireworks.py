@@ -116,7 +116,7 @@ def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
 
 
 class FireworksShow:
-    """A show of burning fireworks. The list is in the order in which they were lit.
+    """A show of burning fireworks, which are listed in the order in which they were lit.
 
     At most ``capacity`` fireworks burn at a time, even if the rules light each other forever.
     ``when_full`` decides what happens when the show is full. With "keep_old" no new fireworks are

@@ -107,8 +107,8 @@ class ParticlePairs:
 
         After t seconds a particle is at p + v t + a t^2 / 2, where a is its ``last_acceleration``.
         Two particles with the same acceleration therefore move in a straight line relative to each
-        other, which makes the time of their impact easy to compute. An immovable particle has no
-        velocity and no acceleration.
+        other, which makes the time of their impact easy to compute. Treat the velocity and the
+        acceleration of an immovable particle as zero.
 
         Two spheres have an impact when they touch or overlap while they approach each other faster
         than ``VELOCITY_TOLERANCE``. Ignore a slower approach, because it may be only the rounding

@@ -1,8 +1,9 @@
 """Check arguments, and reject invalid values with an error that names the argument.
 
 If the value is valid, each function returns it as a float or a copy. If not, it raises ValueError,
-or TypeError for a wrong type. The message contains the argument's name and its value. Every
-comparison with NaN is False, so each function tests for valid values and rejects everything else.
+or TypeError for a wrong type, with a message that contains the argument's name and its value. NaN
+needs special care, because every comparison with it is False. That is why each function tests for
+valid values and rejects everything else.
 
 This file is complete, and you do not hand it in. If you need more functions, write them in the
 files that you edit.
@@ -23,35 +24,36 @@ LARGEST = sys.float_info.max  # a larger int does not fit in a float
 
 
 def finite(name: str, value: float) -> float:
-    """Return ``value`` as a float. It must be neither infinite nor NaN."""
+    """Return ``value`` as a float, or raise an error if it is infinite or NaN."""
     if not (isinstance(value, (int, float)) and -LARGEST <= value <= LARGEST):
         raise _refusal(name, value, "finite")
     return float(value)
 
 
 def not_negative(name: str, value: float) -> float:
-    """Return ``value`` as a float. It must be finite and at least 0."""
+    """Return ``value`` as a float, or raise an error unless it is finite and at least 0."""
     if not (isinstance(value, (int, float)) and 0.0 <= value <= LARGEST):
         raise _refusal(name, value, "finite and not negative")
     return float(value)
 
 
 def positive(name: str, value: float) -> float:
-    """Return ``value`` as a float. It must be finite and greater than 0."""
+    """Return ``value`` as a float, or raise an error unless it is finite and greater than 0."""
     if not (isinstance(value, (int, float)) and 0.0 < value <= LARGEST):
         raise _refusal(name, value, "positive and finite")
     return float(value)
 
 
 def positive_or_infinite(name: str, value: float) -> float:
-    """Return ``value`` as a float. It must be greater than 0. An infinite mass is allowed."""
+    """Return ``value`` as a float, or raise an error unless it is greater than 0 or infinite."""
     if not (isinstance(value, (int, float)) and (0.0 < value <= LARGEST or value == math.inf)):
         raise _refusal(name, value, "positive")
     return float(value)
 
 
 def whole(name: str, value: int) -> int:
-    """Return ``value``. It must be a whole number of at least 1. True and False are rejected."""
+    """Return ``value``, or raise an error unless it is an int of at least 1. Reject True and False.
+    """
     if not isinstance(value, int) or isinstance(value, bool):
         raise TypeError(f"{name} must be a whole number, got {value!r}")
     if value < 1:
@@ -60,7 +62,7 @@ def whole(name: str, value: int) -> int:
 
 
 def finite_vector(name: str, v: Vector3) -> Vector3:
-    """Return a copy of ``v``. All of its components must be finite."""
+    """Return a copy of ``v``, or raise an error unless all of its components are finite."""
     if not all(hasattr(v, component) for component in ("x", "y", "z")):
         raise TypeError(f"{name} must be a Vector3, got {v!r}")
     if not (math.isfinite(v.x) and math.isfinite(v.y) and math.isfinite(v.z)):
@@ -69,7 +71,7 @@ def finite_vector(name: str, v: Vector3) -> Vector3:
 
 
 def instance_of(name: str, value: Value, kind: type) -> Value:
-    """Return ``value``. It must be an object of the class ``kind``, such as Particle."""
+    """Return ``value``, or raise TypeError unless it is an object of the class ``kind``."""
     if not isinstance(value, kind):
         raise TypeError(f"{name} must be a {kind.__name__}, got {value!r}")
     return value

@@ -11,8 +11,8 @@ from ch02_vectors.vector import Vector3
 def split(v: Vector3) -> tuple[float, Vector3]:
     """Exercise 2.1: return the magnitude and the direction of ``v``.
 
-    The direction is a new unit vector. For the zero vector, the magnitude is 0 and the direction is
-    the zero vector.
+    The direction is a new unit vector. The zero vector has no direction, so for it the magnitude is
+    0 and the direction is the zero vector too.
 
     >>> magnitude, direction = split(Vector3(2, -2, -2))
     >>> round(magnitude, 6), [round(component, 6) for component in direction]
@@ -22,12 +22,12 @@ def split(v: Vector3) -> tuple[float, Vector3]:
 
 
 def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
-    """Exercise 2.2a: return a . b, and the kind of angle between ``a`` and ``b``.
+    """Exercise 2.2a: return a . b, and whether the angle is acute, right or obtuse.
 
-    The kind is "acute" (less than a right angle), "right", or "obtuse" (more than a right angle).
-    You do not have to compute the angle, because the sign of the product is enough to decide.
-    Raises ValueError if the product is NaN, because NaN has no sign. The numbers in this example
-    differ from the book's.
+    An acute angle is smaller than a right angle, and an obtuse angle is larger. You do not have to
+    compute the angle, because the sign of the scalar product already tells you which kind it is. If
+    the product is NaN, it has no sign, so the function raises ValueError. The numbers in this
+    example differ from the book's.
 
     >>> scalar_product_and_angle(Vector3(1, 2, 3), Vector3(4, -5, 1))
     (-3.0, 'obtuse')
@@ -38,7 +38,7 @@ def scalar_product_and_angle(a: Vector3, b: Vector3) -> tuple[float, str]:
 def make_perpendicular(a: Vector3, x: float, y: float) -> float:
     """Exercise 2.4: return the z that makes (x, y, z) perpendicular to ``a``.
 
-    Raises ValueError if ``a.z`` is zero. In that case either every z is a solution, or no z is.
+    Raises ValueError if ``a.z`` is zero, because z then has no effect on the scalar product.
 
     >>> make_perpendicular(Vector3(1, 2, 3), 7, -2)
     -1.0
@@ -49,8 +49,8 @@ def make_perpendicular(a: Vector3, x: float, y: float) -> float:
 def angle_by_scalar_product(a: Vector3, b: Vector3) -> float:
     """Exercise 2.5: compute the angle between ``a`` and ``b`` from their scalar product.
 
-    The angle is from 0 to pi. If a component is NaN, the angle is NaN. Raises ValueError if ``a``
-    or ``b`` is zero, because a zero vector has no direction.
+    The result is between 0 and pi, or NaN if a component is NaN. Raises ValueError if ``a`` or
+    ``b`` is zero, because a zero vector has no direction.
 
     >>> round(angle_by_scalar_product(Vector3(0, 1, 1), Vector3(0, -1, 0)), 6)  # 135 degrees
     2.356194
@@ -61,9 +61,10 @@ def angle_by_scalar_product(a: Vector3, b: Vector3) -> float:
 def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
     """Exercise 2.5: return the two angles that fit the length |a x b|, the smaller one first.
 
-    Two angles that add up to pi have the same sine, so the length of the vector product cannot
-    distinguish them. If a component is NaN, both angles are NaN. Raises ValueError if ``a`` or
-    ``b`` is zero, because a zero vector has no direction.
+    The length of the vector product depends on the sine of the angle. Two angles that add up to pi
+    have the same sine, so the length alone cannot distinguish them. If a component is NaN, both
+    angles are NaN. Raises ValueError if ``a`` or ``b`` is zero, because a zero vector has no
+    direction.
 
     >>> angles = angles_by_vector_product(Vector3(0, 1, 1), Vector3(0, -1, 0))
     >>> [round(angle, 6) for angle in angles]  # 45 and 135 degrees
@@ -75,8 +76,9 @@ def angles_by_vector_product(a: Vector3, b: Vector3) -> tuple[float, float]:
 def remove_projection(a: Vector3, b: Vector3) -> tuple[float, Vector3, float]:
     """Exercise 2.6: return c = a . b, d = b - c a, and the angle between ``a`` and d.
 
-    ``a`` and ``b`` must be unit vectors. The vector c a is the projection of ``b`` onto ``a``, so d
-    is ``b`` without its component along ``a``. The numbers in the example differ from the book's.
+    The vector c a is the projection of ``b`` onto ``a``. Subtracting it from ``b`` removes the part
+    of ``b`` that points along ``a``, so the remainder d should be perpendicular to ``a``. Both
+    arguments must be unit vectors. The numbers in the example differ from the book's.
 
     Raises:
         ValueError: if the length of ``a`` or ``b`` differs from 1 by more than 1e-6 or is NaN, or
@@ -109,8 +111,8 @@ def checked_duration(duration: float) -> float:
 def position_after(position: Vector3, velocity: Vector3, duration: float) -> Vector3:
     """Exercise 2.7: return the position after moving with a constant velocity (Eq. 2.7).
 
-    ``position`` is in m, ``velocity`` in m/s and ``duration`` in s. The start position in the
-    example differs from the book's. Raises ValueError if the duration is not positive and finite.
+    ``position`` is in m, ``velocity`` in m/s and ``duration`` in s. Raises ValueError if the
+    duration is not positive and finite. The start position in the example differs from the book's.
 
     >>> position_after(Vector3(3, 5, -4), Vector3(1, -1, 2), 10)
     Vector3(13.0, -5.0, 16.0)

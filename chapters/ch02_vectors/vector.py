@@ -1,9 +1,10 @@
 """A vector in three dimensions, which the whole engine uses (book chapter 2).
 
-The axes are right-handed, and +Y points up. Vectors are mutable. An operator such as ``v + w``
-returns a new vector and leaves both operands unchanged. A method marked "in place" changes ``v``
-and returns None. The operators ``+=``, ``-=``, ``*=`` and ``/=`` also change ``v``. Their methods
-must end with ``return self``, because Python assigns the returned value to ``v``.
+The axes are right-handed, and +Y points up. Vectors are mutable, so it matters which operations
+change a vector and which create a new one. An operator such as ``v + w`` returns a new vector and
+leaves both operands unchanged, whereas a method marked "in place" changes ``v`` itself and returns
+None. The operators ``+=``, ``-=``, ``*=`` and ``/=`` change ``v`` too, but their methods must end
+with ``return self``, because Python assigns the returned value to ``v``.
 """
 
 from __future__ import annotations
@@ -15,9 +16,9 @@ class Vector3:
     """A vector with three components along X, Y and Z.
 
     The unit depends on the quantity: m for a position, m/s for a velocity, N for a force. A
-    component can be any float, including infinities and NaN. Some classes use vectors for a
-    particular quantity, such as the position of a particle. These classes reject values that make
-    no sense there.
+    component can be any float, including infinities and NaN. A class that uses a vector for a
+    particular quantity, such as a particle for its position, rejects the values that make no sense
+    for that quantity.
 
     Raises:
         TypeError: if a component is not something that float() accepts.
@@ -52,7 +53,7 @@ class Vector3:
     def copy(self) -> Vector3:
         """Return a new vector with the same components.
 
-        Make a copy if you need the current value later but the vector will be changed in place.
+        Make a copy if the vector is going to change in place, but you still need its current value.
         """
         raise NotImplementedError("Exercise B2.1: Copy, clear and invert")
 
@@ -69,7 +70,7 @@ class Vector3:
         raise NotImplementedError("Exercise B2.1: Copy, clear and invert")
 
     def magnitude(self) -> float:
-        """Return the length |v|, which is never negative (2.1).
+        """Return the length of the vector, |v|, which is never negative (2.1).
 
         The length must also be correct for components as large as 1e200 or as small as 1e-200,
         although the squares of such numbers overflow or underflow. If a component is NaN, the
@@ -80,15 +81,15 @@ class Vector3:
     def squared_magnitude(self) -> float:
         """Return the squared length |v|^2 (2.1).
 
-        To compare two lengths, compare their squares instead. This avoids the square root.
+        Use it to compare two lengths, because comparing their squares avoids both square roots.
         """
         raise NotImplementedError("Exercise B2.2: Length")
 
     def __mul__(self, scale: float) -> Vector3:
-        """Return a new vector, ``v * scale`` or ``scale * v`` (2.1.3).
+        """Multiply every component by a number, and return a new vector (2.1.3).
 
-        Raises TypeError if ``scale`` is a vector, because two vectors have three different
-        products.
+        Both ``v * scale`` and ``scale * v`` call this method. Raises TypeError if ``scale`` is a
+        vector, because there are three different products of two vectors.
         """
         raise NotImplementedError("Exercise B2.3: Multiply and divide by a number")
 
@@ -102,7 +103,7 @@ class Vector3:
         raise NotImplementedError("Exercise B2.3: Multiply and divide by a number")
 
     def __truediv__(self, divisor: float) -> Vector3:
-        """Return a new vector, ``v / divisor``.
+        """Divide every component by a number, and return a new vector.
 
         Raises TypeError if the divisor is a vector, and ZeroDivisionError if it is zero.
         """
@@ -118,8 +119,8 @@ class Vector3:
     def normalize(self) -> None:
         """Scale the vector to length 1 without changing its direction, in place (2.1.3).
 
-        The zero vector has no direction and stays zero. The result must also be correct for
-        components as large as 1e200 or as small as 1e-200.
+        The zero vector has no direction, so it stays zero. The result must also be correct for
+        components as large as 1e200 or as small as 1e-200, like that of ``magnitude``.
         """
         raise NotImplementedError("Exercise B2.4: Normalize")
 
@@ -205,16 +206,18 @@ class Vector3:
 
 
 def make_orthonormal_basis(a: Vector3, b: Vector3) -> tuple[Vector3, Vector3, Vector3]:
-    """Return three new perpendicular unit vectors, right-handed: a x b = c (2.1.9).
+    """Return three perpendicular unit vectors that form a right-handed basis (2.1.9).
 
-    Use it to build the axes of a camera or a contact from one exact direction and one approximate
-    direction. The first vector has the direction of ``a``. The third vector is perpendicular to the
-    plane of ``a`` and ``b``. The second vector lies in that plane, as close to ``b`` as possible.
-    The lengths of ``a`` and ``b`` do not matter, and neither vector is changed.
+    Use it to build the axes of a camera or a contact when you know one direction exactly and a
+    second one only roughly. The first vector of the basis points along ``a``, and the third is
+    perpendicular to the plane of ``a`` and ``b``. The second vector lies in that plane, as close to
+    ``b`` as it can be while it is perpendicular to ``a``. All three are new vectors, and the vector
+    product of the first and the second is the third. Only the directions of ``a`` and ``b`` matter,
+    not their lengths.
 
     Raises:
-        ValueError: if ``a`` or ``b`` is zero or not finite, or if they are parallel. Such vectors
-            do not determine a basis. Two vectors count as parallel if the sine of the angle between
-            them is below 1e-12.
+        ValueError: if ``a`` or ``b`` is zero or not finite, or if they are parallel, because such
+            vectors do not determine a basis. They count as parallel if the sine of the angle
+            between them is below 1e-12.
     """
     raise NotImplementedError("Exercise B2.10: An orthonormal basis")

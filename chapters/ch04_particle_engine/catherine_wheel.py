@@ -1,7 +1,8 @@
 """A Catherine wheel (mini-project 4.4): a nozzle on a rotating wheel throws sparks.
 
 The wheel rotates at a constant rate, so a formula gives the angle, the position and the velocity of
-the nozzle at any time. No force has to be simulated, and only the sparks are particles.
+the nozzle at any time. The wheel itself therefore needs no simulation, and only the sparks are
+particles.
 """
 
 from __future__ import annotations
@@ -15,11 +16,11 @@ from ch04_particle_engine.fireworks import FireworksShow
 class CatherineWheel:
     """A wheel in the X-Y plane that rotates at a constant rate and throws sparks from its rim.
 
-    ``center`` and ``radius`` are in m. The wheel rotates from X toward Y at ``rate`` in rad/s. In
-    each second it throws ``sparks_per_second`` sparks from a nozzle on the rim. The sparks are
-    fireworks of the type ``spark_type``. They are thrown backward, against the motion of the rim,
-    at the speed ``jet`` in m/s. ``angle`` is the angle of the nozzle from the X axis. ``thrown``
-    counts the sparks that have left the nozzle.
+    ``center`` and ``radius`` are in m. The wheel rotates from X toward Y at ``rate`` in rad/s. A
+    nozzle on its rim throws ``sparks_per_second`` sparks in each second, which are fireworks of the
+    type ``spark_type``. The sparks leave the nozzle backward, against the motion of the rim, at the
+    speed ``jet`` in m/s. ``angle`` is the current angle of the nozzle from the X axis, and
+    ``thrown`` counts the sparks that have left it.
 
     Raises ValueError if the show has no such type, the center is not finite, the radius or the rate
     is not positive, or another number is negative.
@@ -51,9 +52,10 @@ class CatherineWheel:
     def nozzle(self) -> Particle:
         """Mini-project 4.4: return a new particle at the nozzle, to be the parent of sparks.
 
-        The particle is on the rim, at the wheel's angle, and its velocity is perpendicular to the
-        spoke. The speed of the rim is ``rate`` times ``radius``. The sparks are thrown backward, so
-        the particle's speed is the speed of the rim minus ``jet``.
+        Sparks start with the position and velocity of their parent. So place the particle on the
+        rim, at the wheel's angle, with a velocity perpendicular to the spoke. The rim moves at
+        ``rate`` times ``radius``, but the sparks are thrown backward, so the speed of the particle
+        is the speed of the rim minus ``jet``.
         """
         raise NotImplementedError("Exercise 4.4: A Catherine wheel")
 
@@ -61,9 +63,10 @@ class CatherineWheel:
         """Mini-project 4.4: rotate for ``duration`` s, and light the sparks that are due.
 
         After a total of t seconds, the wheel has thrown ``sparks_per_second`` times t sparks,
-        rounded down. Apart from the rounding of t, this number does not depend on the length of the
-        steps. All sparks of a step start where the nozzle is at the end of the step. They count as
-        thrown even if the show has no room for them. This method does not update the show.
+        rounded down. The number therefore does not depend on the length of the steps, apart from
+        the rounding errors in t. All sparks of a step start where the nozzle is at the end of the
+        step, and they count as thrown even if the show has no room for them. Update the show
+        separately, because this method only lights the sparks.
 
         Raises ValueError if the duration is not positive and finite. In that case nothing moves.
         """

@@ -1,9 +1,9 @@
 """The state of a particle at any time, without time steps.
 
-Treat the damping d as a continuous drag. The equation of motion is then dv/dt = a - k v, with a
-constant acceleration a and k = -ln d. Its exact solution gives the position and the velocity at any
-time. A body that moves in this way, such as a spark, needs no time steps, because a single
-evaluation is enough.
+If you treat the damping d as a continuous drag, the equation of motion is dv/dt = a - k v, with a
+constant acceleration a and k = -ln d. This equation has an exact solution, which gives the position
+and the velocity at any time. A body that moves in this way, such as a spark, therefore needs no
+time steps: you can evaluate the solution once, for the time that you want.
 """
 
 from __future__ import annotations
@@ -23,10 +23,10 @@ def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
     - gone = (1 - d^t) / k, in s, is the distance traveled at an initial speed of 1 m/s.
     - fallen = (t - gone) / k, in s^2, is the distance traveled at an acceleration of 1 m/s^2.
 
-    As the damping approaches 1, the factors approach 1, t and t^2 / 2. Near 1 the formulas divide
-    almost 0 by almost 0. The result must still have at least 9 correct digits, even for a damping
-    as close to 1 as a float can be. A damping of 0 stops everything at once, so for any time above
-    0 all three factors are 0.
+    As the damping approaches 1, the factors approach 1, t and t^2 / 2. Close to this limit the
+    formulas divide almost 0 by almost 0, which loses digits. The result must still have at least 9
+    correct digits, even for a damping as close to 1 as a float can be. At the other extreme, a
+    damping of 0 stops everything at once, so all three factors are 0 for any time above 0.
 
     Raises ValueError if the damping or the time is negative or not finite, and OverflowError if a
     factor does not fit in a float.
@@ -37,8 +37,8 @@ def drag_factors(damping: float, time: float) -> tuple[float, float, float]:
 def state_after(particle: Particle, time: float) -> tuple[Vector3, Vector3]:
     """Return the position and velocity of ``particle`` after ``time`` s, as new vectors.
 
-    Use this function for a prediction, such as where a shell will land. The particle itself does
-    not change. An immovable particle keeps its position and velocity.
+    Use this function for a prediction, such as where a shell will land. It does not change the
+    particle. For an immovable particle, return copies of its current position and velocity.
 
     Raises ValueError if the time is negative or not finite, and OverflowError as ``drag_factors``
     does.
@@ -56,10 +56,10 @@ def burst_positions(
 ) -> list[float]:
     """Return the positions of all sparks of a burst along one axis, in m, after ``time`` s.
 
-    All sparks start at the same position and time, with the same acceleration and damping. Only
-    their ``speeds`` along the axis, in m/s, differ. So compute the factors, and the position of a
-    spark with a speed of 0, only once per call. Each call handles only one axis, because a screen
-    shows only two of the three.
+    All sparks start at the same position and time, with the same acceleration and damping. They
+    differ only in their ``speeds`` along the axis, in m/s. So compute everything that they share
+    once per call: the factors, and the position of a spark with a speed of 0. Each call handles
+    only one axis, because a picture on the screen needs just two of the three.
 
     The speeds are not checked. Raises ValueError if the start or the acceleration is not finite, or
     if the damping or the time is negative or not finite, and OverflowError as ``drag_factors``

@@ -1,7 +1,7 @@
 """The nine types of firework of the show, and two of your own.
 
-The numbers of the first three types are from the book's table. The other numbers are not from the
-book. Types 1, 2, 4, 6 and 8 are rockets: when they burn out, they light other fireworks.
+The numbers of the first three types are from the book's table, and the others are our own. Types 1,
+2, 4, 6 and 8 are rockets, which light other fireworks when they burn out.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def own_types() -> list[FireworkRule]:
       type.
     - At least one of them must have payloads, of types 1 to 11.
     - None of the eleven types may lead back to itself, so that every show ends.
-    - Each of the two types must burn for at least 0.1 s. At most 40 s after a firework of these
-      types was lit, everything that came from it must have burnt out.
+    - Each of the two types must burn for at least 0.1 s. When one of these fireworks has been lit,
+      it and everything that comes from it must have burnt out after at most 40 s.
     """
     raise NotImplementedError("Exercise 4.2: Two types of your own")

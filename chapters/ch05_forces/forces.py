@@ -1,9 +1,10 @@
 """Force generators, and the registry that applies them in each time step (book 5.2 and 5.3).
 
-A generator adds a force to a particle and needs no information about the other forces on it.
-Constructors copy vectors, and raise ValueError for a number or component that is not finite. You
-may change the attributes later, but these changes are not checked. Everything here raises TypeError
-for an argument that is not a number, or not a Vector3 where a vector is expected.
+A generator adds one force to a particle, and does not have to know about the other forces on it.
+Its constructor copies vectors, and raises ValueError for a number or component that is not finite.
+You may change the attributes of a generator later, but these changes are not checked. Everything
+here raises TypeError for an argument that is not a number, or not a Vector3 where a vector is
+expected.
 """
 
 from __future__ import annotations
@@ -31,22 +32,22 @@ class ForceGenerator(Protocol):
 class ForceRegistry:
     """Stores pairs of a particle and a force generator that acts on it in every step.
 
-    The constructor sets ``_pairs`` to an empty list. The list holds tuples (particle, generator) in
-    the order in which they were added. You may store the pairs in another way, but then change
-    ``pairs`` to match.
+    The list ``_pairs`` is empty at first. It holds tuples (particle, generator) in the order in
+    which they were added. You may store the pairs in another way, but then change ``pairs`` to
+    match.
     """
 
     def __init__(self) -> None:
         self._pairs: list[tuple[Particle, ForceGenerator]] = []
 
     def pairs(self) -> list[tuple[Particle, ForceGenerator]]:
-        """Return a new list of the pairs, in order. Later chapters use this method."""
+        """Return a new list of the pairs, in the order in which they were added."""
         return [*self._pairs]
 
     def add(self, particle: Particle, generator: ForceGenerator) -> None:
         """Let ``generator`` act on ``particle`` in every later step (5.2.2).
 
-        If you add the same pair twice, the force acts twice.
+        The same pair may be added more than once, and its force then acts as many times.
 
         Raises:
             TypeError: if the particle has no ``add_force``, or the generator has no
@@ -55,10 +56,10 @@ class ForceRegistry:
         raise NotImplementedError("Exercise B5.3: The force registry")
 
     def remove(self, particle: Particle, generator: ForceGenerator) -> None:
-        """Undo one call of ``add`` for ``particle`` and ``generator``.
+        """Remove a pair from the registry, to undo one call of ``add``.
 
-        Find the pair by identity, because two different objects can be equal. If there is no such
-        pair, do nothing.
+        Compare with ``is``, because two different objects can be equal. If there is no such pair,
+        do nothing.
         """
         raise NotImplementedError("Exercise B5.3: The force registry")
 
@@ -69,9 +70,10 @@ class ForceRegistry:
     def update_forces(self, duration: float) -> None:
         """Let every generator add its force to its particle. ``duration`` is the time step in s.
 
-        Immovable particles are skipped. A generator may add and remove pairs during the call, and
-        the change takes effect in the next call. If a generator raises an exception, the exception
-        is passed on, and the pairs after that generator are not updated.
+        Skip immovable particles, because no force can move them. A generator may add or remove
+        pairs while this method runs, but the change takes effect only in the next call. If a
+        generator raises an exception, pass it on. The generators that come after it are then not
+        called.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case no generator is
@@ -83,8 +85,8 @@ class ForceRegistry:
 class Gravity:
     """The weight of a particle, m g (Eq. 3.4). ``acceleration`` is g, a vector in m/s^2.
 
-    If g is the same everywhere and at all times, set ``Particle.acceleration`` instead. It has the
-    same effect at a lower cost (5.3).
+    You do not need this generator if g is the same everywhere and at all times. Setting
+    ``Particle.acceleration`` then has the same effect at a lower cost (5.3).
     """
 
     def __init__(self, acceleration: Vector3) -> None:
@@ -96,10 +98,9 @@ class Gravity:
 
 
 class Drag:
-    """Drag: a force against the motion that depends on the speed and its square (Eq. 5.1).
+    """Drag: a force against the motion that grows with the speed and its square (Eq. 5.1).
 
-    ``k1``, in N s/m, is the coefficient of the speed. ``k2``, in N s^2/m^2, is the coefficient of
-    its square.
+    ``k1`` in N s/m is multiplied by the speed, and ``k2`` in N s^2/m^2 by the square of the speed.
 
     Raises:
         ValueError: if a coefficient is negative or not finite.
@@ -117,8 +118,8 @@ class Drag:
 def drag_force(velocity: Vector3, k1: float, k2: float) -> Vector3:
     """Return the drag in N at ``velocity`` in m/s as a new vector (Eq. 5.1).
 
-    The drag is -v^ (k1 |v| + k2 |v|^2), where v^ is the unit vector along the velocity. It is zero
-    if the velocity is zero. ``k1`` is in N s/m and ``k2`` in N s^2/m^2.
+    The drag is -v^ (k1 |v| + k2 |v|^2), where v^ is the unit vector along the velocity. If the
+    velocity is zero, so is the drag. ``k1`` is in N s/m and ``k2`` in N s^2/m^2.
     """
     raise NotImplementedError("Exercise B5.5: Drag")
 
@@ -126,8 +127,8 @@ def drag_force(velocity: Vector3, k1: float, k2: float) -> Vector3:
 class Uplift:
     """Exercise 5.1: a vertical column of rising air, without an upper or lower end.
 
-    ``force`` is a vector in N. The axis of the column passes through ``origin``, and its ``radius``
-    is in m.
+    ``force`` is the force in N on every particle inside the column. The axis of the column passes
+    through ``origin``, and its ``radius`` is in m.
 
     Raises:
         ValueError: if the radius is negative or not finite.
@@ -148,9 +149,10 @@ class Uplift:
 
 
 class Airbrake:
-    """Exercise 5.2: strong drag that can be switched on and off. The force is -k v.
+    """Exercise 5.2: strong drag that can be switched on and off, with the force -k v.
 
-    ``k`` is in N s/m. The attribute ``on`` is the switch. A new brake is off.
+    ``k`` is in N s/m. Set the attribute ``on`` to True or False to switch the brake. It is off at
+    first.
 
     Raises:
         ValueError: if k is negative or not finite.
@@ -167,9 +169,9 @@ class Airbrake:
         """Exercise 5.2: if the brake is on, add -k v, but never so much that the motion reverses.
 
         In a time step of h s, a force f changes the velocity by f h / m. If k or h is large, a
-        force of -k v would therefore reverse the motion. Limit the force so that the brake alone
-        removes at most the fraction ``FULL`` of the velocity. For an immovable particle, do nothing
-        and raise no error.
+        force of -k v would therefore push the particle backward. A brake cannot do this, so limit
+        the force: on its own, it may remove at most the fraction ``FULL`` of the velocity. For an
+        immovable particle, do nothing and raise no error.
 
         Raises:
             ValueError: if the duration is not positive and finite.
@@ -180,7 +182,8 @@ class Airbrake:
 class PointGravity:
     """Exercise 5.3: gravity toward a point, with the same strength at every distance.
 
-    ``strength`` is in m/s^2. A negative strength pushes particles away from the point.
+    ``strength`` is the acceleration toward the point in m/s^2. If it is negative, the point pushes
+    particles away.
 
     Raises:
         ValueError: if the strength is not finite.
@@ -193,7 +196,8 @@ class PointGravity:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Exercise 5.3: add a force of m times ``strength`` toward the center.
 
-        At the center the force has no direction, so it is zero. Skip an immovable particle.
+        At the center the force would have no direction, so it is zero there. Skip an immovable
+        particle, because its force would be infinite.
         """
         raise NotImplementedError("Exercise 5.3: Gravity toward a point")
 
@@ -201,8 +205,8 @@ class PointGravity:
 class InverseSquareGravity:
     """Exercise 5.4: gravity toward a point, proportional to 1 / r^2 (Eq. 3.3).
 
-    Use it for orbits. ``mu`` is G times the attracting mass, in m^3/s^2. A negative ``mu`` pushes
-    particles away.
+    Use it for orbits, such as a planet around the sun. ``mu`` is G times the attracting mass, in
+    m^3/s^2. If it is negative, the center pushes particles away.
 
     Raises:
         ValueError: if ``mu`` is not finite.
@@ -215,7 +219,7 @@ class InverseSquareGravity:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Exercise 5.4: add the force m mu / r^2 toward the center, where r is the distance in m.
 
-        Skip an immovable particle.
+        Skip an immovable particle, because its force would be infinite.
 
         Raises:
             ArithmeticError: if the particle is at the center, or so close to it that the force is

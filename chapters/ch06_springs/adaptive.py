@@ -1,10 +1,10 @@
 """Going further: an integrator that takes a tolerance instead of a step size.
 
 A fixed step must be short enough for the fastest part of a motion, and then it is shorter than
-necessary for the rest. A comet needs short steps while it passes the sun, but long steps are enough
-for the rest of its orbit. `adaptive` chooses the steps by itself. It estimates the error of every
-step and repeats a step that was too long. If a step was more accurate than necessary, the next step
-is longer.
+necessary for the rest. A comet, for example, needs short steps while it passes the sun, but long
+steps are enough for the rest of its orbit. `adaptive` chooses the steps by itself. It estimates the
+error of every step and repeats a step that was too long. After a step that was more accurate than
+necessary, it makes a longer one.
 """
 
 from __future__ import annotations
@@ -46,9 +46,8 @@ def adaptive(tolerance: float) -> AdaptiveStep:
     ``tolerance`` is the largest estimated error that one step may make, in m for every coordinate
     of a position and in m/s for every component of a velocity. It is an absolute error, so choose
     it to suit the size of your scene. The errors of the steps add up, and an orbit or an
-    oscillation amplifies them. The final error is therefore often ten to a few hundred times as
-    large as the tolerance. If you make the tolerance smaller, the final error shrinks in
-    proportion.
+    oscillation amplifies them, so the final error is often ten to a few hundred times as large as
+    the tolerance. If you make the tolerance smaller, the final error shrinks in proportion.
 
     Raises ValueError if the tolerance is not positive and finite, and TypeError if it is not a
     number.
@@ -60,12 +59,12 @@ class AdaptiveStep:
     """An integrator ``(particles, apply_forces, duration)``. Create it with `adaptive`.
 
     A call moves the particles by exactly ``duration``, in as many steps as necessary. Each step
-    evaluates the forces six times. Each call also evaluates them once at its start, so you may
+    evaluates the forces six times, and each call also evaluates them once at its start, so you may
     change particles and forces between calls. ``evaluations`` counts all evaluations, and you may
     reset it to 0.
 
-    The integrator remembers only the length of its last good step, and uses it as a first guess for
-    the next call. So you can use the same integrator for several groups of particles in turn.
+    The integrator remembers only the length of its last good step, as a first guess for the next
+    call. You can therefore use the same integrator for several groups of particles in turn.
 
     As in the other integrators, forces that were added by hand act for the whole call, and damping
     multiplies the velocity once per call. Every evaluation passes the duration of the whole call to
@@ -93,9 +92,9 @@ class AdaptiveStep:
 
         A step that is too long can take particles to positions where a force cannot be computed. So
         if ``apply_forces`` raises ArithmeticError or ValueError, the step is repeated with a tenth
-        of its length. If the first evaluation of the call raises it, a shorter step does not help,
-        so the error is passed on. All other errors are always passed on, and leave the particles in
-        the middle of the call.
+        of its length. A shorter step does not help if already the first evaluation of the call
+        raises the error, so it is then passed on. All other errors are always passed on, and leave
+        the particles in the middle of the call.
 
         Raises ArithmeticError if a step becomes too short to continue, as at a singularity, or if a
         call needs more than ``MOST_STEPS`` steps. The particles then keep the state after the last

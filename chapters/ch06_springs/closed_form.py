@@ -8,16 +8,16 @@ def damped_spring_state(
 ) -> tuple[float, float]:
     """Return the position in m and the velocity in m/s of a damped spring after ``time`` s (6.3.2).
 
-    The body starts at ``x0`` with the velocity ``v0``. At position 0 the spring exerts no force.
-    The equation of motion is m x'' = -k x - c x', where k is ``stiffness`` in N/m, c is ``damping``
+    The body starts at ``x0`` with the velocity ``v0``, and the spring pulls it toward position 0.
+    Its equation of motion is m x'' = -k x - c x', where k is ``stiffness`` in N/m, c is ``damping``
     in N s/m and m is ``mass`` in kg. The sign of c^2 - 4 k m decides how the body moves:
 
     - If c^2 < 4 k m, it oscillates through 0 (under-damped).
     - If c^2 = 4 k m, it comes to rest as quickly as possible (critically damped).
     - If c^2 > 4 k m, it creeps back to 0 without oscillating (over-damped).
 
-    The book covers only the first case (E-23). If the stiffness is 0, there is no spring force, and
-    only the damping slows the body down.
+    The book covers only the first case (E-23). If the stiffness is 0, there is no spring force, so
+    the body only coasts and is slowed down by the damping.
 
     Raises ValueError if the mass is not positive, the stiffness, damping or time is negative, or if
     an argument, k / m, c / m, the angle of the oscillation or a result is not finite. Raises

@@ -1,7 +1,8 @@
 """An integrator of your own that is accurate but evaluates the forces only a few times.
 
-The cost of a step is the number of times that it evaluates the forces. More evaluations can make it
-more accurate. The best compromise depends on the scene, which is an orbit here.
+The cost of a step is the number of times that it evaluates the forces. With more evaluations, a
+step can be more accurate, so every integrator is a compromise. Which compromise is best depends on
+the scene, and here the scene is an orbit.
 """
 
 from __future__ import annotations
@@ -15,18 +16,18 @@ from ch06_springs.integrators import ApplyForces
 def my_step(particles: Sequence[Particle], apply_forces: ApplyForces, duration: float) -> None:
     """Move ``particles`` by one time step with your own method.
 
-    ``duration`` is in s. You may divide it into as many parts as you like.
-    ``apply_forces(duration)`` evaluates the forces and adds them to the accumulators. Clear the
-    accumulators before you call it again, and at the end of the step. A particle's own acceleration
-    acts in addition to the forces.
+    ``duration`` is in s, and you may divide it into as many parts as you like. Each call of
+    ``apply_forces(duration)`` evaluates the forces and adds them to the accumulators, so clear the
+    accumulators before you call it again, and also at the end of the step. Do not forget a
+    particle's own acceleration, which acts in addition to the forces.
 
     The graded scene is simple: it has no damping, no forces that depend on a velocity, no forces
     added by hand and no immovable particles. In this scene the forces do not depend on the duration
     that you pass to ``apply_forces``.
 
-    The method is graded on one revolution of an orbit with an eccentricity of 0.5, in 60 frames.
-    Your step is called once per frame. The grade depends on two numbers. One is the number of
-    evaluations. The other is the error: the largest distance from the true orbit after any frame,
+    Your method is graded on one revolution of an orbit with an eccentricity of 0.5. The revolution
+    takes 60 frames, and your step is called once per frame. The grade depends on the number of
+    evaluations and on the error, which is the largest distance from the true orbit after any frame,
     in units of the semi-major axis. With at most 500 evaluations, an error of 1e-3 is good and 1e-4
     is better. The run is stopped after 5000 evaluations.
     """

@@ -1,4 +1,4 @@
-"""Going further: collisions with springs, and why they fail (E-36)."""
+"""Going further: use springs to keep particles out of the ground, and see why this fails (E-36)."""
 
 from __future__ import annotations
 
@@ -12,10 +12,11 @@ class PenaltyGround:
     ``height`` is in m, ``stiffness`` in N/m and ``damping`` in N s/m.
 
     No stiffness k works well. Soft ground is like a sponge, because a body at rest on it sinks in
-    by m g / k. Hard ground needs short steps h. It begins to push only after a step has ended below
-    the ground, and then it pushes for the whole next step. Without damping it may therefore throw a
-    body higher than the height from which it fell, unless k h^2 / m is far below 1. If k h^2 / m is
-    above 4, it even throws bodies that rest on it.
+    by m g / k. Hard ground has a different problem: it begins to push only when a step has ended
+    below the ground, and then it pushes for the whole next step, which may be too long. Without
+    damping it can therefore throw a body higher than the height from which it fell, unless k h^2 /
+    m is far below 1 for a step of h s. If k h^2 / m is above 4, the ground even throws bodies that
+    rest on it.
 
     Raises ValueError if the height is not finite, or another argument is negative or not finite.
     """
@@ -28,7 +29,7 @@ class PenaltyGround:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the upward force k depth - c v_y to a particle below the ground, if it is positive.
 
-        v_y is the upward velocity of the particle. Damping reduces the push on a particle that is
-        moving out of the ground, but it never pulls the particle back.
+        Here v_y is the upward velocity of the particle. The damping reduces the push on a particle
+        that is moving out of the ground, but the ground never pulls the particle back.
         """
         raise NotImplementedError("Exercise G6.1: Going further: collisions by a spring")

@@ -19,7 +19,7 @@ def hang_bridge(
 
     The anchor of each plank is ``height`` m straight above it. All springs have the same
     ``stiffness`` in N/m and ``damping`` in N s/m. The rest length of each spring is its current
-    length.
+    length, so the empty springs neither push nor pull at the start.
 
     Raises ValueError if the height is not positive, the stiffness or damping is negative, or one of
     them is not finite. In that case nothing is registered.
@@ -28,11 +28,12 @@ def hang_bridge(
 
 
 def load_bridge(planks: Sequence[Particle], x: float, weight: float) -> None:
-    """Add the weight of a walker to the plank before the walker and the plank after.
+    """Add the weight of a walker on the bridge to the planks on both sides of the walker.
 
     ``x`` is the walker's position in m, and ``weight`` is in N. ``planks`` are in order along x.
-    The two planks share the weight, and the nearer plank carries more of it. If the walker is
-    before the first plank or beyond the last one, that plank carries the whole weight.
+    The walker stands between two planks, which share the weight so that the nearer plank carries
+    more of it. If the walker is before the first plank or beyond the last one, that plank carries
+    the whole weight.
 
     Raises ValueError if there are no planks, ``x`` is not finite, or the weight is negative or not
     finite.

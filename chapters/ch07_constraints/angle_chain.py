@@ -1,6 +1,6 @@
 """Going further, complete: a chain of rods in a plane, described by its angles.
 
-The outer end of each rod can only move along a circle around the inner end. So one angle per rod
+The outer end of each rod can only move along a circle around the inner end, so one angle per rod
 describes the whole chain, just as one angle describes a pendulum. No step can make a rod too long,
 and with Runge-Kutta 4 the angles have an error of order 4.
 

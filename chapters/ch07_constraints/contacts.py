@@ -1,9 +1,10 @@
 """Contacts between two particles or between a particle and the world, and their resolver.
 
 A contact stores the direction in which two bodies touch, the depth of their overlap, and the
-restitution, which says how much of the speed is left after a bounce. To resolve it, the engine
-applies an impulse (a change of momentum in N s, E-24) and moves the two bodies apart. Impulses
-always conserve momentum, but kinetic energy only if the restitution is 1 (E-7).
+restitution, which says how much of the speed is left after a bounce. To resolve the contact, the
+engine applies an impulse (a change of momentum in N s, E-24) and moves the two bodies apart.
+Impulses always conserve momentum, but they conserve kinetic energy only if the restitution is 1
+(E-7).
 
 Lengths are in m, velocities in m/s.
 """
@@ -25,11 +26,11 @@ DEPTH_TOLERANCE = 1e-9  # m: a smaller depth counts as touching
 class Contact:
     """A contact between two particles, or with the immovable world if ``other`` is None.
 
-    ``normal`` is the unit vector that points from ``other`` to ``particle``. For two balls it is
-    the direction of pa - pb, and on the ground it is (0, 1, 0) (Eq. 7.2, 7.4). The contact stores a
-    copy. ``restitution`` is the separating speed after a bounce divided by the closing speed before
-    it. ``penetration`` is the depth of the overlap. It is 0 if the bodies just touch, and negative
-    if there is a gap. Later changes of the attributes are allowed, but they are not checked.
+    ``normal`` is a unit vector that points from ``other`` to ``particle``, and is copied. For two
+    balls it is the direction of pa - pb, and on the ground it is (0, 1, 0) (Eq. 7.2, 7.4).
+    ``restitution`` is the separating speed after a bounce divided by the closing speed before it.
+    ``penetration`` is the depth of the overlap, which is 0 if the bodies just touch, and negative
+    if there is a gap. Later changes of the attributes are not checked.
 
     Raises:
         ValueError: if the length of the normal differs from 1 by more than 1e-6, the restitution is
@@ -68,9 +69,9 @@ class Contact:
         self.penetration = penetration
 
     def separating_velocity(self) -> float:
-        """Return the separating velocity (va - vb) . n in m/s, which is negative when closing.
+        """Return the velocity in m/s at which the two bodies move apart, (va - vb) . n.
 
-        If ``other`` is None, vb is zero. Book 7.1.1, Eq. 7.2.
+        It is negative while they approach each other. If ``other`` is None, vb is zero (Eq. 7.2).
         """
         raise NotImplementedError("Exercise B7.1: Separating velocity")
 
@@ -88,8 +89,8 @@ class Contact:
         includes forces. Use 0 for an immovable or missing particle. The book uses only the constant
         acceleration, so a body under a gravity generator would jitter (7.2.3, E-26).
 
-        Time division resolves an impact when it happens. No such velocity has built up by then, so
-        pass a duration of 0.
+        Time division resolves each impact at the moment when it happens. No such velocity has built
+        up by then, so pass a duration of 0.
 
         Raises:
             ValueError: if the duration is negative or not finite, in every case.
@@ -151,11 +152,11 @@ class ContactGenerator(Protocol):
 class ContactResolver:
     """Resolves the contacts of a time step in two phases: velocities, then penetrations (7.3.1).
 
-    In each phase, the resolver always resolves the worst contact next, or the first of several
-    equally bad contacts. This can make other contacts better or worse, so the resolver compares all
-    contacts again afterward. ``iterations`` limits the number of resolutions in each phase. If it
-    is None, the limit is twice the number of contacts. ``iterations_used`` counts the resolutions
-    of both phases together in the last step.
+    In each phase, the worst contact comes next: the one that closes fastest, and then the deepest
+    one. Resolving it can make other contacts better or worse, so the resolver compares all contacts
+    again afterward. ``iterations`` limits the number of resolutions in each phase, and None means
+    twice the number of contacts. ``iterations_used`` counts the resolutions of both phases together
+    in the last step.
 
     Raises:
         ValueError: if ``iterations`` is less than 1.
@@ -175,7 +176,7 @@ class ContactResolver:
         """Resolve the velocities of all contacts, and then their penetrations.
 
         ``duration`` is the time step in s. This method changes velocities, positions and
-        penetrations. Contacts in which neither particle can move are ignored. They do not count
+        penetrations. It ignores contacts in which neither particle can move, so they do not count
         toward the limit.
 
         Raises:
@@ -191,8 +192,8 @@ class ContactResolver:
         """Repeatedly resolve the velocity of the contact that closes fastest.
 
         Stop after ``limit`` resolutions, or when no contact closes faster than
-        ``VELOCITY_TOLERANCE``. If several contacts are equally fast, take the first. Ignore
-        penetrations in this phase. In every contact at least one particle can move.
+        ``VELOCITY_TOLERANCE``. If several contacts are equally fast, take the first. This phase
+        ignores penetrations. You may assume that at least one particle of every contact can move.
 
         Returns:
             The number of resolutions.
@@ -208,8 +209,8 @@ class ContactResolver:
         this update (E-8).
 
         Stop after ``limit`` resolutions, or when no contact is deeper than ``DEPTH_TOLERANCE``. If
-        several contacts are equally deep, take the first. In every contact at least one particle
-        can move.
+        several contacts are equally deep, take the first. You may assume that at least one particle
+        of every contact can move.
 
         Returns:
             The number of resolutions.

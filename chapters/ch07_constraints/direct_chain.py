@@ -5,9 +5,9 @@ long chain, a pull therefore needs many iterations to travel from link to link. 
 tensions together instead, so no rod is too long afterward.
 
 The tension of a rod changes only three lengths: the length of this rod, and the lengths of its two
-neighbors. So each equation for the tensions has at most three unknowns. The equations are solved
-from the anchor to the free end and back. This takes about as much work per rod as resolving it
-once.
+neighbors. Each equation for the tensions therefore has at most three unknowns, so the equations can
+be solved from the anchor to the free end and back. This takes about as much work per rod as
+resolving it once.
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
 """Going further, complete: sparse symmetric equations, solved by elimination (LDL^T).
 
-Most coefficients in the equations of a net are 0. The reason is that the pull of a link appears
-only in the equations of links that share a particle with it. Elimination turns some of these zeros
-into other numbers. They are called fill-in, and they cost time. The amount of fill-in depends on
-the order of elimination. A good rule is minimum degree: always eliminate the unknown whose equation
-has the fewest other unknowns (Tinney and Walker, Proceedings of the IEEE 55, 1967, 1801). The
-nonzero coefficients of a net are always in the same positions, so the order is found only once.
+Most coefficients in the equations of a net are 0, because the pull of a link appears only in the
+equations of links that share a particle with it. Elimination turns some of these zeros into other
+numbers, which are called fill-in and cost time. How many there are depends on the order of
+elimination. A good rule is minimum degree: always eliminate the unknown whose equation has the
+fewest other unknowns (Tinney and Walker, Proceedings of the IEEE 55, 1967, 1801). The nonzero
+coefficients of a net are always in the same positions, so the order is found only once.
 """
 
 from __future__ import annotations

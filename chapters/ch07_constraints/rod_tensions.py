@@ -29,9 +29,9 @@ class RodTensions:
 
     Every integrator makes a small error in each step, so the rods slowly become too long or too
     short. ``correction``, in 1/s, is the rate at which a rod returns to its length. With a rate of
-    0 the errors add up. With a rate of 5 they stay small. Rates near the number of steps per second
-    make the chain stiff and lower the order of the integrator. Source: J. Baumgarte, Computer
-    Methods in Applied Mechanics and Engineering 1 (1972), pp. 1-16.
+    0 the errors add up, and with a rate of 5 they stay small. A rate near the number of steps per
+    second is too high, because it makes the chain stiff and lowers the order of the integrator.
+    Source: J. Baumgarte, Computer Methods in Applied Mechanics and Engineering 1 (1972), pp. 1-16.
 
     Raises:
         ValueError: if a rod has no length, if a particle other than the last is immovable, or if

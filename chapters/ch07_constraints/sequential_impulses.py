@@ -83,9 +83,9 @@ class Row:
 class SequentialImpulses:
     """Steps particles and resolves their contacts with impulses, which it remembers between steps.
 
-    ``generators`` are contact generators of this chapter. Use TwoSidedRod instead of Rod. A Rod of
-    the right length has no contact, so there would be no impulse to remember. ``iterations`` is the
-    number of visits to each contact in a step.
+    ``generators`` are contact generators of this chapter. Use TwoSidedRod instead of Rod, because a
+    Rod of the right length has no contact and therefore no impulse to remember. ``iterations`` is
+    the number of visits to each contact in a step.
 
     Raises:
         ValueError: if ``iterations`` is less than 1.

@@ -1,14 +1,15 @@
 """Going further, complete: soft constraints with small steps, known as XPBD.
 
-This solver applies no impulses. It corrects positions, and then computes the velocities from the
-distances that the particles have moved. Each constraint has a compliance, which is the inverse of a
-stiffness. A rope with a compliance of 0.001 m/N becomes 1 mm longer for each newton of pull, and a
-compliance of 0 makes a constraint hard. The solver stays stable at any stiffness, because its
+Instead of applying impulses, this solver corrects positions, and then computes the velocities from
+the distances that the particles have moved. Each constraint has a compliance, which is the inverse
+of a stiffness. A rope with a compliance of 0.001 m/N becomes 1 mm longer for each newton of pull,
+and a compliance of 0 makes a constraint hard. The solver stays stable at any stiffness, because its
 corrections are those of an implicit step.
 
 Each constraint is corrected once per step. If that is not accurate enough, use shorter steps
-instead of more iterations. For the same work they give a much smaller error (Macklin and others,
-"Small Steps in Physics Simulation", 2019). The solver remembers nothing from one step to the next.
+instead of more iterations, because for the same work they give a much smaller error (Macklin and
+others, "Small Steps in Physics Simulation", 2019). The solver remembers nothing from one step to
+the next.
 """
 
 from __future__ import annotations

@@ -1,10 +1,11 @@
 """Time division: a time step that stops at each impact, so that each one is resolved on time (7.3).
 
-An ordinary step finds a collision only after the bodies overlap. Time division predicts when the
-next impact happens, moves all particles to that moment, resolves the impact, and continues from
-there. Between impacts every particle moves exactly as its constant acceleration requires. So the
-motion is exact as long as bodies fly freely and bounce, as in billiards. The cost grows with the
-number of impacts. A body at rest has endless impacts, so use a resolver for resting bodies.
+An ordinary step finds a collision only after the bodies overlap. Time division instead predicts
+when the next impact happens, moves all particles to that moment, resolves the impact, and continues
+from there. Between impacts, every particle moves exactly as its constant acceleration requires. The
+motion is therefore exact as long as bodies only fly and bounce, as in billiards. The price is that
+the cost grows with the number of impacts, and a body at rest has endless impacts. So use a resolver
+for resting bodies.
 """
 
 from __future__ import annotations
@@ -41,17 +42,18 @@ def time_division_step(
 
     The acceleration of a particle is constant during the step. It is the particle's own
     acceleration plus f / m, where f is the sum of the forces added before the step. The step uses
-    up these forces, as ``Particle.integrate`` does. Detectors need this acceleration to predict
-    impacts, so ``last_acceleration`` returns it from the start of the step.
+    up these forces, as ``Particle.integrate`` does. It must do so before it looks for impacts,
+    because detectors read the acceleration from ``last_acceleration``.
 
     Between impacts the motion is exact: p + v t + a t^2 / 2. At each impact that ``detector`` finds
     in the rest of the step, resolve the velocity of its contact with a duration of 0. Do not
-    resolve penetrations. At the end of the step, multiply each velocity once by d^h, where d is the
-    particle's damping and h is ``duration``. Immovable particles do not move.
+    resolve its penetration, because bodies just touch at an impact. At the end of the step,
+    multiply each velocity once by d^h, where d is the particle's damping and h is ``duration``.
+    Immovable particles do not move.
 
-    Impacts at the same time are resolved one after the other, in the detector's order. So a ball
-    that hits a row of touching balls passes its motion on to the last ball. If two balls hit a
-    third ball from both sides at once, the result depends on the order.
+    Impacts at the same time are resolved one after the other, in the order in which the detector
+    finds them. A ball that hits a row of touching balls therefore passes its motion on to the last
+    ball. If two balls hit a third ball from both sides at once, the result depends on the order.
 
     Raises:
         ValueError: if the duration is not positive and finite, or ``max_impacts`` is less than 1.

@@ -1,8 +1,8 @@
 """The plan of the rope bridge: the number, size and position of its planks. This file is complete.
 
 The bridge runs along X, and Y points up. Its dimensions are close to those in the book's demo. Each
-plank has a particle of 1 kg at both of its ends, which are 2 m apart. At the start, the cables
-between the rows are 10 cm too short (8.2).
+plank has a particle of 1 kg at both of its ends, which are 2 m apart. The cables between the rows
+are 10 cm shorter than the rows are apart at the start, so they pull at once (8.2).
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def make_rows() -> list[Row]:
 def support_length(row: int) -> float:
     """Return the length in m of the cables from which the row with the index ``row`` hangs.
 
-    The lengths are from 3 to 4 m. The cables in the middle of the bridge are the longest.
+    The lengths are from 3 to 4 m, and the cables in the middle of the bridge are the longest.
     """
     return 3.0 + 0.5 * min(row, ROWS - 1 - row)
 

@@ -21,8 +21,8 @@ def fewest_rods(count: int) -> int:
     """Return the smallest number of rods that can make ``count`` particles in space rigid (8.2).
 
     Each particle can move in three independent directions, and each rod prevents at most one
-    independent motion. A rigid body can still move in six ways: along three axes, and by rotating
-    about each of them. So six motions remain. There are two exceptions:
+    independent motion. You need enough rods to leave only the six motions of a rigid body, which
+    can move along three axes and rotate about each of them. There are two exceptions:
 
     - Two particles joined by a rod have only five motions left, because a rotation about the rod
       itself changes nothing.
@@ -39,7 +39,7 @@ def cube_rods() -> list[tuple[int, int]]:
     """Return rods that make the cube rigid, as pairs of indices into ``CORNERS`` (8.2).
 
     Any set of rods is accepted if it only allows the cube to move and rotate as a whole. You need
-    at least ``fewest_rods(8)`` rods. The number alone is not enough, because the rods must also
+    at least ``fewest_rods(8)`` rods, but the number alone is not enough, because the rods must also
     join the right corners.
     """
     raise NotImplementedError("Exercise 8.2: A cube of rods")
@@ -48,7 +48,7 @@ def cube_rods() -> list[tuple[int, int]]:
 class Cube:
     """A cube that falls on one of its corners: its ``particles``, ``rods`` and ``world``.
 
-    The cube starts at rest and is slightly rotated. Its lowest corner starts at ``height``, in m.
+    The cube starts at rest and slightly rotated, with its lowest corner at ``height``, in m.
     ``rods`` is a list of pairs of corner indices. If it is None, the cube uses ``cube_rods()``.
 
     Raises:
@@ -77,7 +77,7 @@ class Cube:
 
 
 def _turned(x: float, y: float, z: float) -> Vector3:
-    """Rotate a position by pi / 8 about Z, and then by pi / 8 about X, and return the result.
+    """Return a position of the cube, rotated by pi / 8 about Z and then by pi / 8 about X.
 
     Without the rotation, the cube would land on all four lower corners at once and would not
     tumble.

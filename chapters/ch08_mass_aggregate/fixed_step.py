@@ -1,9 +1,9 @@
 """Run the simulation with a fixed time step at any frame rate, by accumulating the elapsed time.
 
-Frames do not all take the same time. One may take 5 ms, and the next one half a second because the
-disk is busy. If each time step were as long as its frame, a long step would let bodies pass through
-each other or make the simulation explode. A fixed time step prevents this, and it gives the same
-results on every machine. Arguments of the wrong type raise TypeError.
+Frames do not all take the same time. One frame may take 5 ms, and the next one half a second
+because the disk is busy. If each time step were as long as its frame, such a long step would let
+bodies pass through each other or make the simulation explode. A fixed time step prevents this, and
+it gives the same results on every machine. Arguments of the wrong type raise TypeError.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ class FixedStep:
 
     ``step`` can be any function that takes a duration in s, such as ``ParticleWorld.step``.
     ``left`` is the time in s that has passed but has not been simulated yet. It is always shorter
-    than one step. It is never negative, except for rounding errors.
+    than one step and, apart from rounding errors, never negative.
 
-    ``max_steps`` limits the number of steps in one call of ``advance``. Without a limit, a machine
-    that is too slow for the steps would fall further and further behind. If ``max_steps`` is None,
-    there is no limit. ``dropped`` is the total time in s that was skipped because of the limit.
+    ``max_steps`` limits the number of steps in one call of ``advance``, and None means no limit.
+    Without a limit, a machine that is too slow for the steps would fall further and further behind.
+    ``dropped`` is the total time in s that was skipped because of the limit.
 
     Raises:
         ValueError: if the duration is not positive and finite, or ``max_steps`` is less than 1.
@@ -51,12 +51,12 @@ class FixedStep:
         """Advance the simulation by ``elapsed`` seconds, and return how many steps were made.
 
         Time that is too short for a whole step stays in ``left`` until the next call. Because of
-        rounding, ``left`` can be slightly too short even though a step is due. So make a step even
-        if up to the fraction ``SHARE`` of its duration is missing. Sixty frames of 1/60 s then give
-        exactly sixty steps.
+        rounding errors, ``left`` can be slightly shorter than a step even though a step is due. So
+        make a step even if up to the fraction ``SHARE`` of its duration is missing. Sixty frames of
+        1/60 s then give exactly sixty steps.
 
-        If more than ``max_steps`` steps are due, skip the steps beyond the limit. Subtract their
-        time from ``left`` and add it to ``dropped``.
+        If more than ``max_steps`` steps are due, skip the steps beyond the limit by moving their
+        time from ``left`` to ``dropped``.
 
         If a step raises an exception, let the exception propagate and leave the time of that step
         in ``left``, so that the next call makes the step again.

@@ -1,9 +1,10 @@
 """Find out which particles of a world are connected to each other. This file is complete.
 
-Two particles are connected if they touch, or if the force on one depends on the other. A contact
-stores its particles as attributes. A force generator must therefore also keep the particles on
-which its force depends in public attributes. The generators of chapters 6 and 8 already do so,
-because they store each of these particles under the name of its argument.
+Two particles are connected if they touch, or if the force on one of them depends on the other. To
+find such pairs, this file reads attributes. A contact stores its two particles in attributes, and a
+force generator must also store the particles on which its force depends in public attributes. The
+generators of chapters 6 and 8 already do so, because they store each of these particles under the
+name of its argument.
 """
 
 from __future__ import annotations
@@ -49,12 +50,13 @@ def joined(registry: ForceRegistry) -> list[Pair]:
 def partners(generator: object) -> list[Particle]:
     """Return the particles that ``generator`` stores in the attributes listed in PARTNERS.
 
-    Such an attribute is a particle, or a list or tuple of particles. Any other value is ignored.
+    The value of such an attribute is a particle, or a list or tuple of particles. Any other value
+    is ignored.
 
     If you write a generator whose force depends on other particles, give it one of these
-    attributes. If the generator stores the particles in some other way, you can add a property
-    called ``particles``. A generator without such an attribute joins nothing. A particle that it
-    pushes then sleeps independently of other particles, and wakes when the push changes.
+    attributes, or a property called ``particles`` if it stores the particles in some other way. A
+    generator without such an attribute joins nothing, so a particle that it pushes sleeps
+    independently of other particles, and wakes when the push changes.
     """
     found: list[Particle] = []
     for name in PARTNERS:

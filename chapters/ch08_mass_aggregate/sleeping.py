@@ -1,9 +1,9 @@
 """Going further: particles at rest fall asleep and cost almost nothing until something wakes them.
 
 Most bodies in a game lie still most of the time, but the engine spends as much time on them as on
-moving bodies. The rest of the engine already skips immovable particles. So the world makes a
-particle immovable while it sleeps. It stores the particle's inverse mass, and restores it when the
-particle wakes.
+moving bodies. It can save this time, because the rest of the engine already skips immovable
+particles. So the world makes a particle immovable while it sleeps: it stores the particle's inverse
+mass, and restores it when the particle wakes.
 """
 
 from __future__ import annotations
@@ -39,10 +39,11 @@ class Sleep:
 class SleepingWorld(ParticleWorld):
     """A ParticleWorld in which groups of touching particles fall asleep when they are at rest.
 
-    A particle is slow if its kinetic energy per kg of mass is at most ``sleep_energy``, in J/kg, at
-    the end of a step. It is tired after ``sleep_frames`` slow steps in a row. A group falls asleep
-    when all of its particles are tired. A sleeping particle has no velocity, and its mass is
-    ``math.inf``. The dict ``asleep`` maps each sleeping particle to its Sleep.
+    A step counts as slow for a particle if the particle's kinetic energy per kg of mass is at most
+    ``sleep_energy``, in J/kg, at the end of the step. After ``sleep_frames`` slow steps in a row
+    the particle is tired, and when all particles of a group are tired, the group falls asleep. A
+    sleeping particle has no velocity, and its mass is ``math.inf``. The dict ``asleep`` maps each
+    sleeping particle to its Sleep.
 
     The world cannot notice every change. Call ``wake`` for a sleeping particle yourself before you
     move the ground or an anchor under it, join something new to it, or make it immovable.
@@ -77,30 +78,32 @@ class SleepingWorld(ParticleWorld):
         """Wake ``particle``, its neighbors, their neighbors, and so on.
 
         Particles that fell asleep together therefore wake together. Each of them gets its mass
-        back, unless you have given it another finite mass in the meantime. Their counts of slow
-        steps restart at 0, and so does the count of ``particle`` if it was already awake.
+        back, unless you have given it another finite mass in the meantime, and starts to count its
+        slow steps from 0 again. If ``particle`` was already awake, only its count restarts.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def wake_moved(self) -> None:
         """Wake every sleeping particle that was changed by hand since it fell asleep.
 
-        A sleeping particle was changed if it has a velocity, a new position, a finite mass, or a
-        force in its accumulator.
+        If nobody changes a sleeping particle, it keeps its position and its infinite mass, it has
+        no velocity, and its accumulator contains no force. So wake it if one of these is no longer
+        true.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
     def wake_pushed(self, duration: float) -> None:
         """Wake every sleeping particle on which the force generators now act differently.
 
-        The current acceleration of a particle is a + f / m, where f is the sum of the generators'
-        forces. Compare it with the acceleration that the particle had when it fell asleep. The
-        particle wakes if the change is more than ``SAME`` times the larger of two numbers: the
-        current |a| + |f / m|, and the magnitude of the old acceleration.
+        Compute the current acceleration a + f / m of each sleeping particle, where f is the sum of
+        the generators' forces, and compare it with the acceleration that the particle had when it
+        fell asleep. The particle wakes if the change is more than ``SAME`` times the larger of two
+        numbers: the current |a| + |f / m|, and the magnitude of the old acceleration.
 
         Call only generators that are registered for sleeping particles. Give each sleeping particle
         its original mass during these calls, because a generator may use the mass. The accumulators
-        of sleeping particles are empty before and after.
+        of sleeping particles are empty when this method starts, and must be empty again when it
+        returns.
         """
         raise NotImplementedError("Exercise G8.1: Going further: sleep")
 
@@ -114,9 +117,9 @@ class SleepingWorld(ParticleWorld):
     def fall_asleep(self, contacts: Iterable[Contact]) -> None:
         """Count one step, and put to sleep every group in which all particles are tired.
 
-        Two particles are connected if they were in contact in one of the last ``sleep_frames``
-        steps, or if a generator of the registry joins them. Particles that are connected, directly
-        or through other particles, form a group. Immovable particles do not connect groups, and
+        Particles that are connected, directly or through other particles, form a group. Two
+        particles are connected if they were in contact in one of the last ``sleep_frames`` steps,
+        or if a generator of the registry joins them. Immovable particles do not connect groups, and
         they never sleep.
 
         A group falls asleep as a whole or not at all, because a particle that still moves would
@@ -128,7 +131,7 @@ class SleepingWorld(ParticleWorld):
     def run_physics(self, duration: float) -> None:
         """Move all particles that are awake forward by one time step. ``duration`` is in s.
 
-        - Wake the particles that were moved by hand. In every LOOK_EVERY-th step, also wake the
+        - Wake the particles that were changed by hand. In every LOOK_EVERY-th step, also wake the
           particles on which the generators now act differently.
         - If all particles sleep, the step is finished.
         - Otherwise, call the integrator with only the particles that are awake.

@@ -1,8 +1,8 @@
 """A platform that tilts on a pivot, and a weight that tips it (book 8.2.2, mini-project 8.1).
 
-Seen from the side, the platform is a V made of rods. The tip of the V is a pivot on the ground, and
-the right end is farther from the pivot than the left end. The platform consists of two such Vs, at
-z = -1 and z = 1, with rods between them. Arguments of the wrong type raise TypeError.
+Seen from the side, the platform is a V made of rods, whose tip is a pivot on the ground. The right
+end is farther from the pivot than the left end. In space the platform consists of two such Vs, at z
+= -1 and z = 1, with rods between them. Arguments of the wrong type raise TypeError.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ ITERATIONS = 100  # per phase
 def rods_of(particles: Sequence[Particle]) -> list[Rod]:
     """Return rods that make the platform rigid, so that it can tilt but not move in any other way.
 
-    ``particles`` are in the order of ``PLACES``. The first two are the pivot, and are immovable.
-    You choose which particles to join, and you may use more rods than necessary. The length of each
-    rod is the current distance between its ends.
+    ``particles`` are in the order of ``PLACES``, so the first two are the pivot, which is
+    immovable. You choose which particles to join, and you may use more rods than necessary. The
+    length of each rod is the current distance between its ends.
     """
     raise NotImplementedError("Exercise B8.6: A platform that can only tilt")
 
@@ -44,10 +44,10 @@ def rods_of(particles: Sequence[Particle]) -> list[Rod]:
 def balancing_mass(masses: Sequence[float], places: Sequence[float], x: float) -> float:
     """Return the mass in kg that balances the platform when it is placed at ``x``.
 
-    The pivot is at 0. ``masses`` are the masses in kg that are already on the platform. ``places``
-    are their positions in m along the platform, and are negative to the left of the pivot. Each
-    mass exerts a torque that is proportional to its mass times its position. The platform is
-    balanced if all torques add up to zero.
+    The platform already carries other masses: ``masses`` in kg, at the positions ``places`` in m.
+    Positions are measured along the platform from the pivot, and are negative to the left of it.
+    Each mass exerts a torque that is proportional to its mass times its position, and the platform
+    is balanced if all torques add up to zero.
 
     Raises:
         ValueError: if a number is not finite, a mass is negative, ``places`` and ``masses`` differ
@@ -77,8 +77,9 @@ class TiltingPlatform:
     def free_pivot(self) -> None:
         """Make the pivot movable, so that it only stands on the ground (8.1).
 
-        Give each of its two particles the mass ``MASS``. The platform must stay rigid. If no rod
-        joins these two particles yet, add one to ``self.rods`` and to the generators of the world.
+        Give each of its two particles the mass ``MASS``. An immovable pivot needed no rod between
+        these two particles, but now nothing else keeps their distance. So if no rod joins them yet,
+        add one to ``self.rods`` and to the generators of the world, which keeps the platform rigid.
         The ground has no friction. This method is called only once.
         """
         raise NotImplementedError("Exercise 8.1: Free the pivot")
@@ -86,10 +87,10 @@ class TiltingPlatform:
     def put_weight(self, mass: float, x: float) -> None:
         """Replace the current weight with a weight of ``mass`` at ``x``.
 
-        ``mass`` is in kg. ``x`` is the position along the platform in m, from ``LEFT`` to
+        ``mass`` is in kg, and ``x`` is the position along the platform in m, from ``LEFT`` to
         ``RIGHT``. There is no particle at this position, so the two ends of the platform carry the
         weight. Divide the mass between the ends so that their torque about the pivot equals the
-        torque of the weight at ``x``. Each end consists of two particles. Each of these particles
+        torque of the weight at ``x``. Since each end consists of two particles, each of them
         carries half of the mass at its end, in addition to its own ``MASS``.
 
         Raises:
@@ -99,7 +100,7 @@ class TiltingPlatform:
         raise NotImplementedError("Exercise B8.7: What tips a platform")
 
     def tilt(self) -> float:
-        """Return the tilt angle in radians.
+        """Return the angle in radians by which the platform is tilted.
 
         It is 0 at the start, and positive if the right end is higher.
         """

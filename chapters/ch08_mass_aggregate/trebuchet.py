@@ -1,8 +1,8 @@
 """A trebuchet: a heavy counterweight throws a projectile from a sling (project 8.2).
 
 Everything is in the X-Y plane, and the projectile flies toward positive X. A beam rotates on an
-immovable pivot. The beam is bent at the pivot, so three rods are enough to make it rigid. Its short
-arm carries the counterweight, and the sling hangs from the tip of its long arm.
+immovable pivot. Its short arm carries the counterweight, and the sling hangs from the tip of its
+long arm. Because the beam is bent at the pivot, three rods are enough to make it rigid.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ MOST_WEIGHT, LONGEST_BEAM = 400.0, 5.0  # kg, and m for both arms: the limits of
 
 @dataclass(frozen=True)
 class Design:
-    """The design of a trebuchet. Masses are in kg, lengths in m, and angles in degrees.
+    """The design of a trebuchet, with masses in kg, lengths in m, and angles in degrees.
 
     The sling releases the projectile as soon as it flies forward and its direction is at most
     ``release_angle`` above the horizontal.
@@ -62,10 +62,10 @@ class Design:
 class Throw:
     """The result of a throw: its range, and the share of the energy that reached the projectile.
 
-    The range is in m, measured from the pivot. The share is the energy that the projectile has
-    gained, divided by the energy that the counterweight has lost, both from the start to the
-    release. The projectile gains kinetic and potential energy, and the counterweight loses
-    potential energy. If the projectile was never released, both numbers are 0.
+    The range is in m, measured from the pivot. The share tells you how much of the counterweight's
+    energy was used for the throw: it is the kinetic and potential energy that the projectile has
+    gained, divided by the potential energy that the counterweight has lost, both from the start to
+    the release. If the projectile was never released, both numbers are 0.
     """
 
     range: float
@@ -77,8 +77,8 @@ def my_design() -> Design:
 
     The counterweight may be at most ``MOST_WEIGHT``, and the two arms together may be at most
     ``LONGEST_BEAM``. Your grade depends on the range and on the share of the energy that reaches
-    the projectile. A range of 60 m and a share of 40 % are good, and 80 m and 50 % are better. Only
-    the numbers in your design count, because the checks do not use your simulation for this.
+    the projectile. A range of 60 m and a share of 40 % are good, and 80 m and 50 % are better. The
+    checks throw with their own simulation, so only the numbers in your design count.
     """
     raise NotImplementedError("Exercise P8.2b: Your own trebuchet")
 
@@ -86,8 +86,8 @@ def my_design() -> Design:
 class Trebuchet:
     """A trebuchet built from ``design``: its particles, and the ``world`` in which they move.
 
-    The particles are ``pivot``, ``weight`` (the counterweight), ``tip`` and ``projectile``. They
-    start at rest. ``flies`` is False until the sling has released the projectile.
+    The particles are ``pivot``, ``weight`` (the counterweight), ``tip`` and ``projectile``, and
+    they all start at rest. ``flies`` is False until the sling has released the projectile.
     """
 
     def __init__(self, design: Design) -> None:
@@ -110,17 +110,17 @@ class Trebuchet:
     def beam(self) -> list[ContactGenerator]:
         """Return rods that join the pivot, the counterweight and the tip into a rigid beam.
 
-        Use the current positions of these particles for the lengths of the rods. Any set of rods
-        that makes the beam rigid is accepted.
+        Any set of rods that makes the beam rigid is accepted. The length of each rod is the current
+        distance between its ends.
         """
         raise NotImplementedError("Exercise P8.2a: A trebuchet")
 
     def lets_go(self) -> bool:
         """Return whether the sling should release the projectile now.
 
-        The projectile must fly forward, at the release angle or lower. It must also be above the
-        pivot. Without this second condition the sling would release it too early, because it also
-        swings forward below the pivot before the actual throw.
+        Release it when it flies forward, at the release angle or lower, and is above the pivot. The
+        second condition is necessary because the projectile also swings forward below the pivot
+        before the actual throw. Without it, the sling would release the projectile too early.
         """
         raise NotImplementedError("Exercise P8.2a: A trebuchet")
 
@@ -139,9 +139,9 @@ class Trebuchet:
         """Simulate the throw, and return its range and share (P8.2a).
 
         Make steps of ``STEP`` until the sling releases the projectile. From then on the projectile
-        flies without drag until it reaches the ground, which is at a height of 0. Return Throw(0.0,
-        0.0) if the projectile reaches the ground while it is still in the sling, or if it has not
-        been released within ``TIME_LIMIT``. Call this method only on a new trebuchet, because a
-        trebuchet can throw only once.
+        flies without drag until it reaches the ground, which is at a height of 0. The throw fails
+        if the projectile reaches the ground while it is still in the sling, or if it has not been
+        released within ``TIME_LIMIT``. In that case return Throw(0.0, 0.0). Call this method only
+        on a new trebuchet, because a trebuchet can throw only once.
         """
         raise NotImplementedError("Exercise P8.2a: A trebuchet")

@@ -1,6 +1,6 @@
 """A wheel of rods around an immovable hub, driven at its rim (mini-project 8.3).
 
-The wheel rotates in the X-Y plane. A positive angular velocity is counter-clockwise.
+The wheel rotates in the X-Y plane, and a positive angular velocity is counter-clockwise.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ ITERATIONS = 200  # per phase
 def rods_of(hub: Particle, rim: Sequence[Particle]) -> list[Rod]:
     """Return the rods of a wheel: its spokes, and the rods along its rim (8.3a).
 
-    ``rim`` has three or more particles, in order. A spoke joins the hub to each rim particle.
-    Another rod joins each rim particle to the next one, and the last rim particle to the first one.
-    The length of each rod is the current distance between its ends.
+    ``rim`` has three or more particles, in order. A spoke joins the hub to each of them. The rods
+    along the rim join each particle to the next one, and the last particle to the first. The length
+    of each rod is the current distance between its ends.
     """
     raise NotImplementedError("Exercise 8.3a: A wheel")
 
@@ -40,9 +40,9 @@ class RimDrive:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add the force in N, in the X-Y plane and at a right angle to the spoke of ``particle``.
 
-        A positive force rotates the wheel counter-clockwise. The magnitude of the force does not
-        depend on the distance from the hub. A particle at the hub's position gets no force, because
-        the direction would be undefined there.
+        A positive force rotates the wheel counter-clockwise. The force is the same at every
+        distance from the hub, but a particle at the hub's position gets no force, because the
+        direction would be undefined there.
         """
         raise NotImplementedError("Exercise 8.3b: Drive the rim")
 
@@ -50,10 +50,9 @@ class RimDrive:
 def spin(hub: Particle, rim: Sequence[Particle]) -> float:
     """Return the angular velocity of a wheel about its hub in rad/s.
 
-    The angular velocity is the angular momentum divided by the moment of inertia. The angular
-    momentum is the sum of m (x v_y - y v_x), and the moment of inertia is the sum of m (x^2 + y^2).
-    Positions and velocities are relative to the hub, which may itself move. Return 0 if the moment
-    of inertia is zero.
+    Divide the angular momentum of the rim, which is the sum of m (x v_y - y v_x), by its moment of
+    inertia, which is the sum of m (x^2 + y^2). The hub may itself move, so use positions and
+    velocities relative to the hub. Return 0 if the moment of inertia is zero.
     """
     raise NotImplementedError("Exercise 8.3b: Drive the rim")
 
@@ -61,7 +60,8 @@ def spin(hub: Particle, rim: Sequence[Particle]) -> float:
 def deformation(rods: Sequence[Rod]) -> float:
     """Return the largest relative error in the length of a rod (8.3c).
 
-    The relative error is the error divided by the rod's length. Return 0 if there are no rods.
+    The relative error is the difference between the actual and the intended length, divided by the
+    intended length. Return 0 if there are no rods.
     """
     raise NotImplementedError("Exercise 8.3c: Does it deform?")
 

@@ -1,7 +1,7 @@
 """Angular velocity and acceleration, and a time step for an orientation (book 9.3 and 9.4.11).
 
-An angular velocity is a vector in world axes, in rad/s. Its direction is the axis of rotation, and
-its length is the angular speed. The functions raise TypeError for an argument of the wrong type.
+An angular velocity is a vector in world axes: its direction is the axis of rotation, and its length
+is the angular speed in rad/s. The functions raise TypeError for an argument of the wrong type.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ def velocity_of_point(
 ) -> Vector3:
     """Return the velocity of a point on a moving and rotating object as a new vector (Eq. 9.6).
 
-    The object moves with ``velocity`` in m/s, and also rotates about ``position`` in m. ``point``
-    is the world position of the point in m. ``angular_velocity`` is in rad/s.
+    The object as a whole moves with ``velocity`` in m/s, and it also rotates about ``position`` in
+    m. ``point`` is the world position of the point in m. ``angular_velocity`` is in rad/s.
 
     Raises:
         ValueError: if a component is not finite.
@@ -32,26 +32,28 @@ def integrate_rotation(
 ) -> None:
     """Advance an orientation and an angular velocity, in place, by one step of semi-implicit Euler.
 
-    First the angular velocity w changes to w' = w + alpha h. Then the orientation rotates by w' h.
-    Finally it is normalized, so that its length does not drift because of rounding errors.
-    ``angular_acceleration`` (alpha) is in rad/s^2 and ``duration`` (h) in s. The method is of order
-    1 if the axis of rotation changes.
+    First the angular velocity w changes to w' = w + alpha h, and then the orientation rotates by w'
+    h. After that it is normalized, because rounding errors would otherwise let its length drift.
+    ``angular_acceleration`` (alpha) is in rad/s^2 and ``duration`` (h) in s. If the axis of
+    rotation changes, the method is only of order 1.
 
     Raises:
         ValueError: if the duration is not positive and finite, or a component is not finite. After
-            this error and after a TypeError, nothing has changed.
+            this error, and also after a TypeError, both arguments are unchanged.
     """
     raise NotImplementedError("Exercise B9.18: The velocity of a point, and a rotation step")
 
 
 def first_order_drift(angular_speed: float, duration: float, steps: int) -> tuple[float, float]:
-    """Return the errors of Eq. 9.5 for a steady rotation: the final length and the missing angle.
+    """Return two errors of Eq. 9.5 for a steady rotation: the final length and the missing angle.
 
-    A unit quaternion rotates about one axis at ``angular_speed`` in rad/s for ``duration`` in s. It
-    makes ``steps`` equal steps of ``Quaternion.add_scaled``, and is never normalized. The first
-    result is its length at the end. The second result is the angle in radians by which it lags
-    behind: ``angular_speed`` times ``duration``, minus the angle of the quaternion. This angle is
-    negative for a negative speed. Normalizing would correct the length (E-31) but not the angle.
+    A unit quaternion should rotate about one axis at ``angular_speed`` in rad/s for ``duration`` in
+    s. It makes ``steps`` equal steps of ``Quaternion.add_scaled``, and is never normalized, so that
+    the errors add up. The first result is the length of the quaternion at the end, which should be
+    1. The second result is an angle in radians: the angle by which it should have rotated,
+    ``angular_speed`` times ``duration``, minus the angle by which it has rotated. For a negative
+    speed this difference is negative. Normalizing would correct the length (E-31), but not the
+    angle.
 
     >>> length, angle = first_order_drift(2 * math.pi, 1.0, 60)  # a turn a second, 60 frames
     >>> round(length, 4), round(math.degrees(angle), 4)

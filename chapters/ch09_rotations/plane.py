@@ -1,8 +1,8 @@
 """Angles, directions and points in the plane, and the center of mass (book 9.1).
 
 A point or direction is a tuple (x, y). Angles are in radians, counter-clockwise from the X axis
-toward the Y axis. The functions do not change their arguments. They raise ValueError for a number
-that is not finite, and TypeError for anything that is not a number.
+toward the Y axis. The functions do not change their arguments, and they raise ValueError for a
+number that is not finite, and TypeError for anything that is not a number.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ Point = tuple[float, float]
 def wrap_angle(angle: float) -> float:
     """Return the equivalent angle in the range -pi < angle <= pi (9.1.1).
 
-    Angles that differ by 2 pi have the same direction, so wrap angles before you compare them. For
-    both pi and -pi the result is pi.
+    Angles that differ by a full turn point in the same direction, so wrap them before you compare
+    them. The angles pi and -pi are the same direction too, and both give pi.
     """
     raise NotImplementedError("Exercise B9.1: Wrapping an angle")
 
@@ -30,7 +30,8 @@ def rotate_point(point: Point, angle: float, origin: Point) -> Point:
     """Return the world position of a point that is given relative to an object (Eq. 9.2).
 
     ``angle`` is the object's orientation in the world, and ``origin`` is its position. Rotate
-    ``point`` first, and then add ``origin``.
+    ``point`` first and then add ``origin``, because in the other order the position would rotate
+    too.
 
     >>> x, y = rotate_point((1.5, -0.75), 3 * math.pi / 8, (4, 3.85))  # a headlight of a car
     >>> round(x, 2), round(y, 2)
@@ -45,7 +46,7 @@ def center_of_mass(masses: Sequence[float], positions: Sequence[Point]) -> Point
     ``masses`` are in kg. ``positions`` are in m, in the same order as the masses.
 
     Raises:
-        ValueError: also if there are no masses, if the numbers of masses and positions differ, or
-            if a mass is not positive.
+        ValueError: if there are no masses, if the numbers of masses and positions differ, if a mass
+            is not positive, or if a number is not finite.
     """
     raise NotImplementedError("Exercise B9.3: The center of mass")

@@ -2,11 +2,11 @@
 
 A quaternion of length 1 represents an orientation, and also the rotation from the reference to this
 orientation. The rotation by ``angle`` about the unit vector ``axis`` is (cos(angle/2), axis
-sin(angle/2)). q and -q represent the same orientation. As in the book, rotations are right-handed
-and about world axes, so ``b * a`` rotates by a first and then by b.
+sin(angle/2)). The quaternions q and -q represent the same orientation. As in the book, rotations
+are right-handed and about world axes, so ``b * a`` rotates by a first and then by b.
 
-The methods raise TypeError for an argument of the wrong type. If you rotate a vector, it may have
-any components, even NaN.
+The methods raise TypeError for an argument of the wrong type. A vector that you rotate may have any
+components, even NaN.
 """
 
 from __future__ import annotations
@@ -23,8 +23,9 @@ UNIT_TOLERANCE = 1e-6
 class Quaternion:
     """A quaternion with four components: the scalar r, and i, j and k along X, Y and Z (Eq. 9.4).
 
-    The components are converted by float(). They may have any values until the quaternion has to
-    rotate something. Quaternion() is the reference orientation, which rotates nothing.
+    The components are converted by float(). They may have any values, because the length is checked
+    only when the quaternion has to rotate something. Quaternion() is the reference orientation,
+    which rotates nothing.
     """
 
     __slots__ = ("i", "j", "k", "r")
@@ -52,7 +53,8 @@ class Quaternion:
     def __eq__(self, other: object) -> bool:
         """Return whether all components are exactly equal.
 
-        q and -q are unequal, although they represent the same orientation.
+        The quaternions q and -q are therefore unequal, although they represent the same
+        orientation.
         """
         if not isinstance(other, Quaternion):
             return NotImplemented
@@ -63,7 +65,7 @@ class Quaternion:
         return Quaternion(self.r, self.i, self.j, self.k)
 
     def magnitude(self) -> float:
-        """Return the length, sqrt(r^2 + i^2 + j^2 + k^2). It is 1 for an orientation.
+        """Return the length, sqrt(r^2 + i^2 + j^2 + k^2), which is 1 for an orientation.
 
         The result must also be correct for components as large as 1e200 and as small as 1e-200.
         """
@@ -76,8 +78,9 @@ class Quaternion:
     def normalize(self) -> None:
         """Divide all components by the length, in place (9.4.8).
 
-        A zero quaternion becomes (1, 0, 0, 0). The result must also be correct for components as
-        large as 1e200 and as small as 1e-200.
+        A zero quaternion cannot be divided by its length, so it becomes (1, 0, 0, 0), the
+        reference. The result must also be correct for components as large as 1e200 and as small as
+        1e-200.
         """
         raise NotImplementedError("Exercise B9.7: The length of a quaternion")
 
@@ -93,7 +96,8 @@ class Quaternion:
     def from_axis_angle(axis: Vector3, angle: float) -> Quaternion:
         """Return the rotation by ``angle`` in radians about ``axis`` (Eq. 9.4).
 
-        The axis may have any length except 0.
+        Only the direction of the axis matters, so the axis may have any length except 0. The result
+        is a new unit quaternion.
 
         Raises:
             ValueError: if the axis is zero or a number is not finite.
@@ -103,9 +107,9 @@ class Quaternion:
     def to_axis_angle(self) -> tuple[Vector3, float]:
         """Return the axis as a new unit vector, and the angle in radians, from 0 to pi.
 
-        q and -q are the same rotation, so they give the same result. For a half-turn, the axis and
-        its opposite are both accepted. For an angle of 0, return X as the axis. The result must
-        also be correct for angles as small as 1e-200.
+        The quaternions q and -q are the same rotation, so they give the same result. For a
+        half-turn, the axis and its opposite are both accepted. For an angle of 0 every axis would
+        be right, so return X. The result must also be correct for angles as small as 1e-200.
 
         Raises:
             ValueError: if the length is not 1 (``is_unit``).
@@ -124,10 +128,10 @@ class Quaternion:
     def rotate_by(self, vector: Vector3) -> None:
         """Rotate in place about the direction of ``vector``, by its length in radians.
 
-        ``vector`` is in world axes. A zero vector rotates nothing. The result is exp((0, vector)/2)
-        q. Eq. 9.9 is a first-order approximation of this formula. The book's listing contains two
-        errors: it multiplies by (0, vector), which is not a rotation, and it does so on the wrong
-        side (E-12).
+        ``vector`` is in world axes, and a zero vector rotates nothing. The result is exp((0,
+        vector)/2) q, for which Eq. 9.9 is only a first-order approximation. The book's listing
+        contains two errors: it multiplies by (0, vector), which is not a rotation, and it does so
+        on the wrong side (E-12).
 
         Raises:
             ValueError: if the vector is not finite.
@@ -138,8 +142,8 @@ class Quaternion:
         """Add scale/2 times (0, vector) q to q, in place (Eq. 9.5).
 
         If ``vector`` is an angular velocity and ``scale`` is a duration, this is the book's time
-        step for an orientation. It is accurate only to first order, and it increases the length of
-        the quaternion (E-31). Do not normalize here, because the exercises measure this error.
+        step for an orientation. It is accurate only to first order, and it makes the quaternion
+        longer (E-31). Do not normalize the result, because the exercises measure this error.
 
         Raises:
             ValueError: if the vector or the scale is not finite. In that case nothing changes.

@@ -17,7 +17,7 @@ COLUMNS = ("what", "mass", "x", "y")
 
 
 def read_stones(path: Path) -> list[tuple[str, float, float, float]]:
-    """Read a file and return its stones in the order of its lines. Empty lines are skipped.
+    """Read a file and return its stones in the order of its lines, without empty lines.
 
     Raises:
         ValueError: if the first line is not the heading, or a line is not a name, a mass and a

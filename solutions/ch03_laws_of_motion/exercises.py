@@ -18,10 +18,10 @@ GRAVITATIONAL_CONSTANT = 6.67428e-11  # N m^2/kg^2
 
 
 def speed_ratio(first_mass: float, second_mass: float) -> float:
-    """Exercise 3.1: return the speed of the first particle divided by the speed of the second.
+    """Exercise 3.1: return the ratio of the speeds that a force gives to two particles.
 
-    Both particles start at rest, and the same force acts on both for the same time. The masses are
-    in kg.
+    Both particles start at rest, and then the same force acts on both for the same time. The result
+    is the speed of the first particle divided by the speed of the second. The masses are in kg.
 
     Raises ValueError if a mass is not positive and finite.
 
@@ -34,7 +34,8 @@ def speed_ratio(first_mass: float, second_mass: float) -> float:
 def gravity_between(first_mass: float, second_mass: float, distance: float) -> float:
     """Exercise 3.2: return the gravitational force in N between two masses (Eq. 3.3).
 
-    The masses are in kg and the distance is in m. G is the book's 6.67428e-11 N m^2/kg^2.
+    The masses are in kg and the distance is in m. For the gravitational constant G, use the book's
+    value, 6.67428e-11 N m^2/kg^2.
 
     Raises ValueError if a mass or the distance is not positive and finite.
 
@@ -51,8 +52,9 @@ def position_by_equation(
 ) -> Vector3:
     """Exercise 3.4a: return the position after ``time`` s with constant acceleration (Eq. 2.9).
 
-    The result is the new vector p' = p + v t + a t^2 / 2, in m. In this example and the following
-    ones, the start position and two components of the acceleration differ from the book's.
+    The result is p' = p + v t + a t^2 / 2 in m, as a new vector. It is exact, so you can measure
+    the error of time steps against it. In this example and the following ones, the start position
+    and two components of the acceleration differ from the book's.
 
     Raises ValueError if the time is not positive and finite.
 
@@ -68,8 +70,9 @@ def state_by_steps(
 ) -> tuple[Vector3, Vector3]:
     """Exercise 3.4b and c: return the position and the velocity after ``steps`` equal steps.
 
-    Each step applies Eq. 2.7 and then Eq. 2.8, as ``Particle.integrate`` does when the damping is
-    1. ``duration`` is the duration of one step in s.
+    Each step first moves the position with the old velocity (Eq. 2.7) and then changes the velocity
+    (Eq. 2.8), as ``Particle.integrate`` does when the damping is 1. ``duration`` is the duration of
+    one step in s.
 
     Raises ValueError if the duration is not positive and finite, or if ``steps`` is below 1.
 
@@ -90,9 +93,10 @@ def state_by_steps(
 def stepping_error(
     position: Vector3, velocity: Vector3, acceleration: Vector3, duration: float, steps: int
 ) -> Vector3:
-    """Exercise 3.4d: return the position after several steps minus the exact position.
+    """Exercise 3.4d: return how far the time steps end from the exact position, as a new vector.
 
-    The function takes the same arguments as ``state_by_steps`` and raises the same errors.
+    The result is the position after the steps minus the exact position, in m. The arguments are the
+    same as those of ``state_by_steps``, and so are the errors that it raises.
 
     >>> p, v, a = Vector3(2, 5, -1), Vector3(1, -1, 2), Vector3(-2, 1, 0.5)
     >>> stepping_error(p, v, a, 1, steps=5)
@@ -133,10 +137,11 @@ def damping_difference(
 ) -> float:
     """Exercise 3.5b: return how much the results of the two damping equations differ on average.
 
-    ``runs`` contains lists of step durations in s. In each run, two particles start with
-    ``velocity`` in m/s. In every step, one particle follows Eq. 3.5 and the other follows Eq. 3.6,
-    with the same damping. Take the length of the difference between their final velocities in m/s,
-    and average it over the runs.
+    Each item of ``runs`` is one run: a list of step durations in s. In each run, two particles
+    start with the same ``velocity`` in m/s and make the same steps with the same damping. One of
+    them follows Eq. 3.5, and the other follows Eq. 3.6. At the end of the run, take the length of
+    the difference between their velocities. The result is the mean of these lengths over all runs,
+    in m/s.
 
     Raises ValueError if there are no runs, if the damping is negative or not finite, or if a
     duration is not positive and finite.

@@ -17,17 +17,18 @@ class Particle:
 
     ``position``, ``velocity`` and ``acceleration`` are vectors, and are zero by default. If you
     assign a vector to one of these attributes, the particle stores a copy, so two particles never
-    share a vector. Assigning a vector that is not finite raises ValueError, and assigning anything
-    else raises TypeError. You may also change single components, as in ``particle.velocity.y =
-    3.0``. Such changes are not checked, so make sure that the components stay finite.
+    share a vector. The assignment raises ValueError if the vector is not finite, and TypeError if
+    the value is not a vector at all. You may also change single components, as in
+    ``particle.velocity.y = 3.0``, but nothing checks these changes, so make sure that the
+    components stay finite.
 
-    ``damping`` is the fraction of the velocity that is kept per second. A damping of 1 keeps all of
-    it, a damping of 0 stops the particle, and a damping above 1 speeds it up. A particle is
-    immovable if its mass is ``math.inf``, which is the same as an inverse mass of 0.
+    ``damping`` is the fraction of the velocity that the particle keeps per second: 1 keeps all of
+    it, 0 stops the particle, and a number above 1 speeds it up. A particle is immovable if its mass
+    is ``math.inf``, which means that its inverse mass is 0.
 
-    The engine stores 1 / mass in ``_inverse_mass`` and the damping in ``_damping``. A particle can
-    have only the attributes that are listed in ``__slots__``, so if your code stores something
-    else, add its name there.
+    The engine stores 1 / mass in ``_inverse_mass`` and the damping in ``_damping``. Python allows
+    only the attributes that are listed in ``__slots__``, so if your code stores anything else, add
+    its name there.
     """
 
     __slots__ = ("_damping", "_inverse_mass", "acceleration", "position", "velocity")
@@ -64,7 +65,7 @@ class Particle:
 
     @mass.setter
     def mass(self, mass: float) -> None:
-        """Set the mass. ``math.inf`` is allowed.
+        """Set the mass in kg. Use ``math.inf`` to make the particle immovable.
 
         Raises ValueError if the mass is not positive. Like every setter of this class, it raises
         TypeError for anything that is not a number.
@@ -83,7 +84,7 @@ class Particle:
 
     @property
     def has_finite_mass(self) -> bool:
-        """Whether the mass is finite. A particle of infinite mass is immovable."""
+        """Whether the particle can be moved, which is true if its mass is finite."""
         return self.mass < math.inf
 
     @property
@@ -119,18 +120,20 @@ class Particle:
     def last_acceleration(self) -> Vector3:
         """The total acceleration of the last step, as a new vector.
 
-        In this chapter it equals the constant acceleration. Chapter 5 adds the effect of forces.
+        No forces act in this chapter, so it equals the constant acceleration. Chapter 5 adds the
+        effect of forces.
         """
         return self.acceleration.copy()
 
     def drift(self, duration: float) -> None:
         """Move the particle with its velocity: p' = p + v h (Eq. 2.7). ``duration`` is h in s.
 
-        The velocity does not change, and an immovable particle does not move. The duration may be 0
-        or negative, because integrators drift for parts of a step, and a few of them drift back.
+        Only the position changes, and an immovable particle does not move at all. The duration may
+        be 0 or negative, because some integrators of chapter 6 split a step into several drifts,
+        and a few of them even drift back.
 
-        This method does not check the duration, because a step may consist of several drifts. The
-        caller, such as ``integrate``, checks it once per step.
+        The duration is not checked here. The caller, such as ``integrate``, checks it once per
+        step.
         """
         if self._inverse_mass:
             # Plain floats are many times as fast as operators, which make new vectors.
@@ -143,10 +146,10 @@ class Particle:
     def kick(self, duration: float) -> None:
         """Change the velocity by the acceleration: v' = (v + a h) d^h. ``duration`` is h in s.
 
-        The acceleration is applied first, and the damping then acts on the result, as in the book's
-        listing. The book's Eq. 3.6 is v d^h + a h instead (E-16). The position does not change, and
-        an immovable particle keeps its velocity. As in ``drift``, the duration may be 0 or negative
-        and is not checked.
+        As in the book's listing, the acceleration is applied first, and the damping then acts on
+        the result. The book's Eq. 3.6 damps only the old velocity: v d^h + a h (E-16). A kick does
+        not change the position, and an immovable particle also keeps its velocity. As in ``drift``,
+        the duration may be 0 or negative and is not checked.
         """
         if self._inverse_mass:
             keep = self._damping
@@ -159,12 +162,14 @@ class Particle:
             velocity.z = (velocity.z + acceleration.z * duration) * keep
 
     def integrate(self, duration: float) -> None:
-        """Make the book's time step: drift, then kick. This is explicit Euler.
+        """Move the particle by one time step of explicit Euler: first drift, then kick.
 
-        ``duration`` is in s. The position moves with the velocity from before the step. The term a
-        h^2 / 2 is left out on purpose (3.3.2). The book gives this method another name (E-17). The
-        particle of chapter 5 overrides ``kick`` to add forces, so this method must call
-        ``self.kick(duration)``. An immovable particle does not change.
+        ``duration`` is in s. Because the drift comes first, the position changes with the velocity
+        from before the step. The term a h^2 / 2 is left out on purpose (3.3.2). This is the book's
+        integrator, although the book gives it another name (E-17).
+
+        The new velocity must come from ``self.kick(duration)``, because the particle of chapter 5
+        overrides ``kick`` to add forces. An immovable particle does not change.
 
         Raises:
             ValueError: if the duration is not positive and finite. The particle does not change.

@@ -1,7 +1,7 @@
 """A shooting range for shots of several types (book 4.1).
 
-The Z axis points down the range, Y points up, and X points to the left of an observer who faces
-along Z. Every shot starts at ``MUZZLE``. Angles are in radians.
+Every shot starts at ``MUZZLE``. The Z axis points from there down the range, Y points up, and X
+points to the left of an observer who faces along Z. Angles are in radians.
 """
 
 from __future__ import annotations
@@ -64,9 +64,9 @@ class Shot:
 def aim(speed: float, azimuth: float, elevation: float) -> Vector3:
     """Exercise 4.3a: return the velocity of a shot in m/s as a new vector.
 
-    ``azimuth`` is the horizontal angle from Z toward X. At an azimuth of 0 the shot flies along Z,
-    and at a quarter turn it flies along X. ``elevation`` is the angle above the horizontal. At an
-    elevation of a quarter turn the shot flies straight up.
+    ``azimuth`` is the horizontal angle from Z toward X, so a shot flies along Z at an azimuth of 0,
+    and along X at a quarter turn. ``elevation`` is the angle above the horizontal, so a shot with
+    an elevation of a quarter turn flies straight up.
 
     Raises ValueError if the speed is negative or not finite, or if an angle is not finite.
     """
@@ -83,7 +83,7 @@ def is_spent(shot: Shot) -> bool:
     """Return whether a shot must be removed (4.1.2).
 
     A shot is spent if it is below the ground (y < 0), older than ``LONGEST_FLIGHT``, or beyond
-    ``END_OF_RANGE`` in z.
+    ``END_OF_RANGE`` in z. Without this rule the range would simulate more and more shots.
     """
     position = shot.particle.position
     return position.y < 0.0 or shot.age > LONGEST_FLIGHT or position.z > END_OF_RANGE
@@ -92,10 +92,10 @@ def is_spent(shot: Shot) -> bool:
 def grenade_after(shot: Shot) -> list[Shot]:
     """Mini-project 4.1: return the shots that replace a grenade after one step.
 
-    The grenade has already moved in this step. If it is below the ground, let it bounce first. If
-    its age has reached ``FUSE``, it bursts. In that case return its fragments, as shots of the type
-    "fragment" with an age of 0. Otherwise return a list that contains the grenade itself, or an
-    empty list if it is spent.
+    When this function is called, the grenade has already moved. If it is now below the ground, let
+    it bounce first. Then check its fuse. If the age of the grenade has reached ``FUSE``, it bursts,
+    so return its fragments as shots of the type "fragment" with an age of 0. Otherwise return a
+    list that contains only the grenade itself, or an empty list if it is spent.
     """
     bounce(shot.particle)
     if shot.age >= FUSE:
@@ -106,9 +106,9 @@ def grenade_after(shot: Shot) -> list[Shot]:
 def what_is_left(shot: Shot, start: Vector3, targets: Sequence[TargetBlock]) -> list[Shot]:
     """Return the shots that replace ``shot`` after it has moved from ``start`` by one step.
 
-    The list is empty if the shot has hit a target on its path or is spent. If a grenade has hit no
-    target, the list is the result of ``grenade_after``. If any other shot has hit no target, the
-    list contains the shot itself.
+    A shot that has hit a target on its path is gone, so the list is empty. Otherwise the result
+    depends on the type of the shot: ``grenade_after`` decides what happens to a grenade, and any
+    other shot flies on until it is spent.
     """
     if targets and strike_first(start, shot.particle, targets):
         return []
@@ -127,10 +127,10 @@ class BallisticRange:
     def fire(self, name: str, azimuth: float = 0.0, elevation: float | None = None) -> None:
         """Fire a shot of the type ``name``, as in mini-project 4.3 (4.1.2).
 
-        The shot starts at ``MUZZLE`` with an age of 0, in the direction of the two angles. Its
-        mass, acceleration and damping come from ``SHOT_TYPES``. Its speed is the length of the
-        type's velocity. If ``elevation`` is None, the elevation is the angle of that velocity above
-        the horizontal.
+        The shot starts at ``MUZZLE`` with an age of 0, and flies in the direction of the two
+        angles. Everything else comes from ``SHOT_TYPES``: its mass, acceleration and damping, and
+        also its speed, which is the length of the type's velocity. If ``elevation`` is None, use
+        the angle of that velocity above the horizontal.
 
         Raises ValueError if there is no such type, or if an angle is not finite. In that case no
         shot is fired.
@@ -151,12 +151,12 @@ class BallisticRange:
         self.shots.append(Shot(name, particle))
 
     def update(self, duration: float) -> None:
-        """Move everything by one time step, and remove spent shots (4.1.2). ``duration`` is in s.
+        """Move the targets and the shots by one time step, and remove spent shots (4.1.2).
 
-        First the targets move. Then each shot moves, and its age grows by the duration. Replace
-        each shot by the shots that ``what_is_left`` returns for it. That function needs the
-        position of the shot before the move. Keep a copy of this position, because ``integrate``
-        changes the vector itself.
+        ``duration`` is in s. First the targets move. Then each shot moves, its age grows by the
+        duration, and it is replaced by the shots that ``what_is_left`` returns for it. That
+        function must know where the shot was before the move, so keep a copy of the old position. A
+        reference is not enough, because ``integrate`` changes the vector itself.
 
         Raises ValueError if the duration is not positive and finite. In that case nothing moves.
         """

@@ -1,8 +1,9 @@
 """Keep the display alive (project 4.1): the rules of a game with rockets, without a screen.
 
 The fuse of each rocket burns down. If the player clicks on a rocket before it burns out, the rocket
-bursts, and another rocket of its type starts from the ground. The game lasts as long as there is at
-least one rocket. A late click scores more points, but the player risks losing the rocket.
+bursts, and another rocket of its type starts from the ground. The game lasts as long as at least
+one rocket is left. A late click scores more points, but if the player waits too long, the rocket is
+lost.
 """
 
 from __future__ import annotations
@@ -30,10 +31,10 @@ class Display:
 def find_rocket(display: Display, x: float, y: float) -> Firework | None:
     """Project 4.1: return the rocket nearest to (x, y), or None if none is within ``REACH``.
 
-    Measure distances in the X-Y plane. A rocket at exactly the distance ``REACH`` is found. A
-    rocket is any firework whose rule has payloads, even if the rocket was itself a payload. A
-    rocket with an age of 0 or less has no fuse left, so a click can no longer save it. Do not
-    return such a rocket.
+    A rocket is any firework whose rule has payloads, even if it was itself lit as a payload.
+    Measure distances in the X-Y plane, and also accept a rocket at exactly the distance ``REACH``.
+    Skip rockets with an age of 0 or less, because they have no fuse left and a click can no longer
+    save them.
     """
     nearest, distance = None, REACH
     for rocket in _rockets(display):
@@ -47,10 +48,11 @@ def find_rocket(display: Display, x: float, y: float) -> Firework | None:
 def click(display: Display, x: float, y: float) -> bool:
     """Project 4.1: click on the point (x, y), and return whether a rocket was hit.
 
-    The rocket that ``find_rocket`` returns gets an age of 0, so it bursts in the next update. Then
-    another rocket of its type is launched, if the show has room. A hit scores 1 point, or 3 points
-    if the fuse was shorter than ``LATE``. A click that hits no rocket is a miss. When the game is
-    over, a click does nothing and returns False.
+    If ``find_rocket`` returns a rocket, the click is a hit. It scores 1 point, or 3 points if the
+    rocket had less than ``LATE`` s of fuse left. Set the age of the rocket to 0, so that it bursts
+    in the next update, and launch another rocket of its type if the show has room. If there is no
+    rocket within reach, the click counts as a miss. When the game is over, a click does nothing and
+    returns False.
     """
     if is_over(display):
         return False
@@ -67,15 +69,15 @@ def click(display: Display, x: float, y: float) -> bool:
 def is_over(display: Display) -> bool:
     """Project 4.1: return whether no rocket is left or too many clicks have missed.
 
-    The first ``MISSES_ALLOWED`` misses are free, and the next miss ends the game. After a click on
-    a rocket, the rocket still counts until it has burst. At the very start there are no rockets
-    either, so a game begins only when a rocket has been launched.
+    The first ``MISSES_ALLOWED`` misses are free, and the next miss ends the game. A rocket that was
+    clicked on still counts until it has burst. Before the first launch there are no rockets either,
+    so the result is True until a rocket has been launched.
     """
     return display.misses > MISSES_ALLOWED or not _rockets(display)
 
 
 def tick(display: Display, duration: float) -> None:
-    """Advance the game by ``duration`` s: update the show, and count the time until it is over.
+    """Update the show by ``duration`` s, and count this time unless the game is already over.
 
     Raises ValueError if the duration is not positive and finite. In that case nothing changes.
     """

@@ -1,7 +1,7 @@
 """Fireworks (book 4.2): particles that burn for a while and then light other fireworks.
 
-Each type of firework is described by a rule, which is plain data. You can therefore add a type
-without writing new code.
+Each type of firework is described by a rule, which is plain data, so you can add a type without
+writing new code.
 """
 
 from __future__ import annotations
@@ -39,9 +39,9 @@ class Payload:
 class FireworkRule:
     """The rule of a type: how long its fireworks burn, how they fly and which payloads they light.
 
-    The age of a firework in s is drawn at random between a minimum and a maximum, and so is each
-    component of its velocity in m/s. ``damping`` is the fraction of the velocity that is kept per
-    second.
+    Fireworks of the same type still differ from each other, because their age in s and each
+    component of their velocity in m/s are drawn at random between a minimum and a maximum.
+    ``damping`` is the fraction of the velocity that is kept per second.
 
     Raises ValueError if an age or the damping is negative, a number is not finite, a velocity does
     not have three components, or a minimum is above its maximum. Raises TypeError if the payloads
@@ -82,7 +82,7 @@ class FireworkRule:
 class Firework:
     """A burning firework: its ``type``, its ``particle``, and its ``age``.
 
-    The age is the time in s until its fuse has burnt down.
+    The age counts down: it is the time in s until the fuse of the firework has burnt down.
     """
 
     __slots__ = ("age", "particle", "type")
@@ -96,11 +96,11 @@ class Firework:
 def make_firework(rule: FireworkRule, random: Random, parent: Particle | None = None) -> Firework:
     """Return a new firework that follows ``rule``, with numbers drawn from ``random`` (4.2.3).
 
-    The firework's age and each component of its velocity are drawn uniformly between the rule's
-    limits. If there is a ``parent``, the firework starts at the parent's position, and the parent's
-    velocity is added to the drawn velocity. Otherwise the firework starts on the ground, at one of
-    ``LAUNCH_PLACES``. It has a mass of 1 kg, the acceleration ``GRAVITY`` and the damping of the
-    rule.
+    The age of the firework and each component of its velocity are drawn uniformly between the
+    rule's limits. A payload has a ``parent``, so it starts at the parent's position, and the
+    parent's velocity is added to the drawn velocity. A firework without a parent starts on the
+    ground, at one of ``LAUNCH_PLACES``. In both cases it has a mass of 1 kg, the acceleration
+    ``GRAVITY`` and the damping of the rule.
     """
     velocity = Vector3(*map(random.uniform, rule.min_velocity, rule.max_velocity))
     if parent is None:
@@ -115,10 +115,10 @@ def make_firework(rule: FireworkRule, random: Random, parent: Particle | None = 
 def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
     """Return the types that lead back to themselves, in ascending order.
 
-    A show with such a type never ends, so use this function to check a set of rules. If type 1 has
-    a payload of type 2, and type 2 has a payload of type 1, both lead back to themselves. A type 3
-    with a payload of type 1 never ends either. But no type leads back to type 3, so it is not in
-    the result.
+    A show with such a type never ends, so use this function to check a set of rules. For example,
+    if type 1 has a payload of type 2, and type 2 has a payload of type 1, both types lead back to
+    themselves. If type 3 has a payload of type 1, its fireworks never end either, but type 3 is not
+    in the result, because no type leads back to it.
     """
     leaves = {rule.type: {payload.type for payload in rule.payloads} for rule in rules}
     endless = []
@@ -135,13 +135,13 @@ def endless_types(rules: Iterable[FireworkRule]) -> list[int]:
 
 
 class FireworksShow:
-    """A show of burning fireworks. The list is in the order in which they were lit.
+    """A show of burning fireworks, which are listed in the order in which they were lit.
 
     At most ``capacity`` fireworks burn at a time, even if the rules light each other forever.
-    ``when_full`` is the policy for a full show. With "keep_old" no new fireworks are lit, as the
-    book's text says. With "drop_oldest" the oldest fireworks are put out to make room, as in the
-    book's listing (E-20). ``dropped`` counts the fireworks that were not lit or were put out. The
-    same ``seed`` gives the same show.
+    ``when_full`` decides what happens when the show is full. With "keep_old" no new fireworks are
+    lit, as the book's text says. With "drop_oldest" the oldest fireworks are put out to make room,
+    as in the book's listing (E-20). In both cases ``dropped`` counts the fireworks that were lost
+    in this way. The same ``seed`` always gives the same show.
 
     Raises ValueError if two rules have the same type, a payload has a type without a rule, the
     capacity is below 1, or ``when_full`` is neither of the two policies. Raises TypeError if the
@@ -183,13 +183,14 @@ class FireworksShow:
         self.light([(type, 1, None)])
 
     def light(self, births: Sequence[tuple[int, int, Particle | None]]) -> None:
-        """Light as many fireworks as the policy allows. A birth is a tuple (type, count, parent).
+        """Light new fireworks, as many as the policy ``when_full`` allows.
 
-        New fireworks are added after the ones that already burn, in the order of the births. If
-        there is no room for all of them, "keep_old" lights only the first of the new fireworks, and
-        "drop_oldest" puts out the oldest fireworks to make room. If there are more new fireworks
-        than the capacity, "drop_oldest" lights only the last of them. A call never creates more
-        fireworks than the capacity, however large the counts are.
+        Each of the ``births`` is a tuple (type, count, parent). The new fireworks are added after
+        the ones that already burn, in the order of the births. If there is no room for all of them,
+        "keep_old" lights only as many as fit, starting with the first. "drop_oldest" puts out the
+        oldest fireworks to make room, and if there are more new fireworks than the capacity, it
+        lights only the last of them. A call never creates more fireworks than the capacity, however
+        large the counts are.
 
         Raises ValueError if there is no rule for a type, or if a count is negative. In that case
         nothing is lit.
@@ -215,13 +216,13 @@ class FireworksShow:
         self.dropped += burning + asked - len(self.fireworks)
 
     def update(self, duration: float) -> None:
-        """Move every firework by one time step, and light payloads that are due (4.2.3).
+        """Move every firework by one time step, and light the payloads that are due (4.2.3).
 
-        ``duration`` is in s. Each firework moves, and its age decreases by the duration. A firework
-        has burnt out if its age is below 0 or if it is below the ground (y < 0). At an age of
-        exactly 0 it still burns. After all fireworks have moved, remove the ones that have burnt
-        out, and light their payloads. The payloads of the oldest firework come first. The parent of
-        a payload is the particle of the firework that burnt out.
+        ``duration`` is in s. Each firework moves, and its age decreases by the duration. It has
+        burnt out if its age is below 0 (at exactly 0 it still burns), or if it is below the ground
+        (y < 0). When all fireworks have moved, remove the ones that have burnt out and light their
+        payloads, starting with the payloads of the oldest firework. The parent of a payload is the
+        particle of the firework that burnt out.
 
         Raises ValueError if the duration is not positive and finite. In that case nothing moves.
         """

@@ -1,6 +1,7 @@
 """The behavior of a grenade (mini-project 4.1): it bounces, and it bursts at the end of its fuse.
 
-The bounce here is a rule for this one type of shot. Chapter 7 adds contacts for any particle.
+The bounce is a simple rule that works only for this type of shot on level ground. Chapter 7
+replaces such rules by contacts, which work for any particle.
 """
 
 from __future__ import annotations
@@ -26,9 +27,9 @@ _CORNERS = [
 def bounce(particle: Particle) -> None:
     """Mini-project 4.1: move a particle that is below the ground (y < 0) back to y = 0, in place.
 
-    If the particle is moving down, change its velocity too: reverse the vertical velocity and
-    multiply it by ``BOUNCE``, and multiply the components along X and Z by ``SLIDE``. A particle on
-    or above the ground does not change.
+    If the particle is also moving down, it bounces: reverse its vertical velocity and multiply it
+    by ``BOUNCE``, and multiply the components along X and Z by ``SLIDE``. A particle on or above
+    the ground does not change.
     """
     if particle.position.y >= 0.0:
         return
@@ -43,10 +44,10 @@ def bounce(particle: Particle) -> None:
 def fragments(particle: Particle) -> list[Particle]:
     """Mini-project 4.1: return the fragments into which a grenade bursts, at its position.
 
-    There are ``FRAGMENTS`` fragments. Their masses are equal and add up to the mass of the grenade.
-    They have the same acceleration and damping as the grenade. Relative to the grenade, each
-    fragment flies at ``FRAGMENT_SPEED`` in a different direction. The directions add up to zero, so
-    the total momentum of the fragments is the momentum of the grenade. The grenade does not change.
+    The grenade bursts into ``FRAGMENTS`` pieces of equal mass, which together have the mass of the
+    grenade and the same acceleration and damping. Relative to the grenade, each piece flies at
+    ``FRAGMENT_SPEED`` in a different direction. These directions add up to zero, so that a burst
+    conserves momentum. The particle of the grenade does not change.
     """
     pieces = []
     for direction in _CORNERS:

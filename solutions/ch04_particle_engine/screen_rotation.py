@@ -15,7 +15,8 @@ Point = tuple[float, float]
 def screen_angle(start: float, rate: float, time: float) -> float:
     """Going further: return the angle after ``time`` s, in radians, from -pi to pi.
 
-    The angle is ``start`` at time 0 and grows by ``rate`` per second. Whole turns are removed.
+    The angle is ``start`` at time 0 and grows by ``rate`` per second. Whole turns are removed from
+    the result, because they do not change the picture.
 
     Raises ValueError if an argument is not finite.
 
@@ -29,9 +30,9 @@ def screen_angle(start: float, rate: float, time: float) -> float:
 def screen_corners(center: Point, size: float, angle: float) -> list[Point]:
     """Going further: return the four corners of a square on the screen, in order.
 
-    At angle 0 the sides, of length ``size``, are horizontal and vertical. A positive angle rotates
-    the square from X toward Y. Start with the corner that is at the upper right at angle 0, and
-    continue in the direction of rotation.
+    The sides of the square have the length ``size``. At an angle of 0 they are horizontal and
+    vertical, and a positive angle rotates the square from X toward Y. Start with the corner that is
+    at the upper right at an angle of 0, and continue in the direction of rotation.
 
     Raises ValueError if a coordinate or the angle is not finite, or if the size is not positive.
 

@@ -1,7 +1,8 @@
 """Target blocks for the ballistic range (mini-project 4.3), and a test of whether a shot hits them.
 
 A shot moves more than half a meter in a step. If you tested only its position at the end of each
-step, it would pass through thin blocks. So test its path during the step instead.
+step, it could jump over a thin block without hitting it. That is why the test uses the whole path
+of the shot during the step.
 """
 
 from __future__ import annotations
@@ -17,10 +18,10 @@ from ch03_laws_of_motion.particle import Particle
 class TargetBlock:
     """A box that stands on the ground or on a post, and can slide. Its sides are along the axes.
 
-    ``particle`` is at the center of the box. If its mass is ``math.inf``, the block cannot be
-    moved. ``size`` contains the lengths of the sides along X, Y and Z in m. ``damping`` imitates
-    friction, so that the block comes to rest after a hit. ``hits`` counts the shots that have hit
-    the block.
+    ``particle`` is at the center of the box. If its mass is ``math.inf``, a shot cannot move the
+    block. ``size`` contains the lengths of the sides along X, Y and Z in m. ``damping`` imitates
+    friction, so that the block comes to rest after a hit, and ``hits`` counts the shots that have
+    hit it.
 
     Raises ValueError if a side or the mass is not positive, or if the damping is negative or not
     finite.
@@ -42,9 +43,10 @@ class TargetBlock:
 def hit_fraction(start: Vector3, end: Vector3, block: TargetBlock) -> float | None:
     """Exercise 4.3b: return where the straight path from ``start`` to ``end`` first hits ``block``.
 
-    The result is a fraction of the path: 0 at the start, 0.25 after a quarter of the path, and 1 at
-    the end. It is 0 if the path starts inside the block, and None if the path misses the block. A
-    path that only touches the block is a hit. Positions are in m and have finite components.
+    The result is the fraction of the path that the shot has covered when it hits the block: 0 at
+    the start, 0.25 after a quarter of the path, and 1 at the end. If the path already starts inside
+    the block, the result is 0. A path that only touches the block counts as a hit, and a path that
+    misses it gives None. Positions are in m and have finite components.
 
     >>> wall = TargetBlock(Vector3(0, 1, 30), (4, 2, 0.5), mass=100)
     >>> hit_fraction(Vector3(0, 1, 29.5), Vector3(0, 1, 30.5), wall)
@@ -73,9 +75,10 @@ def strike_first(
     """Exercise 4.3c: let a shot hit the first target on its path, and return that target.
 
     In this step the shot has moved from ``start`` to the position of ``particle``. If it hits a
-    target, the target takes over the particle's momentum along X and Z, and its ``hits`` grows by
-    1. The momentum along Y goes into the ground. If the shot touches two targets at once, it hits
-    the target that comes first in the list. Return None if the shot misses every target.
+    target, the momentum of the particle along X and Z goes to the target, and the momentum along Y
+    goes into the ground. The target's ``hits`` also grows by 1. If the shot reaches two targets at
+    the same time, it hits the one that comes first in the list. Return None if the shot misses
+    every target.
     """
     first, earliest = None, math.inf
     for target in targets:

@@ -1,8 +1,9 @@
 """Exact solutions for drag, and the longest time steps that are safe with drag (book 5.3).
 
-An exact solution gives a speed or a distance at any time, without time steps. All motion here is
-along one line, and all numbers are in SI units. The coefficients of Eq. 5.1 are k1 in N s/m and k2
-in N s^2/m^2. Every function raises TypeError for an argument that is not a number.
+An exact solution gives a speed or a distance at any time, without time steps, so you can use it to
+check a simulation. All motion here is along one line, and all numbers are in SI units. The
+coefficients of Eq. 5.1 are k1 in N s/m and k2 in N s^2/m^2. Every function raises TypeError for an
+argument that is not a number.
 """
 
 from __future__ import annotations
@@ -15,12 +16,12 @@ from ch02_vectors.arguments import not_negative, positive
 def terminal_speed(weight: float, k1: float, k2: float) -> float:
     """Return the speed in m/s at which the drag on a falling body balances its weight.
 
-    ``weight`` is in N. A falling body approaches this speed. It is the positive solution of k1 v +
-    k2 v^2 = weight.
+    As a body falls faster, its drag grows, so its speed approaches a limit. This terminal speed is
+    the positive solution v of k1 v + k2 v^2 = weight, where ``weight`` is in N.
 
     Raises:
         ValueError: if the weight is not positive, a coefficient is negative, an argument is not
-            finite, or both coefficients are 0. Without drag, the speed grows without limit.
+            finite, or both coefficients are 0, because without drag the speed grows without limit.
     """
     positive("weight", weight)
     not_negative("k1", k1)
@@ -35,9 +36,9 @@ def terminal_speed(weight: float, k1: float, k2: float) -> float:
 def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple[float, float]:
     """Return the speed in m/s and the distance in m of a fall from rest with quadratic drag.
 
-    There is no drag that is linear in the speed. After ``time`` t in s, the speed is u tanh x and
-    the distance is (u^2 / g) ln cosh x. Here x = g t / u, u is the terminal speed, and g is
-    ``gravity``. Both results must also be correct for very small and very large x.
+    The drag is k2 v^2, without a part that is linear in the speed. After ``time`` t in s, the speed
+    is u tanh x and the distance is (u^2 / g) ln cosh x. Here x = g t / u, u is the terminal speed,
+    and g is ``gravity``. Both results must also be correct for very small and very large x.
 
     Raises:
         ValueError: if the mass, gravity or k2 is not positive, the time is negative, or an argument
@@ -54,8 +55,9 @@ def quadratic_fall(mass: float, gravity: float, k2: float, time: float) -> tuple
 def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float) -> float:
     """Return the speed in m/s that remains after ``time`` s in which only drag acts.
 
-    ``speed`` v is the speed at the start. With s = k1 t / m, the result is v e^-s / (1 + k2 v (1 -
-    e^-s) / k1). For k1 = 0, replace the fraction (1 - e^-s) / k1 by its limit, t / m.
+    If v is the ``speed`` at the start and s = k1 t / m, the result is v e^-s / (1 + k2 v (1 - e^-s)
+    / k1). For k1 = 0 you would divide by 0, so replace the fraction (1 - e^-s) / k1 by its limit, t
+    / m.
 
     Raises:
         ValueError: if the mass is not positive, another argument is negative, or an argument is not
@@ -72,10 +74,10 @@ def coasting_speed(speed: float, k1: float, k2: float, mass: float, time: float)
 def drag_limits(k1: float, k2: float, mass: float, speed: float) -> tuple[float, float]:
     """Return two limits in s for the length of a time step in which only drag acts.
 
-    The step is v' = v + (f / m) h, where f is the drag of Eq. 5.1 at ``speed``, the speed before
-    the step. If the step is longer than the first limit, drag reverses the motion. If it is longer
-    than the second limit, the particle is even faster after the step than before it. Without drag,
-    both limits are ``math.inf``.
+    A time step computes the drag once, from the ``speed`` before the step, and applies it for the
+    whole duration h: v' = v + (f / m) h. If the step is longer than the first limit, the drag does
+    not only stop the motion but reverses it. If it is longer than the second limit, the particle is
+    even faster after the step than before it. Without drag, both limits are ``math.inf``.
 
     Raises:
         ValueError: if the mass is not positive, another argument is negative, or an argument is not

@@ -50,9 +50,9 @@ class Particle(particle.Particle):
     def take_forces(self) -> Numbers:
         """Return the sum of the forces in N as three numbers, and clear the sum.
 
-        This has the same effect as ``force_accumulator`` followed by ``clear_forces``, but takes a
-        third of the time. The difference matters for an integrator that evaluates the forces
-        several times per step.
+        You get the same result from ``force_accumulator`` followed by ``clear_forces``, but this
+        method takes only a third of the time. The difference matters for an integrator that
+        evaluates the forces several times per step.
         """
         forces = self._forces
         force = forces[0]
@@ -62,9 +62,9 @@ class Particle(particle.Particle):
     def add_force_pair(self, other: Particle, x: float, y: float, z: float) -> None:
         """Add a force in N to this particle, and the opposite force to ``other``.
 
-        ``x``, ``y`` and ``z`` are the components of the force. The two forces obey Newton's third
-        law. This method takes half the time of two calls of ``add_force``, which matters for a
-        cloth with hundreds of springs.
+        ``x``, ``y`` and ``z`` are the components of the force on this particle. By Newton's third
+        law, ``other`` gets the opposite force. You could also call ``add_force`` twice, but this
+        method takes half the time, which matters for a cloth with hundreds of springs.
 
         Raises:
             ValueError: if a component, or one of the two sums, is not finite. In that case neither
@@ -125,9 +125,10 @@ class Particle(particle.Particle):
     def last_acceleration(self) -> Vector3:
         """The total acceleration in the last step, as a new vector (Eq. 3.2).
 
-        This is the constant acceleration plus f / m. It is computed from the forces that the last
-        step used, and from the current mass and constant acceleration. Before the first step, and
-        for an immovable particle, it is the constant acceleration.
+        This is the constant acceleration plus f / m, where f is the sum of the forces that the last
+        step used. The mass and the constant acceleration are the current ones. Before the first
+        step there is no such force, and an immovable particle does not react to it, so the result
+        is the constant acceleration alone.
         """
         force = Vector3(*(self._forces[1] or ()))
         return self.acceleration + force * self._inverse_mass
@@ -135,10 +136,11 @@ class Particle(particle.Particle):
     def kick(self, duration: float) -> None:
         """Change the velocity by the acceleration and the forces: v' = (v + a h) d^h.
 
-        Here a is the constant acceleration plus f / m, where f is the sum of the forces since the
-        last kick, and h is ``duration``. The kick then clears the sum, even for an immovable
-        particle, but keeps a copy for ``last_acceleration``. You do not have to write ``integrate``
-        again, because chapter 3's version drifts and then calls this method.
+        Here h is ``duration``, and a is the constant acceleration plus f / m, where f is the sum of
+        the forces since the last kick. Afterward the kick clears the sum, so that each force acts
+        only once. It does so even for an immovable particle, but it keeps a copy for
+        ``last_acceleration``. You do not have to write ``integrate`` again, because the version of
+        chapter 3 drifts and then calls this method.
 
         As in chapter 3, the duration is not checked.
         """

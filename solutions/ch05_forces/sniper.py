@@ -1,9 +1,9 @@
 """A sniper range (project 4.2): targets of one size, and a wind that changes between shots.
 
-The rules of the game do not need a screen. The Z axis points down the range, Y points up, and X
-points to the left of an observer who faces along Z. A shot is aimed with two angles in radians: the
-azimuth from Z toward X, and the elevation above the horizontal. Everything here raises TypeError
-for an argument that is not a number.
+This file contains the rules of the game, which do not need a screen. The Z axis points down the
+range, Y points up, and X points to the left of an observer who faces along Z. The player aims with
+two angles in radians: the azimuth from Z toward X, and the elevation above the horizontal.
+Everything here raises TypeError for an argument that is not a number.
 """
 
 from __future__ import annotations
@@ -32,8 +32,8 @@ SHOTS = 10
 class Target:
     """A disc that faces the rifle.
 
-    Its center is at (``x``, ``y``, ``distance``), in m. A hit scores the points of the ring times
-    ``factor``.
+    Its center is at (``x``, ``y``, ``distance``), in m. Distant targets are harder to hit, so a hit
+    scores the points of the ring times ``factor``.
     """
 
     x: float
@@ -62,9 +62,9 @@ class Hole:
 
 
 class Wind:
-    """Drag in moving air: a force generator for Eq. 5.1. ``velocity`` of the air is in m/s.
+    """The drag of moving air: a force generator for Eq. 5.1.
 
-    ``k1`` is in N s/m and ``k2`` in N s^2/m^2.
+    ``velocity`` is the velocity of the air in m/s. ``k1`` is in N s/m and ``k2`` in N s^2/m^2.
 
     Raises:
         ValueError: if a coefficient is negative or not finite.
@@ -78,8 +78,8 @@ class Wind:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Project 4.2: add the drag for the particle's velocity relative to the air.
 
-        Compute the drag with ``drag_force``. A particle that moves with the air feels no force. In
-        still air the force is the same as that of ``Drag``.
+        Compute the drag with ``drag_force``. A particle that moves with the air therefore feels no
+        force, and in still air the force is the same as that of ``Drag``.
         """
         particle.add_force(drag_force(particle.velocity - self.velocity, self.k1, self.k2))
 
@@ -104,8 +104,8 @@ class SniperRange:
     def change_wind(self) -> None:
         """Project 4.2: draw a new horizontal wind from ``self.random``.
 
-        Draw the component along X first, and then the component along Z. Each is from
-        -STRONGEST_WIND to STRONGEST_WIND.
+        Draw the component along X first, and then the component along Z, both from -STRONGEST_WIND
+        to STRONGEST_WIND. The order matters, because the same seed must always give the same winds.
         """
         self.wind.velocity = Vector3(
             self.random.uniform(-STRONGEST_WIND, STRONGEST_WIND),
@@ -114,11 +114,12 @@ class SniperRange:
         )
 
     def shoot(self, azimuth: float, elevation: float) -> bool:
-        """Project 4.2: fire a bullet. Return True if it was fired, and False otherwise.
+        """Project 4.2: fire a bullet if possible, and return whether it was fired.
 
-        No bullet is fired while another bullet is in flight, or if no shots are left. The bullet
-        starts at ``MUZZLE`` with ``MUZZLE_SPEED``. Gravity is the bullet's own acceleration, and
-        the wind acts on it through ``self.forces``. Each shot reduces ``shots_left`` by 1.
+        The rifle does not fire while another bullet is in flight, or if no shots are left.
+        Otherwise a bullet starts at ``MUZZLE`` with ``MUZZLE_SPEED``, and ``shots_left`` decreases
+        by 1. Gravity is the bullet's own acceleration, and the wind acts on it through
+        ``self.forces``.
 
         Raises:
             ValueError: if an angle is not finite, or more than ``SWING`` to either side. In that
@@ -143,9 +144,11 @@ class SniperRange:
 
         If no bullet is in flight, do nothing. Otherwise update the forces, move the bullet, and
         call ``hit_on_the_way`` to find out whether it has passed through a target. If it has, add
-        the hole to ``holes`` and its points to the score. The shot ends with a hit, or when the
-        bullet is below the ground (y < 0) or beyond ``END_OF_RANGE`` in z. When it ends, clear the
-        registered forces, set ``bullet`` to None, and change the wind.
+        the hole to ``holes`` and its points to the score.
+
+        The shot ends with a hit, or when the bullet is below the ground (y < 0) or beyond
+        ``END_OF_RANGE`` in z. To prepare for the next shot, clear the registered forces, set
+        ``bullet`` to None, and change the wind.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing moves.
@@ -170,9 +173,9 @@ class SniperRange:
 def hit_on_the_way(start: Vector3, end: Vector3) -> Hole | None:
     """Project 4.2: return the first hole on the straight path from ``start`` to ``end``, or None.
 
-    The path crosses the plane of a target if start.z < distance <= end.z. If the crossing point
-    lies inside a ring, the path makes a hole there. The hole earns the ring's points times the
-    target's factor.
+    A target is a flat disc, and the path crosses its plane if start.z < distance <= end.z. If the
+    crossing point lies inside a ring, the bullet makes a hole there, which earns the points of the
+    ring times the factor of the target.
     """
     for target in TARGETS:  # the nearest comes first
         if start.z < target.distance <= end.z:
@@ -188,8 +191,8 @@ def hit_on_the_way(start: Vector3, end: Vector3) -> Hole | None:
 def ring_points(x: float, y: float) -> int:
     """Project 4.2: return the points of the smallest ring in ``RINGS`` that contains (x, y).
 
-    ``x`` and ``y`` are in m from the center of a target. A point on the edge of a ring is inside
-    it. If no ring contains the point, return 0.
+    ``x`` and ``y`` are in m from the center of a target. A point on the edge of a ring counts as
+    inside. If no ring contains the point, the bullet has missed the target, so return 0.
     """
     for radius, points in RINGS:
         if math.hypot(x, y) <= radius:

@@ -20,15 +20,16 @@ SOFTEST = 1e-7  # times m / h^2: softer springs count as no spring
 def swings_wider(integrator: Integrator, stiffness: float, damping: float, duration: float) -> bool:
     """Exercise 6.5: return whether the oscillations of a particle on a spring grow.
 
-    The particle has a mass of 1 kg, and its damping is ``damping``. It is released at rest,
-    ``START`` m away from an anchor. The spring to this anchor has a rest length of 0 and a
-    ``stiffness`` in N/m. There is no gravity. The integrator makes ``FRAMES`` steps of ``duration``
-    s each. Oscillations of constant amplitude do not count as growing.
+    Simulate a particle on a spring to find out. The particle has a mass of 1 kg and the given
+    ``damping``, and there is no gravity. It is released at rest, ``START`` m away from an anchor,
+    and a spring with a rest length of 0 and the given ``stiffness`` in N/m pulls it toward this
+    anchor. Let the integrator make ``FRAMES`` steps of ``duration`` s each. Oscillations of
+    constant amplitude do not count as growing.
 
     The answer must be correct if the stiffness differs from the limit by at least 1 % and an
-    oscillation takes at most FRAMES / 6 steps. There is one exception. If the damping is 1, the
-    answer may be wrong for oscillations that take nearly 3 or nearly 4 steps, because the steps
-    then miss the extremes of the oscillation for a long time.
+    oscillation takes at most FRAMES / 6 steps. The only exception is a particle without damping
+    (``damping`` is 1) whose oscillations take nearly 3 or nearly 4 steps. In this case the steps
+    miss the extremes of the oscillation for a long time, so the answer may be wrong.
 
     >>> from ch06_springs.integrators import semi_implicit_euler
     >>> swings_wider(semi_implicit_euler, 14_000.0, 1.0, 1.0 / 60.0)
@@ -57,13 +58,13 @@ def swings_wider(integrator: Integrator, stiffness: float, damping: float, durat
 def largest_stable_stiffness(integrator: Integrator, damping: float, duration: float) -> float:
     """Exercise 6.5: measure the largest stiffness in N/m at which the oscillations do not grow.
 
-    Search the range from SOFTEST / h^2 to STIFFEST / h^2, where h is ``duration`` in s. If even the
-    softest spring is unstable, the result is 0 or almost 0. If even the stiffest spring is stable,
-    the result is STIFFEST / h^2.
+    Use ``swings_wider`` to search the range from SOFTEST / h^2 to STIFFEST / h^2, where h is
+    ``duration`` in s. If even the softest spring of this range is unstable, return 0 or almost 0.
+    If even the stiffest spring is stable, return STIFFEST / h^2.
 
-    The error must be at most 1 % for a damping from 0.3 to 0.9 and a duration from 1/120 to 1/20 s.
-    If the damping is closer to 1, the oscillations of the book's step grow so slowly that
-    ``FRAMES`` steps are not enough to notice it.
+    The result must be within 1 % of the true limit for a damping from 0.3 to 0.9 and a duration
+    from 1/120 to 1/20 s. For a damping closer to 1, no such accuracy is required, because the
+    oscillations of the book's step then grow so slowly that ``FRAMES`` steps do not show it.
 
     Raises ValueError if the damping is negative, the duration is not positive, or one of them is
     not finite.

@@ -1,15 +1,15 @@
 """Integrators: methods that move particles forward by a time step, with their order and limits.
 
-The first five take ``(particles, apply_forces, duration)``. ``particles`` lists each particle once.
-``apply_forces(duration)`` adds the current forces to the accumulators of these particles only, as
-``ForceRegistry.update_forces`` does. An integrator calls it once or several times. Before each
-call, the accumulators contain only the forces that were added by hand before the step. At the end
-they are empty, and ``Particle.last_acceleration`` is the mean acceleration of the step.
+The first five integrators take ``(particles, apply_forces, duration)``. ``particles`` lists each
+particle once. ``apply_forces(duration)`` adds the current forces to the accumulators of these
+particles only, as ``ForceRegistry.update_forces`` does. It is called one or more times. Before each
+call, the accumulators contain only the forces that were added by hand before the step. After the
+step they are empty, and ``Particle.last_acceleration`` is the mean acceleration of the step.
 
 A particle's own damping d multiplies its velocity by d^h once, at the end of a step of h s. The
-orders below hold for d = 1. For any other d the order is 1. The stability limits are for a spring
-without damping and d = 1. They use the number k h^2 / m, which measures how stiff a spring is for a
-step of h s. Immovable particles do not move.
+orders given below hold for d = 1, and for any other d the order is 1. Unless stated otherwise, a
+stability limit is for d = 1 and a spring without damping. The limits are given in terms of k h^2 /
+m, which measures how stiff a spring is for a step of h s. Immovable particles do not move.
 
 Each integrator raises ValueError if the duration is not positive and finite, and TypeError if it is
 not a number. In that case nothing changes. If ``apply_forces`` raises an exception, the exception
@@ -37,8 +37,8 @@ def explicit_euler(
     """Move first, then accelerate, as in the book: p' = p + v h, and then v' = (v + a h) d^h.
 
     The method has order 1, is not symplectic, and evaluates the forces once. At d = 1 every spring
-    is unstable. For d < 1 springs below ``max_stable_stiffness`` are stable. A spring with a damper
-    c is stable if k h < c and c h / m < 2. The book uses another name (3.3.2, E-17).
+    is unstable, but for d < 1 springs below ``max_stable_stiffness`` are stable, and a damper c
+    makes a spring stable if k h < c and c h / m < 2. The book uses another name (3.3.2, E-17).
     """
     positive("duration", duration)
     apply_forces(duration)
@@ -54,9 +54,9 @@ def semi_implicit_euler(
 
     The method has order 1 and evaluates the forces once. If d = 1 and no force depends on the
     velocity, it is symplectic, so the energy does not drift. It is stable for k h^2 / m < 4. With
-    damping d the condition is k h^2 / m < 2 (1 + d^h) / d^h. With a damper c in the spring it is k
-    h^2 / m + 2 c h / m < 4. Source: Hairer, Lubich and Wanner, Geometric Numerical Integration,
-    I.1.2.
+    damping d this limit grows to 2 (1 + d^h) / d^h, but a damper c in the spring lowers it, because
+    the condition is then k h^2 / m + 2 c h / m < 4. Source: Hairer, Lubich and Wanner, Geometric
+    Numerical Integration, I.1.2.
     """
     positive("duration", duration)
     apply_forces(duration)
@@ -69,11 +69,10 @@ def leapfrog(particles: Sequence[Particle], apply_forces: ApplyForces, duration:
     """Drift for half of the step, kick for all of it, and drift for the other half.
 
     First p1 = p + v h / 2, then v' = (v + a h) d^h with the forces at p1, and then p' = p1 + v' h /
-    2. The forces are evaluated once, in the middle of the step, and damping acts once.
+    2. The forces are evaluated only once, in the middle of the step, and the damping acts once.
 
-    If no force depends on the velocity, the order is 2, and the method is symplectic at d = 1. If a
-    force does depend on the velocity, the order is 1, because that force is evaluated with the old
-    velocity.
+    If no force depends on the velocity, the order is 2, and the method is symplectic at d = 1. A
+    force that does depend on it is evaluated with the old velocity, which reduces the order to 1.
 
     It is stable for k h^2 / m < 4. With damping d and a damper c in the spring, the condition is k
     h^2 / m + 2 c h / m < 2 (1 + d^h) / d^h. Semi-implicit Euler has the same limits, because
@@ -95,8 +94,8 @@ def velocity_verlet(
 ) -> None:
     """Step with the accelerations a at the start and b at the new position.
 
-    First p' = p + v h + a h^2 / 2, and then v' = (v + (a + b) h / 2) d^h. To compute b, evaluate
-    forces that depend on the velocity with v + a h.
+    First p' = p + v h + a h^2 / 2, and then v' = (v + (a + b) h / 2) d^h. A force that depends on
+    the velocity needs a velocity to compute b, so use the estimate v + a h.
 
     The method has order 2 and evaluates the forces twice. It is symplectic if d = 1 and no force
     depends on the velocity. It is stable for k h^2 / m < 4, also if d < 1. A damper in the spring
@@ -132,9 +131,10 @@ def runge_kutta_4(
 ) -> None:
     """Step with the weighted mean of four rates: at the start, twice in the middle, and at the end.
 
-    The first rate belongs to the starting state. For each later rate, move from the start at the
-    previous rate, and evaluate the rate of the state that you reach: after half the step, half the
-    step again, and the whole step. The second and third rates count double.
+    A rate is the velocity and the acceleration of a particle in some state. The first one belongs
+    to the state at the start. For each later rate, go back to the start, move at the previous rate
+    for a part of the step, and evaluate the state that you reach. The parts are half the step, half
+    the step again, and the whole step. In the mean, the second and third rates count double.
 
     The method has order 4 and evaluates the forces four times. It is not symplectic, but its energy
     drifts very slowly if the steps are short. It is stable for k h^2 / m < 8, or more if d < 1.
@@ -179,11 +179,11 @@ def runge_kutta_4(
 def backward_euler(
     x: float, v: float, stiffness: float, damping: float, mass: float, duration: float
 ) -> tuple[float, float]:
-    """Return the position in m and velocity in m/s of one linear spring after one time step.
+    """Return the position and velocity of a linear spring after a step of backward Euler.
 
-    Solve x' = x + v' h and v' = v + a' h, where the acceleration uses the new values: m a' = -(k x'
-    + c v'). The spring is at rest at x = 0. ``stiffness`` is k in N/m, ``damping`` is c in N s/m,
-    ``mass`` is in kg and ``duration`` in s.
+    The new position in m and velocity in m/s solve x' = x + v' h and v' = v + a' h, where a'
+    depends on the new values: m a' = -(k x' + c v'). The spring is at rest at x = 0. ``stiffness``
+    is k in N/m, ``damping`` is c in N s/m, ``mass`` is in kg and ``duration`` in s.
 
     The method has order 1, is not symplectic, and evaluates no forces. It is stable for every
     stiffness, but the stiffer the spring, the more energy it loses. Source: Hairer and Wanner,
@@ -200,10 +200,10 @@ def backward_euler(
 def trapezoidal(
     x: float, v: float, stiffness: float, damping: float, mass: float, duration: float
 ) -> tuple[float, float]:
-    """Return the position in m and velocity in m/s of one linear spring after one time step.
+    """Return the position and velocity of a linear spring after a step of the trapezoidal rule.
 
     Solve x' = x + (v + v') h / 2 and v' = v + (a + a') h / 2, which use the means of old and new
-    values. Here m a = -k x - c v. The arguments are the same as for ``backward_euler``.
+    values. Here m a = -k x - c v. The arguments and the units are those of ``backward_euler``.
 
     The method has order 2 and evaluates no forces. It is stable for every stiffness. Without
     damping it is symplectic and conserves the energy of the spring. Source: Hairer and Wanner,
@@ -221,7 +221,7 @@ class SimulationDiverged(ArithmeticError):  # noqa: N818
     """Raised when a particle is faster than any particle in its scene should be.
 
     This usually means that the steps are too long for the forces. ``particle`` is the index of the
-    particle. ``step`` is the number of the step after which it was too fast, counted from 1.
+    particle, and ``step`` is the number of the step after which it was too fast, counted from 1.
     ``speed`` and ``limit`` are in m/s.
     """
 
@@ -238,7 +238,7 @@ def watched(integrator: Integrator, speed_limit: float) -> Integrator:
 
     Use it to notice an explosion at once. The new integrator takes the same arguments and counts
     its steps. It raises SimulationDiverged for the first particle whose speed is NaN or above
-    ``speed_limit`` in m/s. If ``integrator`` raises an exception, the step does not count.
+    ``speed_limit`` in m/s. A step in which ``integrator`` raises an exception does not count.
 
     Raises ValueError if the limit is not positive and finite.
     """

@@ -16,13 +16,13 @@ from ch05_forces.particle import Particle
 class Buoyancy:
     """The buoyancy of a body that floats in still water or sinks in it (6.2.4).
 
-    - ``max_depth`` is half the height of the body, in m. The body just touches the water when its
-      center is this far above the surface. It is completely submerged when its center is this far
-      below the surface.
+    - ``max_depth`` is half the height of the body, in m. So the body just touches the water when
+      its center is this far above the surface, and it is completely submerged when its center is
+      this far below the surface.
     - ``volume`` is in m^3, and ``gravity`` is in m/s^2.
     - ``water_height`` is the height of the water surface in m.
-    - ``liquid_density`` is in kg/m^3. It is 1000 for fresh water, and from 1020 to 1030 for sea
-      water. In the book's text some of these numbers are too large by a factor of 1000 (E-21).
+    - ``liquid_density`` is in kg/m^3: 1000 for fresh water, and from 1020 to 1030 for sea water.
+      The example in the book's text is too large by a factor of 1000 (E-21).
 
     Raises ValueError if ``max_depth``, ``volume`` or ``liquid_density`` is not positive,
     ``gravity`` is negative, or one of them is not finite.
@@ -45,10 +45,11 @@ class Buoyancy:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add an upward force equal to the weight of the displaced water.
 
-        The force is rho V g times the fraction of the body that is under water. This fraction is
-        (y_w + s - y) / (2 s), limited to the range from 0 to 1, where s is ``max_depth``, y_w is
-        the height of the water surface and y is the height of the particle. The book's formula has
-        the wrong sign, and its listing lacks parentheses and the factor g (E-5).
+        The body displaces as much water as the volume of its part below the surface. So the force
+        is rho V g times the fraction of the body that is under water. This fraction is (y_w + s -
+        y) / (2 s), limited to the range from 0 to 1, where s is ``max_depth``, y_w is the height of
+        the water surface and y is the height of the particle. The book's formula has the wrong
+        sign, and its listing lacks parentheses and the factor g (E-5).
         """
         depth = self.water_height + self.max_depth - particle.position.y
         share = min(max(depth / (2.0 * self.max_depth), 0.0), 1.0)
@@ -57,11 +58,11 @@ class Buoyancy:
 
 
 class LighterThanAir:
-    """Exercise 6.2: the lift of a balloon, which decreases with the height y: F e^(-y / H).
+    """Exercise 6.2: the lift of a balloon, which decreases with height as the air gets thinner.
 
-    F is ``max_lift`` in N, the lift at the ground, where y is 0. H is ``scale_height`` in m. Each
-    time the balloon rises by this height, its lift is divided by e. Below the ground the lift is
-    the same as at the ground.
+    At the height y the lift is F e^(-y / H). F is ``max_lift`` in N, which is the lift at the
+    ground, where y is 0. H is ``scale_height`` in m: each time the balloon rises by this height,
+    its lift is divided by e. Below the ground the lift is the same as at the ground.
 
     Raises ValueError if ``max_lift`` is negative, ``scale_height`` is not positive, or one of them
     is not finite.
@@ -81,9 +82,9 @@ class LighterThanAir:
 class Overcrowding:
     """Exercise 6.3: particles that are too close push each other apart, like a compressed spring.
 
-    Two particles push each other if they are less than ``distance`` m apart. ``particles`` is the
-    list of the crowd, which may also contain the particle that is pushed. The generator does not
-    copy this list, so particles that you add to it later also belong to the crowd.
+    ``particles`` is the list of all particles in the crowd, and may also contain the particle that
+    is pushed. The generator does not copy this list, so particles that you add to it later also
+    belong to the crowd. Two particles are too close if they are less than ``distance`` m apart.
     """
 
     def __init__(self, particles: list[Particle], distance: float, stiffness: float) -> None:
@@ -98,8 +99,8 @@ class Overcrowding:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Exercise 6.3: push ``particle`` away from every other particle that is too close.
 
-        If another particle is at a distance l less than ``distance``, it pushes with a force of k
-        (``distance`` - l). A particle at exactly the same position exerts no force, because the
+        A particle at a distance l that is less than ``distance`` pushes with a force of k
+        (``distance`` - l). If it is at exactly the same position, it exerts no force, because the
         direction of the push would be undefined.
         """
         for other in self.particles:
@@ -112,9 +113,10 @@ class Overcrowding:
 class HomingBullet:
     """Exercise 6.4: a force that steers a bullet toward the future position of its target.
 
-    The future positions are the positions that the bullet and the target would have after
-    ``look_ahead`` s if they kept their current velocities. The force is the same as that of a
-    spring with a rest length of 0 between these two positions.
+    A bullet that steered toward the current position of a moving target would always arrive behind
+    it. So compute where the bullet and the target will be after ``look_ahead`` s if they keep their
+    current velocities. The force is the same as that of a spring with a rest length of 0 between
+    these two positions.
     """
 
     def __init__(self, target: Particle, stiffness: float, look_ahead: float) -> None:
@@ -125,7 +127,7 @@ class HomingBullet:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Exercise 6.4: add k times the displacement between the two future positions.
 
-        The target feels no force.
+        Only the bullet feels this force, so the target is not pulled toward it.
         """
         way = self.target.position - particle.position
         way.add_scaled(self.target.velocity - particle.velocity, self.look_ahead)

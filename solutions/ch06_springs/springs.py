@@ -1,7 +1,7 @@
 """Springs: force generators whose push or pull depends on a length.
 
 A spring pulls its ends together if it is longer than its rest length, and pushes them apart if it
-is shorter (Eq. 6.1, 6.2). If both ends are at the same position, it has no direction and no force.
+is shorter (Eq. 6.1, 6.2). If both ends coincide, the spring has no direction, so its force is zero.
 
 Lengths are in m, stiffness in N/m and damping in N s/m. Constructors check their arguments and copy
 vectors. They raise ValueError for a number that is negative or not finite, and TypeError for an
@@ -29,11 +29,11 @@ def spring_force(
     """Return the force in N of a spring on one of its ends as a new vector (Eq. 6.1, 6.2).
 
     ``offset`` is the position of this end relative to the other end in m, and ``velocity`` is its
-    velocity relative to the other end in m/s. The force is -(k (l - l0) + c l') d^. Here l is the
-    length of ``offset``, d^ is its direction, and l0 is the rest length. l' is the rate at which l
-    grows: the component of ``velocity`` along d^. If the offset is zero, so is the force, because
-    there is no direction. The arguments are not checked here, because the constructors of the
-    springs check them.
+    velocity relative to the other end in m/s. The force is -(k (l - l0) + c l') d^, where l is the
+    length of ``offset``, d^ is its direction and l0 is the rest length. The spring gets longer at
+    the rate l', which is the component of ``velocity`` along d^. If the offset is zero, it has no
+    direction, so the force is zero. The arguments are not checked here, because the constructors of
+    the springs check them.
 
     A spring that is shorter than its rest length pushes. In the book's listing it pulls instead,
     because the listing takes the absolute value of the extension (E-3).
@@ -86,8 +86,8 @@ class AnchoredSpring:
 class Bungee(Spring):
     """An elastic rope to another particle: a spring that only pulls (6.2.3).
 
-    When the rope is no longer than its rest length, it is slack and exerts no force. The book's
-    listing subtracts the lengths in the wrong order, so its rope pushes (E-4).
+    A rope that is no longer than its rest length is slack and exerts no force. The book's listing
+    subtracts the lengths in the wrong order, so its rope pushes (E-4).
     """
 
     def update_force(self, particle: Particle, duration: float) -> None:
@@ -153,7 +153,7 @@ def connect(
 ) -> Connection:
     """Join ``a`` and ``b`` by one spring that acts on both of them, and return the spring.
 
-    The registry skips immovable particles. So the spring is registered for ``a``, or for ``b`` if
+    The registry skips immovable particles, so the spring is registered for ``a``, or for ``b`` if
     ``a`` is immovable. If you want to make an end immovable, do so before you connect it.
     """
     spring = Connection(a, b, stiffness, rest_length, damping)
@@ -164,17 +164,17 @@ def connect(
 class FakeStiffSpring:
     """A substitute for a spring that is too stiff for the time steps (6.3.2).
 
-    With ``damped_spring_state``, it computes where a real spring would have moved the particle by
-    the end of the step, and adds the constant force that takes the particle there. Its rest length
-    is 0, and its other end is ``anchor``.
+    It uses ``damped_spring_state`` to compute where a real spring would have moved the particle by
+    the end of the step, and then adds the constant force that takes the particle to this position.
+    Its rest length is 0, and its other end is ``anchor``.
 
-    The force is meant for semi-implicit Euler, p' = p + v' h. The particle then reaches the
+    The force is meant for semi-implicit Euler, p' = p + v' h. With it, the particle reaches the
     computed position if its damping is 1 and nothing else accelerates it. With explicit Euler
     (``Particle.integrate``) it arrives one step late, because p' = p + v h does not include the new
-    force. Its oscillations therefore grow (E-22). The book's force formulas fit no integrator
+    force, and its oscillations therefore grow (E-22). The book's force formulas fit no integrator
     (E-6).
 
-    After the step, the particle has the mean velocity of the step, not the velocity on a real
+    After the step, the particle has the mean velocity of the step instead of the velocity on a real
     spring. With short steps the force is therefore half that of a real spring, and the oscillation
     is slower by a factor of 1.41. Even without damping, most oscillations die out. They grow, by up
     to 13 % per step, only if chi h is slightly larger than pi, 3 pi, 5 pi and so on (up to 4.06
@@ -189,9 +189,9 @@ class FakeStiffSpring:
     def update_force(self, particle: Particle, duration: float) -> None:
         """Add m ((T - x) / h^2 - v / h) on each axis, where T is the spring's position after h.
 
-        Here x is the position relative to the anchor, v is the velocity, and h is ``duration``.
-        Skip an immovable particle. Raises ValueError if the duration is not positive and finite,
-        even for an immovable particle.
+        Here x is the position relative to the anchor, v is the velocity, and h is ``duration``. If
+        the duration is not positive and finite, raise ValueError, even for an immovable particle.
+        Otherwise skip an immovable particle.
         """
         positive("duration", duration)
         if not particle.has_finite_mass:
@@ -208,9 +208,9 @@ class FakeStiffSpring:
 class ElasticLimitSpring:
     """Exercise 6.1: a spring that gets weaker when it is stretched beyond its elastic limit.
 
-    Up to a length of ``limit`` it behaves like a Spring. Beyond the limit, the extra length pulls
-    with only the fraction ``share`` of the stiffness. The spring has no damping, and it exerts no
-    force on the particle ``other``.
+    Up to a length of ``limit`` it behaves like a Spring, but any length beyond the limit pulls with
+    only the fraction ``share`` of the stiffness. The spring has no damping, and it exerts no force
+    on the particle at its other end, ``other``.
 
     Raises ValueError if the limit is below the rest length, or if a number is negative or not
     finite.
@@ -242,8 +242,8 @@ def max_stable_stiffness(damping: float, duration: float, mass: float = 1.0) -> 
 
     If ``Particle.integrate`` makes steps of h s, the limit is m (d^-h - 1) / h^2. Here h is
     ``duration``, d is the particle's ``damping``, and m is ``mass`` in kg. The limit holds for an
-    AnchoredSpring without damping. If d is 1 or more, no spring is stable, so the result is 0. If d
-    is 0, or if d^-h is too large for a float, the result is ``math.inf``.
+    AnchoredSpring without damping. The result is 0 if d is 1 or more, because no spring is stable
+    then, and ``math.inf`` if d is 0 or d^-h is too large for a float.
 
     Raises ValueError if the damping is negative, the duration or the mass is not positive, or one
     of them is not finite.
@@ -268,8 +268,8 @@ def _force(
 ) -> Vector3:
     """Return the spring_force on ``particle``, for a spring with its other end at ``end``.
 
-    If ``end_velocity`` is None, the other end is at rest. This function is ``spring_force`` written
-    out, because plain floats take a third of the time of vectors.
+    If ``end_velocity`` is None, the other end is at rest. This is ``spring_force`` written out with
+    plain floats, because it then takes a third of the time.
     """
     position = particle.position
     velocity = particle.velocity

@@ -1,9 +1,10 @@
 """Detectors, which find the current contacts and predict the next impact.
 
-After each step, a resolver calls ``contacts()`` of a detector to find out which particles touch.
-The contacts are always in the order of the particles. Particles that just touch also have a
-contact, with a penetration of 0. Before a step, ``time_division_step`` calls
-``next_impact(duration)``. It needs to know the time of the next impact so that it can stop there.
+A detector answers two questions. After each step, the engine calls its method ``contacts()`` to
+find out which particles touch. Particles that just touch also have a contact, with a penetration of
+0, and the contacts are always in the order of the particles. Time division asks the second question
+before it moves the particles: it calls ``next_impact(duration)``, because it must stop at the time
+of the next impact.
 
 Lengths are in m, times in s. A detector does not copy its list of particles, so you may add
 particles to the list later. Constructors raise ValueError for a number that is negative or not
@@ -48,8 +49,8 @@ class Detector(Protocol):
 class GroundPlane:
     """Exercise 7.5: level ground at ``height``, for points or for spheres with one ``radius``.
 
-    Everything below the height is ground. So even a fast particle cannot pass through the ground:
-    if it is below the height at the end of a step, it is in contact.
+    Everything below the height is ground, so a particle that is below it at the end of a step is in
+    contact, however deep it is. That is why not even a fast particle can pass through the ground.
     """
 
     def __init__(
@@ -67,8 +68,8 @@ class GroundPlane:
     def contacts(self) -> list[Contact]:
         """Exercise 7.5: return a contact for each particle that touches the ground or is below it.
 
-        The contact's ``other`` is None and its normal is (0, 1, 0). Its penetration is the depth of
-        the sphere's lowest point below the ground. Immovable particles have no contacts.
+        In each contact, ``other`` is None, the normal is (0, 1, 0), and the penetration is the
+        depth of the sphere's lowest point below the ground. Immovable particles have no contacts.
         """
         found = []
         for particle in self.particles:
@@ -83,9 +84,9 @@ class GroundPlane:
         """Find the first impact on the ground within ``duration`` s.
 
         After t seconds a particle is at p + v t + a t^2 / 2, where a is its ``last_acceleration``.
-        ``time_to_close`` computes when the gap between the particle and the ground closes. A
-        particle that lies on the ground and is accelerated downward always has an impact at time 0.
-        Immovable particles have no impacts. If two particles hit the ground at the same time, take
+        Use ``time_to_close`` to find out when the gap between the particle and the ground closes. A
+        particle that lies on the ground and is accelerated downward always has an impact at time 0,
+        and an immovable particle has none. If two particles hit the ground at the same time, take
         the particle that is earlier in the list.
 
         Returns:
@@ -107,7 +108,7 @@ class GroundPlane:
 
 
 class ParticlePairs:
-    """Finds contacts between pairs of spheres. All spheres have the same positive ``radius``."""
+    """Finds contacts and impacts between spheres that all have the same positive ``radius``."""
 
     def __init__(
         self, particles: Sequence[Particle], radius: float, restitution: float = 0.0
@@ -119,13 +120,13 @@ class ParticlePairs:
     def contacts(self) -> list[Contact]:
         """Return a contact for each pair of spheres that touch or overlap.
 
-        The contacts are in the order of the list. In each contact, ``particle`` comes earlier in
-        the list than ``other``. The normal points from ``other`` to ``particle``. If both positions
-        are equal, the normal is +Y. Two immovable particles have no contact.
+        The contacts are in the order of the list, and in each contact ``particle`` comes earlier in
+        the list than ``other``. The normal points from ``other`` to ``particle``, or along +Y if
+        both positions are equal. Two immovable particles have no contact.
 
-        If you compare every pair, the cost grows with the square of the number of particles. So
-        find the pairs in another way. For example, sort the particles into the cells of a grid.
-        Then only particles in the same cell or in neighboring cells can touch.
+        Do not compare every pair, because the cost would grow with the square of the number of
+        particles. You can, for example, sort the particles into the cells of a grid. If the cells
+        are large enough, only particles in the same cell or in neighboring cells can touch.
         """
         found = []
         for i, j in sorted(self._near_pairs()):
@@ -142,12 +143,14 @@ class ParticlePairs:
 
         After t seconds a particle is at p + v t + a t^2 / 2, where a is its ``last_acceleration``.
         Two particles with the same acceleration therefore move in a straight line relative to each
-        other. Immovable particles do not move and have no acceleration.
+        other, which makes the time of their impact easy to compute. Treat the velocity and the
+        acceleration of an immovable particle as zero.
 
-        Two spheres have an impact when they touch or overlap and close faster than
-        ``VELOCITY_TOLERANCE``. If this is already true at the start, the time is 0. A slower
-        closing speed may be the rounding error of an earlier impact, so ignore it. If several
-        impacts happen at the same time, take the first in the order of ``contacts()``.
+        Two spheres have an impact when they touch or overlap while they approach each other faster
+        than ``VELOCITY_TOLERANCE``. Ignore a slower approach, because it may be only the rounding
+        error of an earlier impact. If the spheres already touch and approach at the start, the time
+        is 0. If several impacts happen at the same time, take the first in the order of
+        ``contacts()``.
 
         Returns:
             (time, contact), or None if there is no impact. The contact has the normal at the time
@@ -232,7 +235,7 @@ class Detectors:
 def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
     """Return the first time in s at which a gap is 0 or negative and still decreasing.
 
-    After t seconds the gap is gap + v t + a t^2 / 2. Here v is ``velocity`` in m/s, and a is
+    After t seconds the gap is gap + v t + a t^2 / 2, where v is ``velocity`` in m/s and a is
     ``acceleration`` in m/s^2. A negative v makes the gap smaller. If the gap is already 0 or
     negative at the start, the result depends on v:
 
@@ -240,9 +243,9 @@ def time_to_close(gap: float, velocity: float, acceleration: float) -> float:
     - If v is positive and a is negative, the result is the time at which the gap returns to 0. If
       the gap never becomes positive, the result is the time at which v reverses.
 
-    A very slow velocity may be a rounding error. So if a is not negative, a velocity of
+    A very slow velocity may be only a rounding error. So if a is not negative, a velocity of
     -VELOCITY_TOLERANCE or more does not close the gap. Return ``math.inf`` if the gap never closes,
-    or if the velocity reverses exactly when the gap is 0. The arguments are not checked.
+    and also if the velocity reverses exactly when the gap is 0. The arguments are not checked.
     """
     if acceleration >= 0.0 and velocity >= -VELOCITY_TOLERANCE:
         return math.inf

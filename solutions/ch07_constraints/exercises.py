@@ -39,11 +39,11 @@ def restitution_of_drop(initial_height: float, bounce_height: float) -> float:
 def table_of_drops(drops: Sequence[Drop]) -> list[tuple[str, int, float, float | None]]:
     """Exercise 7.1: return a row (material, number of drops, mean, standard error) per material.
 
-    Each drop in ``drops`` is a tuple of a material, an initial height and a bounce height. Heights
-    are in m. For each material, compute the restitutions of its n drops and their mean. The
-    standard error of this mean is s / sqrt(n), where s is the standard deviation of the n
-    restitutions, computed with n - 1. For a single drop, the standard error is None. The rows are
-    in the order in which the materials first appear.
+    Each drop in ``drops`` is a tuple of a material, an initial height and a bounce height, both in
+    m. For each material, compute the restitutions of its n drops, their mean, and the standard
+    error of this mean. The standard error is s / sqrt(n), where s is the standard deviation of the
+    n restitutions, computed with n - 1. A single drop has no standard deviation, so its standard
+    error is None. The rows are in the order in which the materials first appear.
 
     Raises:
         ValueError, TypeError: for the same reasons as ``restitution_of_drop``.
@@ -71,9 +71,9 @@ def top_ball_speed(
     """Exercise 7.3: return the upward velocity in m/s of the upper of two balls after a drop.
 
     Both balls are dropped from ``height`` in m, one directly above the other and almost touching
-    it. The lower ball bounces off the ground first. Before it has risen noticeably, it hits the
-    upper ball, which is still falling. If the upper ball then still moves down, the result is
-    negative. Gravity is in m/s^2 and masses are in kg.
+    it. The lower ball bounces off the ground first, and before it has risen noticeably, it hits the
+    upper ball, which is still falling. The result is the velocity of the upper ball after this
+    impact, and is negative if the ball still moves down. Gravity is in m/s^2 and masses are in kg.
 
     Raises:
         ValueError: if height or gravity is negative, a mass is not positive, a restitution is not
@@ -94,9 +94,9 @@ def top_ball_speed(
 def force_for_frame(force: Vector3, contact_time: float, frame: float) -> Vector3:
     """Exercise 7.4: return a force in N with the same impulse as ``force``, but for a whole frame.
 
-    ``force`` acts for only ``contact_time`` s of a frame that lasts ``frame`` s. The engine applies
-    every force for the whole frame. So return a new vector for a smaller force, with the same
-    direction and the same impulse.
+    ``force`` acts for only ``contact_time`` s of a frame that lasts ``frame`` s, but the engine
+    applies every force for the whole frame. So return a smaller force, as a new vector, which has
+    the same direction and produces the same impulse in the longer time.
 
     Raises:
         ValueError: if the contact time is negative or longer than the frame, the frame is not

@@ -1,8 +1,8 @@
 """Links between two particles, or between a particle and an anchor: cables, rods and limits.
 
-A link is a contact generator. It generates no contact while its length is within its limits. When
-the length reaches or passes a limit, ``contacts()`` returns a contact. Resolving this contact
-brings the length back to the limit.
+A link is a contact generator. While its length is within its limits, it generates no contact. As
+soon as the length reaches or passes a limit, ``contacts()`` returns a contact, and resolving this
+contact brings the length back to the limit.
 
 Lengths are in m. Constructors raise ValueError for a length that is not positive, a restitution
 outside 0 to 1 and anything that is not finite, and TypeError for an argument of the wrong type. You
@@ -20,8 +20,9 @@ from ch07_constraints.contacts import Contact, a_restitution, direction_of
 class Cable:
     """Keeps two particles at most ``max_length`` apart (7.4.1).
 
-    When the cable becomes taut, its ends can bounce back toward each other. ``restitution`` is
-    their relative speed just after this moment divided by their relative speed just before it.
+    When the cable becomes taut, its ends can bounce back toward each other. ``restitution`` is the
+    speed at which they approach after this bounce, divided by the speed at which they moved apart
+    before it.
     """
 
     def __init__(
@@ -34,8 +35,9 @@ class Cable:
     def contacts(self) -> list[Contact]:
         """Return a contact if the cable is taut, which means ``max_length`` long or longer.
 
-        In the contact, ``particle`` is a and ``other`` is b. The normal points from a to b. The
-        penetration is the length of the cable minus ``max_length``.
+        In the contact, ``particle`` is a and ``other`` is b. The normal points from a to b, because
+        a taut cable pulls its ends together. The penetration is the length of the cable minus
+        ``max_length``.
         """
         return _of_cable(self, self.a, self.b, self.b.position)
 
@@ -69,11 +71,12 @@ class Rod:
     def contacts(self) -> list[Contact]:
         """Return a contact if the rod is too long or too short, and no contact otherwise.
 
-        In the contact, ``particle`` is a and ``other`` is b. The normal points from a to b if the
-        rod is too long, and away from b if the rod is too short. The penetration is the difference
-        between the distance and ``length``, which is always positive. The restitution is 0. If both
-        ends are at the same position, use +Y as the direction from a to b. The book's text uses two
-        contacts per rod, but its listing shows that one contact is enough (E-9).
+        In the contact, ``particle`` is a and ``other`` is b. If the rod is too long, it pulls, so
+        the normal points from a to b. If it is too short, it pushes, so the normal points away from
+        b. The penetration is the difference between the distance and ``length`` as a positive
+        number, and the restitution is 0. If both ends are at the same position, use +Y as the
+        direction from a to b. The book's text uses two contacts per rod, but its listing shows that
+        one contact is enough (E-9).
         """
         return _of_rod(self, self.a, self.b, self.b.position)
 
@@ -89,14 +92,14 @@ class AnchoredRod:
     def contacts(self) -> list[Contact]:
         """Return a contact if the rod is too long or too short, and no contact otherwise.
 
-        The contact is the same as for a Rod, with two differences: the anchor replaces b, and
-        ``other`` is None.
+        The contact is the same as for a Rod, except that the anchor replaces b and ``other`` is
+        None.
         """
         return _of_rod(self, self.particle, None, self.anchor)
 
 
 class Limits:
-    """Exercise 7.6: keeps two particles between ``min_length`` and ``max_length`` apart.
+    """Exercise 7.6: keeps two particles at least ``min_length`` and at most ``max_length`` apart.
 
     If ``min_length`` is 0, there is no lower limit. The constructor also raises ValueError if
     ``min_length`` is negative or greater than ``max_length``.
@@ -122,10 +125,10 @@ class Limits:
         """Exercise 7.6: return a contact for each limit that is reached or passed.
 
         If the distance is ``max_length`` or more, the contact is like the contact of a Cable. If it
-        is ``min_length`` or less, the normal points away from b, and the penetration is
-        ``min_length`` minus the distance. If both limits are reached, return both contacts in this
-        order. If both ends are at the same position, use +Y as the direction from a to b. Each
-        contact has the link's restitution.
+        is ``min_length`` or less, the contact pushes: its normal points away from b, and its
+        penetration is ``min_length`` minus the distance. If both limits are reached, return both
+        contacts in this order. Each contact has the link's restitution. If both ends are at the
+        same position, use +Y as the direction from a to b.
         """
         offset = self.b.position - self.a.position
         length = offset.magnitude()
@@ -144,20 +147,20 @@ class TwoSidedRod(Rod):
     """Going further, G7.1: a rod that always has two contacts, one that pulls and one that pushes.
 
     A Rod that has the right length, or is a little too short, has no contact that pulls. If its
-    ends fly apart, nothing stops them for one step. This delay adds up in a chain. The correction
-    of one rod pulls its neighbor apart, and this is not noticed until the next step. So a pull
-    travels only about one link per step, however many iterations there are. Two contacts per rod
-    avoid the delay.
+    ends fly apart, nothing stops them until the next step. In a chain this delay adds up, because
+    correcting one rod stretches its neighbor, which also goes unnoticed until the next step. A pull
+    therefore travels only about one link per step, however many iterations there are. Two contacts
+    per rod avoid the delay.
     """
 
     def contacts(self) -> list[Contact]:
         """G7.1: always return two contacts: first one that pulls, then one that pushes.
 
-        The first contact is like the contact of a Cable. Its normal points from a to b, and its
+        The first contact is like the contact of a Cable: its normal points from a to b, and its
         penetration is the distance minus ``length``, which may be negative. The second contact has
-        the opposite normal and the opposite penetration. Together, the two contacts stop motion of
-        the ends in both directions in the velocity phase. If both ends are at the same position,
-        use +Y as the direction from a to b.
+        the opposite normal and the opposite penetration. In the velocity phase, the first contact
+        stops ends that move apart, and the second stops ends that approach each other. If both ends
+        are at the same position, use +Y as the direction from a to b.
         """
         offset = self.b.position - self.a.position
         excess = offset.magnitude() - self.length

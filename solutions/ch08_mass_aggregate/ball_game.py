@@ -1,8 +1,8 @@
 """A game: bounce a ball from row to row over the rope bridge (project 8.1).
 
 The ball jumps automatically whenever it lands on a row of planks, and the player steers it in the
-air. Each row gives points only once. The player wins by landing on every row, and loses a life
-whenever the ball touches the ground.
+air. Each row gives points only for the first landing. The player wins by landing on every row, and
+loses a life whenever the ball touches the ground.
 """
 
 from __future__ import annotations
@@ -50,14 +50,14 @@ class Rules:
 
     @property
     def over(self) -> bool:
-        """Whether the game is won or lost. The score and the lives no longer change after that."""
+        """Whether the game is won or lost, so that the score and the lives no longer change."""
         return self.won or self.lives == 0
 
     def landed(self, row: int) -> None:
         """Record that the ball has landed on the row with the index ``row``.
 
-        The first landing on a row gives ``POINTS``. If it wins the game, the player also gets
-        ``BONUS`` for each remaining life. Later landings on the same row change nothing, and
+        The first landing on a row gives ``POINTS``. If this landing wins the game, the player also
+        gets ``BONUS`` for each remaining life. Later landings on the same row change nothing, and
         neither does a landing after the game is over.
 
         Raises:
@@ -73,7 +73,7 @@ class Rules:
             self.score += BONUS * self.lives
 
     def fell(self) -> None:
-        """Take away one life after the ball touched the ground. Do nothing if the game is over."""
+        """Take away one life, because the ball has touched the ground, unless the game is over."""
         if not self.over:
             self.lives -= 1
 
@@ -81,9 +81,9 @@ class Rules:
 class Landings:
     """A contact generator that returns the contacts of ``deck`` and records where the ball lands.
 
-    The world calls ``contacts`` once per step. If the ball touches the deck on its way down in that
-    step, ``row`` is set to the index of the row nearest to the ball. Otherwise ``row`` is set to
-    None.
+    The world calls ``contacts`` once per step, so the game can read afterward where the ball has
+    landed. If the ball touched the deck on its way down, ``row`` is the index of the row nearest to
+    the ball. Otherwise ``row`` is None.
     """
 
     def __init__(self, deck: Deck) -> None:
@@ -128,10 +128,10 @@ class BallGame:
         self.ball.velocity = Vector3()
 
     def step(self, duration: float) -> None:
-        """Make one time step. ``duration`` is in s. Do nothing if the game is over.
+        """Make one time step of ``duration`` s, or do nothing if the game is over.
 
-        First push the ball in the player's direction with an acceleration of ``PUSH``, and step the
-        world. Then check where the ball is:
+        First push the ball in the player's direction so that it gets an acceleration of ``PUSH``,
+        and step the world. Then check where the ball is:
 
         - If it has landed on a row, report the landing to the rules. Make the ball jump by setting
           its vertical velocity to ``JUMP``. Its velocity along X stays the same.

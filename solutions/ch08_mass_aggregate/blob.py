@@ -1,4 +1,4 @@
-"""A blob of particles that are held together by bonds. Bonds weaken, break and heal (book 8.2)."""
+"""A blob of particles, held together by bonds that can weaken, break and heal (book 8.2)."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ GRAVITY = Vector3(0.0, -9.81, 0.0)
 
 
 class Bond:
-    """A soft spring between two particles. It has an elastic limit, can break, and can heal.
+    """A soft spring between two particles that has an elastic limit, can break, and can heal.
 
     Up to the length ``limit`` the bond is an ordinary spring with a ``stiffness`` in N/m. Beyond
-    the limit it is softer: the extra length pulls with only the fraction ``share`` of the
-    stiffness, as in exercise 6.1. The bond breaks when it gets longer than ``break_length``, and a
-    broken bond exerts no force. It heals when the distance between its ends is ``rest_length`` or
-    less. ``holds`` is False while the bond is broken.
+    the limit it is softer, because the extra length pulls with only the fraction ``share`` of the
+    stiffness, as in exercise 6.1. If the bond gets longer than ``break_length``, it breaks and
+    exerts no force until it heals. It heals when the distance between its ends is ``rest_length``
+    or less. ``holds`` is False while the bond is broken.
 
     All lengths are in m. Register the bond for both particles, because each call of
     ``update_force`` pulls on one end only.
@@ -62,10 +62,10 @@ class Bond:
         self.holds = True
 
     def update_force(self, particle: Particle, duration: float) -> None:
-        """Break or heal the bond if its length requires it. If it holds, pull on ``particle``.
+        """Break or heal the bond if necessary, and pull on ``particle`` if the bond holds.
 
-        Check the length before you compute the force, so that a bond that breaks or heals does so
-        for both ends in the same step.
+        The registry calls this method once for each end. Check the length before you compute the
+        force, so that a bond that breaks or heals does so for both ends in the same step.
         """
         length = (self.b.position - self.a.position).magnitude()
         if self.holds:
@@ -80,7 +80,8 @@ class Bond:
 def spread(particles: Sequence[Particle]) -> float:
     """Return the root mean square distance of the particles from their center of mass, in m.
 
-    The result measures the size of the blob. Each particle is weighted by its mass.
+    Use it to measure the size of a blob while it falls and spreads. Each particle is weighted by
+    its mass.
 
     Raises:
         ValueError: if there are no particles, or one of them is immovable.
@@ -103,9 +104,9 @@ def spread(particles: Sequence[Particle]) -> float:
 class Blob:
     """A blob that falls to the ground: its ``particles``, ``bonds`` and ``world``.
 
-    The blob is flat: all particles start at z = 0. The middle of the blob starts at ``height``, in
-    m. Every two particles are joined by a bond. If ``cables`` is True, they are also joined by a
-    cable as long as the bond's ``break_length``. The cables keep the bonds from breaking.
+    The blob is flat, so all particles start at z = 0, and its middle starts at ``height``, in m.
+    Every two particles are joined by a bond. If ``cables`` is True, they are also joined by a cable
+    as long as the bond's ``break_length``, which keeps the bond from breaking.
 
     Set ``push`` to a force in N to push the blob. It acts on each particle in every step.
 
@@ -138,7 +139,7 @@ class Blob:
                 self.world.contact_generators.append(Cable(a, b, BREAK * rest))
 
     def step(self, duration: float) -> None:
-        """Make one time step. ``duration`` is in s. The force ``push`` acts on every particle.
+        """Make one time step of ``duration`` s, in which the force ``push`` acts on every particle.
 
         If the push is not finite, ``add_force`` raises its usual error.
 

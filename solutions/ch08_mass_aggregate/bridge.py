@@ -36,7 +36,8 @@ ITERATIONS = 200
 def links_of(rows: Sequence[Row]) -> list[ContactGenerator]:
     """Return the rods and cables that hold ``rows`` of planks together.
 
-    The planks must be at their start positions.
+    Call this function while the planks are at their start positions, on which the anchors depend.
+    It returns these links:
 
     - A Rod of length ``WIDTH`` joins the two ends of each row.
     - A Cable of ``CABLE_LENGTH`` joins each end to the end on the same side of the next row.
@@ -58,7 +59,9 @@ def links_of(rows: Sequence[Row]) -> list[ContactGenerator]:
 class Deck:
     """A contact generator for a ball that rolls over rows of planks.
 
-    ``radius`` is the radius of the ball in m. ``rows`` must be in order along X.
+    A row has particles only at its two ends, so a ball would fall through between them. The deck is
+    a surface that connects the rows and carries the ball. ``radius`` is the radius of the ball in
+    m, and ``rows`` must be in order along X.
 
     Raises:
         ValueError: if the radius is not positive and finite, the restitution is not from 0 to 1, or
@@ -78,10 +81,10 @@ class Deck:
     def nearest(self) -> tuple[int, float] | None:
         """Return the index of the row nearest to the ball, and the deck's height there in m.
 
-        The distance is measured along X. The position of a row is the midpoint of its two ends. The
-        deck is a line of straight segments that connect these midpoints. It continues at the same
-        height before the first row and after the last one. The returned height is the height of
-        this line directly below the ball.
+        Treat each row as a point, the midpoint of its two ends. The nearest row is the one whose
+        midpoint is nearest along X. The deck is the line of straight segments that connect these
+        midpoints, and it continues at the same height before the first row and after the last one.
+        The returned height is the height of this line directly below the ball.
 
         If two rows are equally near, return the first one. Return None if the ball is more than
         half a ``SPACING`` beyond the first or last row.
@@ -104,8 +107,8 @@ class Deck:
         is +Y. The penetration is the depth of the ball's lowest point below the deck.
 
         Return an empty list if the ball is above the deck or beyond the ends of the bridge. Also
-        return an empty list if the penetration is more than the ball's diameter. In that case the
-        ball has already fallen through the deck.
+        return an empty list if the penetration is more than the ball's diameter, because the ball
+        has then already fallen through the deck.
         """
         found = self.nearest()
         if found is None:
@@ -121,8 +124,8 @@ class Deck:
 class Bridge:
     """A rope bridge above the ground: ``rows`` of planks, a ``ball`` and their ``world``.
 
-    ``ball_mass`` is in kg, and ``x`` is the start position of the ball along X in m. ``pace`` is
-    the speed in m/s at which the ball is moved along X.
+    ``ball_mass`` is in kg, and ``x`` is the start position of the ball along X in m. The bridge
+    moves the ball along X at the speed ``pace`` in m/s, which is 0 at first.
 
     Raises:
         ValueError: if the ball's mass is not positive and finite, or x is not finite.
@@ -144,7 +147,7 @@ class Bridge:
         )
 
     def step(self, duration: float) -> None:
-        """Make one time step. ``duration`` is in s. The ball moves along X at ``pace``.
+        """Make one time step of ``duration`` s, in which the ball moves along X at ``pace``.
 
         Raises:
             ValueError: if the duration is not positive and finite, or the pace is not finite. In

@@ -19,13 +19,13 @@ from ch07_constraints.detectors import some_particles
 class ParticleWorld:
     """A set of particles, with the forces, the integrator and the contacts that move them.
 
-    ``particles`` and ``contact_generators`` are copied into new lists, and you may add to these
-    lists later. A particle may be listed only once. ``registry`` is a ForceRegistry that starts
-    empty. ``integrator`` can be any integrator of chapter 6. ``iterations`` is the limit of the
+    ``particles`` and ``contact_generators`` are copied into new lists, to which you may add later.
+    A particle may be listed only once. ``registry`` is a ForceRegistry that starts empty, and
+    ``integrator`` can be any integrator of chapter 6. ``iterations`` is the limit of the
     ContactResolver in ``resolver``.
 
-    There is no limit on the number of contacts in a step. The book's world has such a limit, and
-    silently ignores all contacts beyond it.
+    There is no limit on the number of contacts in a step, unlike in the book, whose world silently
+    ignores all contacts beyond its limit.
 
     Raises:
         ValueError: if a particle is listed twice, or the resolver rejects ``iterations``.
@@ -60,7 +60,8 @@ class ParticleWorld:
     def start_frame(self) -> None:
         """Clear the force accumulators of all particles.
 
-        Call this method before you add forces by hand. Book 8.1.
+        Call this method at the start of each frame, before you add forces by hand, so that forces
+        of the last frame do not act again. Book 8.1.
         """
         for particle in self.particles:
             particle.clear_forces()
@@ -75,11 +76,10 @@ class ParticleWorld:
     def run_physics(self, duration: float) -> None:
         """Advance the world by one time step. ``duration`` is in s.
 
-        First the integrator moves the particles. The forces on the particles come from the
-        registry, and from calls of ``add_force`` since ``start_frame``. Then every generator finds
-        its contacts at the new positions, so call ``contacts()`` of each generator once. Finally
-        the resolver resolves all contacts in one call. If there are no contacts, do not call the
-        resolver. Book 8.1.
+        First the integrator moves the particles. The forces on them come from the registry, and
+        from calls of ``add_force`` since ``start_frame``. Then call ``contacts()`` of each
+        generator once, to find the contacts at the new positions. Finally the resolver resolves all
+        contacts in one call. If there are no contacts, do not call the resolver. Book 8.1.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.
@@ -93,9 +93,9 @@ class ParticleWorld:
     def step(self, duration: float) -> None:
         """Start a frame and run its physics. ``duration`` is in s.
 
-        Forces that you added before the call have no effect, because the step clears the
-        accumulators first. To add forces by hand, call ``start_frame`` and ``run_physics``
-        separately.
+        A step clears the accumulators first, so forces that you added before the call have no
+        effect. If you want to add forces by hand, call ``start_frame``, add them, and then call
+        ``run_physics``.
 
         Raises:
             ValueError: if the duration is not positive and finite. In that case nothing changes.
@@ -109,10 +109,11 @@ def mechanical_energy(particles: Iterable[Particle]) -> float:
     """Return the mechanical energy of the particles in J: the sum of m v^2 / 2 - m a . p.
 
     Here a is the particle's own acceleration and p is its position. For a = (0, -g, 0) the energy
-    is m v^2 / 2 + m g y. The forces of generators and immovable particles do not contribute.
+    is m v^2 / 2 + m g y. The forces of generators do not contribute, and neither do immovable
+    particles.
 
     Use this function to check a simulation. The energy should stay constant as long as there is no
-    damping and no force acts.
+    damping and no generator adds a force.
     """
     return sum(
         particle.kinetic_energy() - particle.mass * particle.acceleration.dot(particle.position)

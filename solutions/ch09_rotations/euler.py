@@ -1,11 +1,11 @@
 """Euler angles, and why they fail (book 9.2.1).
 
 Three angles x, y and z in radians describe an orientation. The object rotates first by x about the
-X axis of the world, then by y about the world's Y axis, and then by z about its Z axis. Every
-orientation can be described in this way (E-33). But if y is a quarter turn, the second rotation
-turns the X axis onto Z or -Z. The first and the last rotation then have the same axis, so one
-degree of freedom is lost. This state is called gimbal lock. It is the reason why engines store
-orientations as quaternions.
+X axis of the world, then by y about the world's Y axis, and then by z about the world's Z axis.
+Every orientation can be described in this way (E-33). But if y is a quarter turn, the second
+rotation turns the X axis onto Z or -Z. The first and the last rotation then have the same axis, so
+one degree of freedom is lost. This state is called gimbal lock, and it is the reason why engines
+store orientations as quaternions.
 
 The functions raise ValueError for a number that is not finite, and TypeError for an argument of the
 wrong type.
@@ -32,10 +32,11 @@ def euler_to_quaternion(x: float, y: float, z: float) -> Quaternion:
 def rate_map(x: float, y: float, z: float) -> Matrix3:
     """Return the matrix that maps the rates of the three angles to the angular velocity.
 
-    The rates and the angular velocity are vectors in rad/s. The angular velocity is in world axes.
-    Each column of the matrix is the axis about which one of the angles rotates. The axis for z is Z
-    itself. The axis for y is Y rotated by z, and the axis for x is X rotated by y and then by z.
-    The matrix does not depend on x, but x must be finite too.
+    The rates are the speeds in rad/s at which the three angles change, and the angular velocity is
+    a vector in rad/s, in world axes. Each column of the matrix is the axis about which the object
+    rotates when only one of the angles changes. The axis for z is Z itself, because this rotation
+    comes last. The axis for y is Y rotated by z, and the axis for x is X rotated by y and then by
+    z. The matrix does not depend on x, but x must be finite too.
     """
     finite("x", x)
     cos_y, sin_y = math.cos(finite("y", y)), math.sin(y)
@@ -50,8 +51,8 @@ def rate_map(x: float, y: float, z: float) -> Matrix3:
 def euler_rates(x: float, y: float, z: float, angular_velocity: Vector3) -> Vector3:
     """Return the rates of the three angles in rad/s that produce ``angular_velocity``.
 
-    ``angular_velocity`` is in world axes. Near gimbal lock the rates are very large. In gimbal
-    lock, no rates can produce a rotation about the lost axis.
+    ``angular_velocity`` is in world axes. Near gimbal lock the rates become very large, and in
+    gimbal lock no rates can produce a rotation about the lost axis.
 
     Raises:
         ValueError: in gimbal lock, that is, unless |cos y|, the determinant of the rate map, is

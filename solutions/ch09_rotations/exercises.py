@@ -24,8 +24,8 @@ def two_other_turns() -> tuple[float, float]:
     """Exercise 9.1: return the two angles (a, b) of an equivalent rotation, in degrees.
 
     If you rotate an object by 90 degrees about X and then by 90 degrees about Y, the result is the
-    same as if you rotate it by a about Z and then by b about X. Both angles are from -180 to 180.
-    The axes are the axes of the world, so they do not rotate with the object. Rotations are
+    same as if you rotate it by a about Z and then by b about X. Find a and b, both from -180 to
+    180. The axes are those of the world, so they do not rotate with the object, and rotations are
     right-handed.
     """
     return -90.0, 90.0
@@ -34,9 +34,10 @@ def two_other_turns() -> tuple[float, float]:
 def back_to_reference(orientation: Quaternion) -> tuple[Vector3, float]:
     """Exercise 9.2: return the rotation that takes an orientation to the reference (1, 0, 0, 0).
 
-    The result is an axis and an angle. The axis is a new unit vector in world axes, and the angle
-    is in radians, from -pi to pi. The opposite axis with the opposite angle is also accepted. If
-    the orientation is already the reference, the angle is 0 and the axis may be any unit vector.
+    The result is an axis, which is a new unit vector in world axes, and an angle in radians, from
+    -pi to pi. The opposite axis with the opposite angle is the same rotation, so it is also
+    accepted. If the orientation is already the reference, the angle is 0 and the axis may be any
+    unit vector.
 
     >>> axis, angle = back_to_reference(Quaternion(0.5, 0.5, 0.5, 0.5))
     >>> round(angle, 6), [round(component, 6) for component in axis]  # 120 degrees
@@ -68,8 +69,8 @@ def product_without_j_and_k(a: Quaternion, b: Quaternion) -> Quaternion:
 def turned_by_sense(orientation: Quaternion, rate: float, duration: float) -> Quaternion:
     """Exercise 9.4: return the orientation after a steady rotation about the world's X axis.
 
-    Compute it with a single rotation, and return a new quaternion. ``rate`` is in rad/s and may be
-    negative. ``duration`` is in s.
+    The axis does not change, so a single rotation is enough. ``rate`` is in rad/s and may be
+    negative, and ``duration`` is in s. The result is a new quaternion.
 
     Raises:
         ValueError: if the rate is not finite, or the duration is not positive and finite.
@@ -82,11 +83,11 @@ def turned_by_sense(orientation: Quaternion, rate: float, duration: float) -> Qu
 def turned_by_steps(
     orientation: Quaternion, rate: float, duration: float, steps: int = 1
 ) -> tuple[Quaternion, float]:
-    """Exercise 9.4: compute the same orientation by steps of Eq. 9.5. Return it and its error.
+    """Exercise 9.4: approximate the result of ``turned_by_sense`` by steps of Eq. 9.5.
 
-    Divide ``duration`` into ``steps`` equal steps. The orientation is a new quaternion, which is
-    normalized after the last step. The error is the angle in radians between this orientation and
-    the result of ``turned_by_sense``. It is from 0 to pi.
+    Divide ``duration`` into ``steps`` equal steps, and normalize only after the last one. Return
+    the final orientation as a new quaternion, and its error. The error is the angle in radians,
+    from 0 to pi, between this orientation and the result of ``turned_by_sense``.
 
     >>> q, error = turned_by_steps(Quaternion(0.5, 0.5, 0.5, 0.5), 0.5, 2.0)
     >>> [round(component, 6) for component in q], round(error, 6)  # 4.2 degrees
@@ -109,7 +110,8 @@ def turned_by_steps(
 def read_off(matrix: Matrix4) -> tuple[Matrix3, Vector3]:
     """Exercise 9.5: return the rotation and the position that a 3x4 matrix contains.
 
-    Both are new objects.
+    The rotation consists of the first three columns, and the position is the fourth. Both results
+    are new objects.
 
     >>> read_off(Matrix4(0, -1, 0, 4, 1, 0, 0, 5, 0, 0, 1, 6))
     (Matrix3(0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0), Vector3(4.0, 5.0, 6.0))
@@ -129,9 +131,10 @@ def read_off(matrix: Matrix4) -> tuple[Matrix3, Vector3]:
 def easy_inverse(matrix: Matrix4) -> Matrix4:
     """Exercise 9.6: invert a matrix of a rotation and a translation, without any division.
 
-    The inverse of a rotation is its transpose, so transpose the 3x3 part. Then rotate the
-    translation back and negate it. If the 3x3 part is not a rotation, the result is not the
-    inverse. Do not check this, because a check would cost most of the time that this method saves.
+    The inverse of a rotation is its transpose, so transpose the 3x3 part. Then multiply the
+    translation by this transpose and negate it. If the 3x3 part is not a rotation, the result is
+    wrong, but do not check this, because a check would cost most of the time that this method
+    saves.
     """
     if not isinstance(matrix, Matrix4):
         raise TypeError(f"matrix must be a Matrix4, got {matrix!r}")
@@ -146,8 +149,8 @@ def easy_inverse(matrix: Matrix4) -> Matrix4:
 def center_of_stones(stones: Sequence[Stone]) -> Point:
     """Exercise 9.7: return the center of mass (x, y) of a box with stones, in m.
 
-    Each stone is a tuple of its name, its mass in kg, and the x and y of its center in m. Include
-    the empty box as one of the stones, unless its mass is negligible.
+    Each stone is a tuple of its name, its mass in kg, and the x and y of its center in m. The box
+    has a mass too, so include it as one of the stones unless its mass is negligible.
 
     Raises:
         ValueError, TypeError: for the same reasons as ``center_of_mass``.
@@ -159,8 +162,9 @@ def center_of_stones(stones: Sequence[Stone]) -> Point:
 def balance_offset(stones: Sequence[Stone], angle: float) -> float:
     """Exercise 9.7: return the offset in m of a straight edge on which the box balances.
 
-    The edge has the direction (cos, sin) of ``angle``. The offset is its distance from the corner
-    of the box at x = y = 0. It is measured to the left of the edge, in the direction (-sin, cos).
+    The box balances if the edge passes below its center of mass. The edge has the direction (cos,
+    sin) of ``angle``. Its offset is its distance from the corner of the box at x = y = 0, and is
+    positive if the edge lies to the left of the corner, in the direction (-sin, cos).
 
     Raises:
         ValueError, TypeError: for the same reasons as ``center_of_stones``, or if the angle is not
@@ -174,10 +178,10 @@ def balance_offset(stones: Sequence[Stone], angle: float) -> float:
 def masses_beside(stones: Sequence[Stone], angle: float) -> tuple[float, float]:
     """Exercise 9.7: return the masses in kg to the left and to the right of the balance edge.
 
-    The edge is the one from ``balance_offset``. The book says that the two masses are equal (E-32).
-    They need not be, because a small mass far from the edge balances a large mass near it. A stone
-    belongs to the side on which its center lies. If its center is within 1e-9 m of the edge, it
-    belongs to neither side.
+    The edge is the one from ``balance_offset``. The book says that the two masses are equal (E-32),
+    but they need not be, because a small mass far from the edge balances a large mass near it. A
+    stone belongs to the side on which its center lies, or to neither side if its center is within
+    1e-9 m of the edge.
 
     Raises:
         ValueError, TypeError: for the same reasons as ``balance_offset``.

@@ -1,7 +1,7 @@
 """Matrices that rotate, scale and move points, and a change of basis (book 9.4.2 to 9.4.6).
 
-As in matrix3.py, vectors are columns, a product applies its right factor first, and wrong arguments
-raise the same errors. You can also import Matrix3 from here.
+The conventions are the same as in matrix3.py: vectors are columns, a product applies its right
+factor first, and wrong arguments raise the same errors. You can also import Matrix3 from here.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ M = TypeVar("M", "Matrix3", "Matrix4")
 class Matrix4:
     """A 3x4 matrix: a Matrix3 with a translation as the fourth column.
 
-    Its twelve numbers are given row by row, and ``entries`` is the tuple of all twelve. ``m[row,
-    column]`` reads one number, with rows from 0 to 2 and columns from 0 to 3.
+    Pass its twelve numbers row by row. ``entries`` is the tuple of all twelve, and ``m[row,
+    column]`` reads one of them, with rows from 0 to 2 and columns from 0 to 3.
     """
 
     __slots__ = ("entries",)
@@ -88,7 +88,9 @@ class Matrix4:
     def inverse(self) -> Matrix4:
         """Return the inverse as a new matrix (9.4.3).
 
-        The book's listings contain errors (E-13, E-29, E-30).
+        The 3x3 part of the inverse is the inverse of the 3x3 part. The translation of the inverse
+        is the negative translation, multiplied by this inverse. Do not copy the book's listings,
+        because they contain errors (E-13, E-29, E-30).
 
         Raises:
             ValueError: if ``Matrix3.inverse`` rejects the 3x3 part.
@@ -98,10 +100,13 @@ class Matrix4:
 
     @staticmethod
     def from_orientation_and_position(q: Quaternion, p: Vector3) -> Matrix4:
-        """Return the matrix from object to world coordinates. It rotates by ``q``, then adds ``p``.
+        """Return the matrix that converts coordinates of an object to world coordinates.
+
+        ``q`` is the orientation of the object and ``p`` its position, so the matrix rotates by
+        ``q`` and then adds ``p``.
 
         Raises:
-            ValueError: if the quaternion's length is not 1 (``is_unit``).
+            ValueError: if the length of ``q`` is not 1 (``is_unit``).
         """
         if not isinstance(p, Vector3):
             raise TypeError(f"p must be a Vector3, got {p!r}")
@@ -110,8 +115,9 @@ class Matrix4:
     def transform_inverse(self, v: Vector3) -> Vector3:
         """Return the point that ``transform`` maps to ``v``, as a new vector (9.4.5).
 
-        Subtract the translation, and then multiply by the transpose of the 3x3 part. The transpose
-        is the inverse only of a rotation, so for any other 3x3 part the result is wrong.
+        Subtract the translation, and then multiply by the transpose of the 3x3 part. This is faster
+        than a general inverse, but it is right only for a rotation, because only then is the
+        transpose the inverse.
         """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
@@ -133,7 +139,7 @@ class Matrix4:
     def transform_inverse_direction(self, v: Vector3) -> Vector3:
         """Return the direction that ``transform_direction`` maps to ``v``, as a new vector (9.4.5).
 
-        Multiply by the transpose, which is the inverse of a rotation.
+        Multiply by the transpose of the 3x3 part. For a rotation, the transpose is the inverse.
         """
         if not isinstance(v, Vector3):
             raise TypeError(f"v must be a Vector3, got {v!r}")
@@ -145,8 +151,9 @@ class Matrix4:
 def change_basis(m: M, basis: M) -> M:
     """Return ``m`` expressed in other axes: the product basis * m * basis^-1 (9.4.6).
 
-    ``m`` uses the old axes. ``basis`` converts coordinates in the old axes to coordinates in the
-    new axes.
+    ``m`` works on coordinates in the old axes, and ``basis`` converts these coordinates to the new
+    axes. The result does the same as ``m`` for coordinates in the new axes: it converts them to the
+    old axes, applies ``m``, and converts back.
 
     Raises:
         ValueError: if ``basis`` has no inverse.

@@ -1,8 +1,8 @@
 """Matrices that rotate and scale vectors (book 9.2.3, 9.4.1 to 9.4.4).
 
 A vector is a column, so it is on the right of a matrix: ``m @ v``. The product ``a @ b`` therefore
-applies b first and then a. Matrices are immutable, and every method returns a new object. The
-methods raise TypeError for an argument of the wrong type. They do not check the components of a
+applies b first and then a. Matrices are immutable, so every method returns a new object. The
+methods raise TypeError for an argument of the wrong type, but they do not check the components of a
 vector.
 """
 
@@ -24,10 +24,10 @@ ROTATION_TOLERANCE = 1e-5
 
 
 class Matrix3:
-    """A 3x3 matrix. It maps the origin to itself.
+    """A 3x3 matrix, which can rotate, scale and shear vectors but not move the origin.
 
-    Its nine numbers are given row by row, and ``entries`` is the tuple of all nine. ``m[row,
-    column]`` reads one number, with both indices from 0 to 2.
+    Pass its nine numbers row by row. ``entries`` is the tuple of all nine, and ``m[row, column]``
+    reads one of them, with both indices from 0 to 2.
     """
 
     __slots__ = ("entries",)
@@ -103,9 +103,9 @@ class Matrix3:
         """Return the inverse as a new matrix (9.4.3).
 
         Raises:
-            ValueError: if an entry is not finite, or if |determinant| is not greater than
-                ``SINGULAR`` (1e-13) times the product of the rows' lengths. The message shows the
-                determinant, and its ratio to that product.
+            ValueError: if an entry is not finite, or if the matrix is singular, which means that
+                |determinant| is at most ``SINGULAR`` (1e-13) times the product of the rows'
+                lengths. The message shows the determinant, and its ratio to that product.
         """
         rows = _rows(self)
         lengths = [row.magnitude() for row in rows]
@@ -123,9 +123,10 @@ class Matrix3:
     def is_rotation(self) -> bool:
         """Return whether the matrix is a pure rotation, without scaling, shear or reflection.
 
-        The scalar product of each row with itself must be 1, and its scalar product with each other
-        row must be 0, both within ``ROTATION_TOLERANCE``. The determinant must be positive. If one
-        of these conditions fails, or if an entry is NaN, return False.
+        The rows of a rotation are perpendicular unit vectors. So the scalar product of each row
+        with itself must be 1, and its scalar product with each other row must be 0, both within
+        ``ROTATION_TOLERANCE``. The determinant must also be positive, because it is negative for a
+        reflection. If one of these conditions fails, or if an entry is NaN, return False.
         """
         products = self.product(self.transpose())
         identity = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
@@ -136,9 +137,10 @@ class Matrix3:
 
     @staticmethod
     def from_quaternion(q: Quaternion) -> Matrix3:
-        """Return the rotation matrix of a quaternion. Its columns are the rotated axes.
+        """Return the matrix that rotates vectors in the same way as the quaternion ``q``.
 
-        The book prints the transpose, which rotates in the opposite direction (E-11).
+        The columns of the matrix are the axes X, Y and Z after the rotation. The book prints the
+        transpose of this matrix, which rotates in the opposite direction (E-11).
 
         Raises:
             ValueError: if the quaternion's length is not 1 (``is_unit``).
@@ -159,7 +161,7 @@ class Matrix3:
 
         The diagonal gives four sums, which are 4 r^2, 4 i^2, 4 j^2 and 4 k^2. Start with the
         component that has the largest sum, which is at least 1, and compute the other components
-        from it. A smaller sum may consist only of rounding errors. In a half-turn, for example, 4
+        from it. A smaller sum may consist only of rounding errors: in a half-turn, for example, 4
         r^2 should be 0.
 
         Raises:

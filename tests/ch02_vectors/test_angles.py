@@ -51,15 +51,15 @@ def test_the_sign_of_a_scalar_product_names_the_angle(rng: Random, word: str) ->
     for a in (long, (0.01 * long[0], 0.01 * long[1], 0.01 * long[2])):
         about.call = f"scalar_product_and_angle(Vector3{a}, Vector3{b})"
         about.cause = (
-            "Return a pair. Its first element is the scalar product a . b, and its second is the "
-            "word that names the angle."
+            "Return two results as a pair: first the scalar product a . b, and then the word that "
+            "says which kind of angle it is."
         )
         product, got = exercises.scalar_product_and_angle(Vector3(*a), Vector3(*b))
         name = f"{about.call}, the first"
         cosine = dot(a, b) / math.sqrt(dot(a, a) * dot(b, b))
         divided = (
-            "The result is the cosine of the angle, so it was divided by both lengths. Return the "
-            "scalar product a . b without this division."
+            "The result is the cosine of the angle, which is the scalar product divided by both "
+            "lengths. Return the scalar product itself, without this division."
         )
         blame(product, [(cosine, divided)])
         expect_close(product, dot(a, b), call=name, tolerance=1e-12)
@@ -115,8 +115,8 @@ def test_the_angles_of_the_book() -> None:
     a, b = Vector3(0.0, 1.0, 1.0), Vector3(0.0, -1.0, 0.0)
     about.call = "angle_by_scalar_product(Vector3(0, 1, 1), Vector3(0, -1, 0))"
     about.cause = (
-        "Divide a . b by both lengths, which gives the cosine of the angle. Then return math.acos "
-        "of this cosine, which is the angle in radians."
+        "Divide a . b by both lengths to get the cosine of the angle, and then return math.acos of "
+        "this cosine, which is the angle in radians."
     )
     about.read = "book 2.1.7, Eq. 2.4"
     got = exercises.angle_by_scalar_product(a, b)
@@ -172,7 +172,11 @@ def test_the_angles_of_the_book() -> None:
             "The angles are in degrees, but this function must return radians. "
             "math.asin already returns radians, so do not convert its result.",
         ),
-        (wanted[::-1], "The angles are in the wrong order. Return the smaller angle first."),
+        (
+            wanted[::-1],
+            "Both angles are right, but they are in the wrong order. Return the smaller "
+            "angle first.",
+        ),
         (
             wanted[0],
             "Only one of the two possible angles was returned. Because pi - t has the same sine "
@@ -191,8 +195,8 @@ def test_the_angle_by_the_scalar_product(rng: Random, kind: str) -> None:
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; angle_by_scalar_product(v, w)"
     about.cause = (
-        "Divide v . w by both lengths, which gives the cosine of the angle. Then return math.acos "
-        "of this cosine, which is the angle in radians."
+        "Divide v . w by both lengths to get the cosine of the angle, and then return math.acos of "
+        "this cosine, which is the angle in radians."
     )
     about.read = "book 2.1.7, Eq. 2.4"
     got = exercises.angle_by_scalar_product(v, w)
@@ -215,8 +219,9 @@ def test_the_angles_by_the_vector_product(rng: Random, kind: str) -> None:
     v, w = Vector3(*a), Vector3(*b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; angles_by_vector_product(v, w)"
     about.cause = (
-        "The sine of the angle is |v x w| divided by both lengths. Return t and pi - t in radians. "
-        "The formula sqrt(1 - (v . w)^2) gives the sine for unit vectors only."
+        "The sine of the angle is |v x w| divided by both lengths. Compute the arcsine t of this "
+        "number, and return t and pi - t in radians. The formula sqrt(1 - (v . w)^2) does not help "
+        "here, because it gives the sine for unit vectors only."
     )
     about.read = "book 2.1.8, Eq. 2.6"
     got = exercises.angles_by_vector_product(v, w)

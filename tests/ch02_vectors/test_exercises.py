@@ -31,15 +31,15 @@ ZERO = (0.0, 0.0, 0.0)
 def test_split_the_vector_of_the_book() -> None:
     about.call = "split(Vector3(2, -2, -2))"
     about.cause = (
-        "Return a pair. Its first element is the length of v, and its second is a new unit vector "
-        "in the same direction."
+        "Return two results as a pair: first the length of v, and then a new unit vector that "
+        "points in the same direction."
     )
     about.read = "book 2.1"
     magnitude, unit = exercises.split(Vector3(2.0, -2.0, -2.0))
     if not is_plain(magnitude):
         about.cause = (
-            "The two results are in the wrong order. Return the length first and the direction "
-            "second."
+            "Both results are right, but they are in the wrong order. Return the length first and "
+            "the direction second."
         )
     blame(
         magnitude,
@@ -57,8 +57,8 @@ def test_split_the_vector_of_the_book() -> None:
     mistakes = [
         (
             (2.0, -2.0, -2.0),
-            "The second result is v itself. It should be the direction of v, which is a vector of "
-            "length 1.",
+            "The second result is v itself, but it should be the direction of v, which is a vector "
+            "of length 1. Divide v by its length.",
         ),
         (
             (1.0 / 6.0, -1.0 / 6.0, -1.0 / 6.0),
@@ -76,8 +76,8 @@ def test_split_gives_two_factors_of_the_vector(rng: Random) -> None:
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; split(v)"
     about.cause = (
-        "Return a pair. Its first element is the length of v, and its second is a new unit vector "
-        "in the same direction."
+        "Return two results as a pair: first the length of v, and then a new unit vector that "
+        "points in the same direction."
     )
     about.read = "book 2.1"
     magnitude, unit = exercises.split(v)

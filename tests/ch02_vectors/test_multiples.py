@@ -71,8 +71,8 @@ def test_division_by_a_number(rng: Random) -> None:
         ),
         (
             scaled(a, divisor),
-            "The result is v times the number. This operator must divide each "
-            "component by the number.",
+            "The result is v times the number, but this operator must divide each component by the "
+            "number.",
         ),
     ]
     made, step = f"v = Vector3{a}", f"v /= {divisor}"
@@ -109,8 +109,8 @@ def test_division_by_zero_is_an_error(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.cause = (
-        "Division by zero has no meaningful result, so the caller needs to see Python's "
-        "ZeroDivisionError. Do not catch it."
+        "Division by zero has no meaningful result. Python raises ZeroDivisionError in this case, "
+        "so let the error pass to the caller and do not catch it."
     )
     about.read = "the docstring of Vector3.__truediv__"
     for call, attempt, allowed in (
@@ -136,7 +136,10 @@ def test_a_vector_times_a_vector_is_refused(rng: Random) -> None:
         changed *= factor
         return changed
 
-    asked = "Check isinstance(..., Vector3) first, and raise TypeError if it is true."
+    asked = (
+        "In this method, check isinstance(..., Vector3) first, and raise TypeError if the other "
+        "operand is a vector."
+    )
     product = (
         "The expression v * w could mean three different products, so * accepts only numbers. "
         f"{asked}"

@@ -56,18 +56,19 @@ def test_add_scaled_changes_the_vector_itself(rng: Random) -> None:
     wanted = (a[0] + b[0] * scale, a[1] + b[1] * scale, a[2] + b[2] * scale)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.add_scaled(w, {scale})"
     about(
-        cause="Multiply w by scale and add the result to v itself. The vector w must not change.",
+        cause="Multiply w by scale and add the result to v itself, but leave the vector w "
+        "unchanged.",
         read="book 2.1.4",
     )
     v.add_scaled(w, scale)
     mistakes = [
         (a, LOST),
-        (tuple(a[i] * scale + b[i] for i in range(3)), "The number multiplied v instead of w. "
-            "Multiply w by the number, and add the product to v."),
+        (tuple(a[i] * scale + b[i] for i in range(3)), "Your code multiplies v by the number "
+        "instead of w. Multiply w by the number, and add the product to v."),
         (tuple((a[i] + b[i]) * scale for i in range(3)), "The whole sum was multiplied by the "
             "number. Multiply only w by it, and then add the product to v."),
-        (tuple(a[i] + b[i] for i in range(3)), "The vector w was added without the number. "
-                                               "Multiply w by the number first."),
+        (tuple(a[i] + b[i] for i in range(3)), "The vector w was added as it is, without the "
+        "number. Multiply w by the number before you add it."),
         (tuple(b[i] * scale for i in range(3)), "The result is only w times the number. Add this "
                                                 "product to the components that v already has."),
     ]  # fmt: skip
@@ -156,7 +157,8 @@ def test_the_component_product_in_place(rng: Random) -> None:
     wanted = (a[0] * b[0], a[1] * b[1], a[2] * b[2])
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.component_product_update(w)"
     about(
-        cause="This method changes v itself. Store the three products in the components of v.",
+        cause="This method must change v itself, so store the three products in the components of "
+        "v.",
         read="book 2.1.6",
     )
     v.component_product_update(w)
@@ -201,8 +203,8 @@ def test_the_scalar_product_is_the_sum_of_the_products(rng: Random) -> None:
     wanted = dot(a, b)
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.dot(w)"
     about(
-        cause="The scalar product is a number. Multiply matching components and add the three "
-        "products."
+        cause="The scalar product is a single number. To compute it, multiply matching components "
+        "and add the three products."
     )
     about.read = "book 2.1.7, Eq. 2.4"
     # The terms may cancel, so rounding is measured by the terms: at most 100 each.
@@ -258,8 +260,8 @@ def test_nan_and_infinity_stay_visible_in_the_scalar_product() -> None:
     w = Vector3(1.0, 1.0, 1.0)
     about(
         "Vector3(nan, 1, 1).dot(Vector3(1, 1, 1))",
-        cause="NaN in any component makes the scalar product NaN. If your code uses max, min or a "
-        "comparison, it can hide the NaN.",
+        cause="If any component is NaN, the scalar product must be NaN too. Check whether your "
+        "code uses max, min or a comparison, because each of these can hide a NaN.",
     )
     about.read = "the docstring of Vector3"
     expect_nan(Vector3(math.nan, 1.0, 1.0).dot(w))
@@ -378,8 +380,8 @@ def test_a_vector_crossed_with_itself_in_place(rng: Random) -> None:
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.cross_update(v)"
     about.cause = (
-        "The vector product of a vector with itself is zero. Here v is both factors, so a "
-        "component that you overwrite changes both. Read all components before you change the "
+        "The vector product of a vector with itself is zero. Here v is both factors, so "
+        "overwriting a component changes both of them. Read all components before you change the "
         "first."
     )
     about.read = "book 2.1.8"

@@ -107,7 +107,8 @@ def test_plus_and_minus_equals_change_the_vector_itself(
     blame(xyz(v), mistakes)
     expect_close(xyz(v), wanted, tolerance=1e-14)
     about.cause = (
-        "Only self may change in this operation, but the other vector was changed as well."
+        "This operation may change only self, but it has changed the other vector as well. Read "
+        "the components of the other vector without assigning to them."
     )
     expect_unchanged("other", xyz(w), b)
     expect_same_object(made, step, v, before)

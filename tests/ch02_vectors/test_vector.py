@@ -66,7 +66,8 @@ def test_clear_leaves_zero(rng: Random) -> None:
     v = Vector3(*a)
     about(
         f"v = Vector3{a}; v.clear()",
-        cause="This method changes the vector itself. Set all three components of self to zero.",
+        cause="This method must change the vector itself, so set all three components of self to "
+        "zero.",
     )
     about.read = "the docstring of Vector3.clear"
     v.clear()
@@ -189,7 +190,7 @@ def test_magnitude_of_huge_and_tiny_components(rng: Random) -> None:
 def test_the_zero_vector_has_the_length_zero() -> None:
     about(
         "Vector3(0, 0, 0).magnitude()",
-        cause="All components are zero, so the length must be zero too.",
+        cause="All components of this vector are zero, so its length must be zero too.",
     )
     about.read = "book 2.1"
     expect_close(Vector3(0.0, 0.0, 0.0).magnitude(), 0.0)
@@ -219,7 +220,8 @@ def test_normalize_keeps_the_direction_and_makes_the_length_one(rng: Random) -> 
     v = Vector3(*a)
     about.call = f"v = Vector3{a}; v.normalize()"
     about.cause = (
-        "A unit vector has length 1. Divide each of the three components of self by the length."
+        "After the call, self must be a unit vector, which has length 1. Divide each of its three "
+        "components by the length."
     )
     about.read = "book 2.1.3"
     v.normalize()

@@ -60,8 +60,8 @@ def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) ->
         mistakes = [
             (
                 combined(v, a, d**h, h),
-                "The velocity was multiplied by d^h, as in Eq. 3.6. This function follows Eq. "
-                "3.5, which multiplies it by d in every step.",
+                "The velocity was multiplied by d^h, as in Eq. 3.6, but this function must follow "
+                "Eq. 3.5. Multiply it by d in every step.",
             ),
             (
                 combined(v, a, d, 1.0),
@@ -87,15 +87,15 @@ def test_damping_per_second_takes_less_from_a_shorter_frame(rng: Random) -> None
     for d, h in ((drawn, 0.25), (drawn, 1.0), (drawn, 2.0), (0.0, 0.5), (1.5, 0.5)):
         about.call = f"damp_per_second(Vector3{v}, Vector3(0, 0, 0), {d}, {h})"
         about.cause = (
-            "There is no acceleration here, so Eq. 3.6 becomes v' = v d^h. The exponent h is the "
-            "duration of the step."
+            "There is no acceleration here, so Eq. 3.6 becomes v' = v d^h, where the exponent h is "
+            "the duration of the step."
         )
         got = forms.damp_per_second(Vector3(*v), Vector3(), d, h)
         mistakes = [
             (
                 combined(v, v, d, 0.0),
-                "The velocity was multiplied by d, as in Eq. 3.5. This function follows Eq. 3.6, "
-                "which multiplies it by d^h.",
+                "The velocity was multiplied by d, as in Eq. 3.5, but this function must follow "
+                "Eq. 3.6. Multiply it by d^h.",
             ),
             (
                 combined(v, v, d * h, 0.0),
@@ -120,9 +120,9 @@ def test_the_equation_does_not_damp_what_the_acceleration_adds(rng: Random) -> N
         )
         got = forms.damp_per_second(Vector3(*v), Vector3(*a), d, 0.5)
         listing = (
-            "The result is (v + a h) d^h. The book's listing has this form, and so does "
-            "Particle.kick, but it contradicts Eq. 3.6 (E-16). In this function, use Eq. 3.6 "
-            "itself: v d^h + a h."
+            "The result is (v + a h) d^h, as in the book's listing and in Particle.kick, which "
+            "contradict Eq. 3.6 (E-16). In this function, use Eq. 3.6 itself, which is v d^h + a "
+            "h."
         )
         kept = math.sqrt(d)
         mistakes = [(combined(v, a, kept, 0.5 * kept), listing)]
@@ -226,8 +226,8 @@ def test_one_second_of_equal_frames_ends_as_the_sums_say(rng: Random) -> None:
         [
             (
                 0.0,
-                "Both velocities ended up equal. Perhaps they are the same vector, so that a "
-                "change to one also changes the other. Use two separate copies of the given "
+                "Both velocities ended up equal, perhaps because they are the same vector, so that "
+                "a change to one also changes the other. Use two separate copies of the given "
                 "velocity.",
             )
         ],

@@ -74,7 +74,8 @@ def test_the_masses_of_a_ratio_are_positive_and_finite(bad: float) -> None:
 def test_the_force_between_two_people_of_100_kg() -> None:
     about(
         "gravity_between(100, 100, 1)",
-        cause="Use Eq. 3.3: the force is G m1 m2 / r^2, with G = 6.67428e-11.",
+        cause="By Eq. 3.3, the force between two masses is G m1 m2 / r^2, with G = 6.67428e-11. "
+        "Compare your formula with it.",
     )
     about.read = "book 3.2, Eq. 3.3"
     got = exercises.gravity_between(100, 100, 1)
@@ -97,7 +98,8 @@ def test_the_force_falls_with_the_square_of_the_distance(rng: Random) -> None:
     for distance in (round(rng.uniform(2.0, 9.0), 3), 0.25):
         about(
             f"gravity_between({m1}, {m2}, {distance})",
-            cause="Use Eq. 3.3: the force is G m1 m2 / r^2.",
+            cause="By Eq. 3.3, the force between two masses is G m1 m2 / r^2. Compare your formula "
+            "with it.",
         )
         got = exercises.gravity_between(m1, m2, distance)
         wanted = 6.67428e-11 * m1 * m2 / (distance * distance)
@@ -171,8 +173,8 @@ def vectors(*all_of: Components) -> tuple[Any, ...]:
 def test_five_seconds_by_the_equation() -> None:
     about(
         f"position_by_equation({EXAMPLE}, 5)",
-        cause="The position after a time t under constant "
-        "acceleration is p' = p + v t + a t^2 / 2.",
+        cause="The position after a time t under constant acceleration is p' = p + v t + a t^2 / "
+        "2. Compare each term of your formula with it.",
     )
     about.read = "book 2.2, Eq. 2.9"
     got = exercises.position_by_equation(*vectors(START, VELOCITY, ACCELERATION), 5)
@@ -331,9 +333,9 @@ def expect_refusal(name: str, duration: float, steps: int) -> None:
     )
     if steps > 0:
         about.cause = (
-            "A duration must be positive and finite. Particle.integrate refuses any other "
-            "duration, so call it in each step. If you do not use a Particle, call positive from "
-            "arguments.py."
+            "A duration must be positive and finite. If you move a Particle with integrate, it "
+            "refuses any other duration for you. If you compute the steps yourself, check the "
+            "duration with positive from arguments.py."
         )
     about.read = f"the docstring of {name}"
     data = vectors(START, VELOCITY, ACCELERATION)

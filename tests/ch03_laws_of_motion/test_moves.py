@@ -89,8 +89,8 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
         words, p = a_particle(x, v, a, mass, damping)
         about.call = f"{words}; p.kick({h})"
         about.cause = (
-            "A kick changes the velocity by v' = (v + a h) d^h. Add the acceleration first, and "
-            "then damp the result. The duration h may be negative."
+            "A kick changes the velocity by v' = (v + a h) d^h, even if the duration h is "
+            "negative. Add the acceleration first, and then damp the result."
         )
         p.kick(h)
         got = xyz(p.velocity)
@@ -98,8 +98,8 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
         mistakes = [
             (
                 tuple(v[i] * keep + a[i] * h for i in range(3)),
-                "The result is v d^h + a h, as in Eq. 3.6. The engine follows the book's listing "
-                "instead, which adds the acceleration first and then damps the sum (E-16).",
+                "The result is v d^h + a h, as in Eq. 3.6, but the engine follows the book's "
+                "listing (E-16). Add the acceleration first, and then damp the sum.",
             ),
             (
                 tuple(v[i] * keep + a[i] * keep for i in range(3)),

@@ -141,7 +141,10 @@ def test_an_infinite_mass_has_the_inverse_0() -> None:
     )
     expect_exactly(p.mass, math.inf)
     about.call = "p = Particle(mass=math.inf); p.has_finite_mass"
-    about.cause = "The mass of this particle is infinite, so has_finite_mass must be False."
+    about.cause = (
+        "The mass of this particle is infinite, so has_finite_mass must be False. Compare the "
+        "mass with math.inf."
+    )
     expect_exactly(p.has_finite_mass, False)
 
 
@@ -160,7 +163,10 @@ def test_an_inverse_mass_of_0_is_an_infinite_mass() -> None:
         "by 0."
     )
     expect_exactly(p.mass, math.inf, then="; p.mass")
-    about.cause = "The mass of this particle is infinite, so has_finite_mass must be False."
+    about.cause = (
+        "The mass of this particle is infinite, so has_finite_mass must be False. Compare the "
+        "mass with math.inf."
+    )
     got = p.has_finite_mass
     expect_exactly(got, False, then="; p.has_finite_mass")
 
@@ -273,7 +279,8 @@ def test_momentum_is_mass_times_velocity(rng: Random) -> None:
         ),
         (
             mass * math.sqrt(dot(v, v)),
-            "The result is the length of m v, but the momentum is a vector. Return m v itself.",
+            "The result is the length of m v, but the momentum is a vector. Return the vector m v "
+            "itself.",
         ),
         (v, "The result is the velocity alone. Multiply it by the mass to get the momentum."),
     ]
@@ -303,8 +310,8 @@ def test_momentum_is_a_vector_of_its_own(rng: Random) -> None:
 def test_an_immovable_particle_has_no_momentum(rng: Random) -> None:
     v = components(rng)
     about.cause = (
-        "An immovable particle has no momentum. Check has_finite_mass first, because infinity "
-        "times 0 is NaN."
+        "An immovable particle has no momentum, so return a zero vector. Check has_finite_mass "
+        "first, because infinity times 0 is NaN."
     )
     about.read = "the docstring of momentum"
     for velocity in (ZERO, v):

@@ -174,7 +174,8 @@ def test_frames_of_no_length_are_refused(name: str, bad: float) -> None:
     arguments: dict[str, Any] = {"mean": 0.1, "jitter": 0.5, "total": 1.0, "seed": 3}
     about.cause = (
         "The mean and the total must be positive and finite, and the jitter must be at least 0 and "
-        "below 1. Check all three before you draw, because the loop may otherwise never end."
+        "below 1. Check all three before you draw the first number, because with an invalid value "
+        "the loop may never end."
     )
     about.read = "the docstring of random_frames"
     for value in (bad, 1.5) if bad == 1.0 else (bad,):  # at a limit, and beyond it

@@ -182,7 +182,10 @@ def test_damping_comes_after_the_acceleration(rng: Random) -> None:
     mistakes = [(tuple(v[i] * damping**h + a[i] * h for i in range(3)), equation)]
     blame(xyz(p.velocity), mistakes)
     expect_close(xyz(p.velocity), wanted, tolerance=1e-13)
-    about.cause = "The acceleration was damped. Damp only the velocity."
+    about.cause = (
+        "The step has changed p.acceleration, probably because the damping was applied to it. "
+        "Damp only the velocity, because the next step needs the same acceleration again."
+    )
     expect_unchanged("p.acceleration", xyz(p.acceleration), a)
 
 

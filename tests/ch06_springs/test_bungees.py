@@ -62,11 +62,12 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
             wanted = tuple(-k * extension * part for part in d)
             slips = {
                 (
-                    "The force pushes. The printed form k (l0 - l) has the wrong sign (E-4). "
-                    "Check the direction of the offset, too."
+                    "The force pushes, but a stretched rope must pull. The book's listing uses k "
+                    "(l0 - l), which has the wrong sign (E-4). Another possible reason is that "
+                    "your offset points in the opposite direction."
                 ): [-part for part in wanted],
-                "The force is zero, although the rope is longer than its rest length and must "
-                "pull. Check the condition for a slack rope.": ZERO,
+                "The force is zero, but this rope is longer than its rest length, so it must pull. "
+                "Check the condition with which your code recognizes a slack rope.": ZERO,
                 "The force is -k l d^, as if the rest length were 0. Only the extension counts, "
                 "so subtract the rest length from "
                 "the length.": [-k * (rest + extension) * part for part in d],
@@ -104,8 +105,8 @@ def test_a_slack_rope_does_nothing(rng: Random) -> None:
                 0.0,
                 5.0,
                 (
-                    "Both ends are at the same position. The rope is slack and has no direction, "
-                    "so it must add no force."
+                    "Both ends are at the same position, so the rope is slack and has no "
+                    "direction. It must not add a force."
                 ),
             ),
         ):
@@ -157,14 +158,14 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
             ),
             (
                 2.0,
-                "The damping is larger than the pull here, so the sum would push. A rope never "
-                "pushes, so it must add no force.",
+                "The damping is larger than the pull here, so the sum of the two would push. A "
+                "rope cannot push, so add no force in this case.",
             ),
             (
                 1.001,
                 (
-                    "The damping is slightly larger than the pull here. A rope does not push even "
-                    "a little, so it must add no force."
+                    "The damping is slightly larger than the pull here, so the sum would push a "
+                    "little. A rope cannot push at all, so add no force in this case."
                 ),
             ),
         ):
@@ -178,12 +179,12 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
             wanted = tuple(-left * part for part in d)
             own = sum(part * u for part, u in zip(d, xyz(p.velocity), strict=True))
             slips = {
-                "The damping force is missing. Add -c l' along the rope.": [
-                    -k * extension * part for part in d
-                ],
+                "The damping has no effect on the force. Add the term -c l', which acts along the "
+                "rope.": [-k * extension * part for part in d],
                 (
-                    "The damping makes the rope push. A rope can only pull, so add no force in "
-                    "this case."
+                    "The damping is so large here that the rope pushes. A rope can only pull, so "
+                    "add no force in this "
+                    "case."
                 ): [-k * extension * (1.0 - share) * part for part in d],
                 "The damping uses only p's velocity, but the length also changes when q moves. "
                 "Subtract q's velocity.": [-(k * extension + c * own) * part for part in d],
@@ -226,8 +227,9 @@ def test_a_rope_acts_on_its_particle_beside_other_forces(rng: Random) -> None:
         about.call += "has "
         about.call += "(0, -1, 0) more velocity; b.update_force(p, 0.5)"
         about.cause = (
-            "The attributes may change between two calls, so read them in every call. The pull is "
-            "now 3 (3 - 2) + 0.5 * 1."
+            "The attributes of the bungee have changed since the last call, so the pull is now 3 "
+            "(3 - 2) + 0.5 * 1. Read the attributes in every call instead of storing what follows "
+            "from them."
         )
         p.clear_forces()
         p.velocity = p.velocity + Vector3(0.0, -1.0, 0.0)

@@ -38,24 +38,26 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
     unit, pushed = full / g, s * s  # what / 2 * s makes of a share
     pairs = {  # the lifts at the first two shares
         (
-            "There is no lift. The printed signs, (y - y_w - s), give a negative fraction (E-5). "
-            "Use (y_w + s - y)."
+            "There is no lift, because the signs in the book, (y - y_w - s), make the submerged "
+            "fraction negative (E-5). Use (y_w + s - y) instead."
         ): (0.0, 0.0),
-        "The force points down. The printed signs, (y - y_w - s), are wrong (E-5). Use (y_w + s - "
-        "y).": (
+        "The force points down, because the signs in the book, (y - y_w - s), are wrong (E-5). Use "
+        "(y_w + s - y) instead.": (
             -0.25 * full,
             -0.75 * full,
         ),
-        "The force follows the printed listing, which has the wrong signs, / 2 * s, and no g "
-        "(E-5).": (
+        "The force follows the listing in the book, which contains three errors (E-5): its signs "
+        "are wrong, it divides by 2 and multiplies by s, and it leaves out g.": (
             -0.25 * pushed * unit,
             -0.75 * pushed * unit,
         ),
-        "The listing lacks the parentheses around 2 * s (E-5). Divide by (2 * s).": (
+        "Your code divides by 2 and then multiplies by s, like the listing in the book, which "
+        "lacks parentheses (E-5). Divide by (2 * s) instead.": (
             min(0.25 * pushed, 1.0) * full,
             min(0.75 * pushed, 1.0) * full,
         ),
-        "The factor g is missing, as in the listing (E-5). Multiply by self.gravity.": (
+        "The factor g is missing, as in the listing in the book (E-5), so the result is a mass in "
+        "kg and not a force. Multiply it by self.gravity.": (
             0.25 * unit,
             0.75 * unit,
         ),
@@ -64,8 +66,8 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
             0.25 * full / 3.0,
             0.75 * full / 3.0,
         ),
-        "Your lift is multiplied by the mass of the body. It depends only on the displaced water, "
-        "so remove the factor.": (
+        "Your lift is multiplied by the mass of the body. The lift depends only on the displaced "
+        "water, so leave the mass out.": (
             0.75 * full,
             2.25 * full,
         ),
@@ -76,7 +78,8 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
             250.0 * volume * g,
             750.0 * volume * g,
         ),
-        "The fraction is divided by s. max_depth is half of the height, so divide by 2 s.": (
+        "Your code divides by s, but max_depth is only half of the height of the body. Divide by "
+        "the whole height, 2 s.": (
             0.5 * full,
             full,
         ),
@@ -117,8 +120,8 @@ def test_out_of_the_water_there_is_no_lift_and_deep_in_it_no_more(rng: Random) -
         (
             surface - 1.5 * s,
             1.0,
-            "The whole body is under water, so the submerged fraction is 1 and the lift is rho V "
-            "g.",
+            "The whole body is under water, so the submerged fraction must be 1 and the lift must "
+            "be the full rho V g.",
         ),
         (
             surface - 50.0,
@@ -134,7 +137,7 @@ def test_out_of_the_water_there_is_no_lift_and_deep_in_it_no_more(rng: Random) -
         wanted = (0.0, share * 1000.0 * volume * 9.81, 0.0)
         expect_close(xyz(p.force_accumulator), wanted, then="; p.force_accumulator")
     about.call = f"p at (0, {surface}, 0); Buoyancy({s}, {volume}, {surface}).update_force(p, 0.5)"
-    about.cause = "A body that is half under water gets half of the lift."
+    about.cause = "Half of the body is under water here, so it must get half of the full lift."
     p = Particle(Vector3(0.0, surface, 0.0))
     Buoyancy(s, volume, surface).update_force(p, 0.5)
     wanted = (0.0, 0.5 * 1000.0 * volume * 9.81, 0.0)
@@ -146,7 +149,8 @@ def test_out_of_the_water_there_is_no_lift_and_deep_in_it_no_more(rng: Random) -
 def test_lift_is_the_weight_of_the_water_in_newtons() -> None:
     about("p at (0, 0, 0); Buoyancy(0.5, 0.001, 0, gravity=10).update_force(p, 0.5)", read=READ)
     about.cause = (
-        "Half a liter of water weighs 5 N if g is 10. The lift is rho V g. The listing has no g "
+        "The body displaces half a liter of water, which weighs 5 N if g is 10, so the lift rho V "
+        "g must be 5 N. If your result is 0.5, the factor g is missing, as in the book's listing "
         "(E-5)."
     )
     p = Particle()
@@ -162,7 +166,10 @@ def test_buoyancy_adds_to_other_forces_and_reads_its_attributes(rng: Random) -> 
     about.call = f"p at (0, 0, 0); p.add_force(Vector3{f}); b = Buoyancy(1, 2, 0, 1000, 10); "
     about.call += "b.water_height = 9; b.volume = 3; b.liquid_density = 500; b.gravity = 2; "
     about.call += "b.max_depth = 18; b.update_force(p, 0.5); p.force_accumulator"
-    about.cause = "Read the attributes in each call, and add to the existing forces."
+    about.cause = (
+        "The attributes have changed since the last call, so read them in each call. Use "
+        "add_force, which keeps the forces that are already on the particle."
+    )
     p, b = Particle(mass=4.0), Buoyancy(1.0, 2.0, 0.0, 1000.0, 10.0)
     p.add_force(Vector3(*f))
     b.water_height, b.volume, b.liquid_density, b.gravity, b.max_depth = 9.0, 3.0, 500.0, 2.0, 18.0

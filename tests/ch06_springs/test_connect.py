@@ -58,17 +58,17 @@ def test_a_connection_serves_both_ends(rng: Random) -> None:
         slips = {
             "The force is half of what it should be. Both ends get the whole spring_force, in "
             "opposite directions, so do not split it.": [0.5 * part for part in wanted],
-            "The damping force is missing. Add -c l' along the spring.": tension(
-                here, v, there, w, (k, rest, 0.0)
-            ),
+            "The damping has no effect on the force. Add the term -c l', which acts along the "
+            "spring.": tension(here, v, there, w, (k, rest, 0.0)),
             "Your force uses the sum of the two velocities. The rate at which the length changes "
             "depends on their difference, so subtract "
             "b's velocity from a's.": tension(here, both, there, ZERO, numbers),
             "Your offset is b's position minus a's, so the spring pulls where it should push. Use "
             "a's position minus b's.": tension(there, v, here, w, numbers),
             (
-                "This is the force on b. The force on a does not depend on the particle that "
-                "update_force receives, so always use a's position minus b's."
+                "The result is the force on b. The force on a must be the same whichever end is "
+                "passed to update_force, so always use a's position minus "
+                "b's."
             ): [-part for part in wanted],
             "The force on a is still zero. Call a.add_force with the spring force.": ZERO,
         }
@@ -82,8 +82,8 @@ def test_a_connection_serves_both_ends(rng: Random) -> None:
         blame(
             on_b,
             {
-                "b gets the same force as a. The two forces are opposite, so add the negative of "
-                "a's force to b.": on_a,
+                "Both ends get the same force, so the spring would push the whole pair along. Add "
+                "the opposite of the force on a to b.": on_a,
                 "The force on b is still zero. Call b.add_force with the opposite of the force on "
                 "a.": ZERO,
             },
@@ -114,8 +114,8 @@ def test_a_compressed_connection_pushes_its_ends_apart(rng: Random) -> None:
     blame(
         got,
         {
-            "With abs(l - l0), a compressed spring pulls. Remove abs, which comes from the printed "
-            "formula (E-3), so that the sign of the extension is kept.": pulled
+            "The extension is abs(l - l0), as in the book's listing (E-3), so a compressed spring "
+            "pulls instead of pushing. Remove abs to keep the sign of the extension.": pulled
         },
     )
     expect_close(got, wanted, then="; a.force_accumulator", tolerance=1e-12)
@@ -170,8 +170,8 @@ def test_connected_ends_at_one_place_feel_nothing(rng: Random) -> None:
     about.call += "a.position.y = 2; "
     about.call += "a.velocity.y = 1; c.update_force(a, 0.5)"
     about.cause = (
-        "The attributes of the spring may change between two calls, so read them in each call. The "
-        "force here is 5 (3 - 2) - 2 * 1."
+        "The attributes of the spring have changed since the last call, so the force is now 5 (3 - "
+        "2) - 2 * 1. Read the attributes in each call instead of storing what follows from them."
     )
     c.stiffness, c.rest_length, c.damping = 5.0, 3.0, 2.0
     a.clear_forces()
@@ -206,16 +206,17 @@ def test_connect_lets_the_registry_ask_once(rng: Random) -> None:
                 swapped = tension(here, ZERO, there, ZERO, (rest, k, 0.0))
                 slips = {
                     (
-                        "There is no force. Check that the spring is registered under an end that "
-                        "can move, because the registry skips immovable particles."
+                        "The spring exerts no force at all. The registry skips immovable "
+                        "particles, so check that the spring is registered for an end that can "
+                        "move."
                     ): ZERO,
                     (
-                        "The force is twice as large as it should be. Perhaps the spring is "
-                        "registered under both ends. Register it only once, because it acts on "
-                        "both."
+                        "The force is twice as large as it should be, probably because the spring "
+                        "is registered for both ends. One registration is enough, because the "
+                        "spring already acts on both ends."
                     ): [2.0 * part for part in force],
-                    "The stiffness and the rest length are swapped. Compare the order of the "
-                    "arguments with the constructor of Connection.": [
+                    "The stiffness and the rest length are swapped. Pass the arguments in the "
+                    "order in which the constructor of Connection expects them.": [
                         sign * part for part in swapped
                     ],
                 }
@@ -230,8 +231,8 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     k, rest, c = positive_number(rng), positive_number(rng, 0.05, 0.2), positive_number(rng)
     about.call = f"a at {here}, b at {there}; s = connect(registry, a, b, {k}, {rest}, {c})"
     about.cause = (
-        "The caller needs the spring to change or remove it later. Return the Connection that you "
-        "registered."
+        "The caller may want to change or remove the spring later, so return the Connection that "
+        "you have registered."
     )
     a, b, registry = Particle(Vector3(*here)), Particle(Vector3(*there)), ForceRegistry()
     s = connect(registry, a, b, k, rest, c)
@@ -242,8 +243,8 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     expect_close(got, (*here, *there), then="; the positions of s.a and s.b", tolerance=0.0)
     about.call += f"; s.stiffness = {2 * k}; registry.update_forces(0.5)"
     about.cause = (
-        "The registry must hold the spring that connect returns, and the spring must read its "
-        "stiffness in each call."
+        "A change of the returned spring had no effect. Register the same Connection that you "
+        "return, and read its stiffness in each call of update_force."
     )
     s.stiffness = 2.0 * k
     registry.update_forces(0.5)
@@ -352,8 +353,8 @@ def test_connect_refuses_what_means_nothing() -> None:
     about.call = "a at (1e10, 0, 0), velocity (1e10, 0, 0); b at minus that, with minus that "
     about.call += "velocity; "
     about.cause = (
-        "The force is too large for a float. add_force refuses it, so change the forces only "
-        "through add_force."
+        "The force is too large for a float. add_force refuses such a force, so use it for every "
+        "change of the forces."
     )
     near = Particle(), Particle(Vector3(1.0, 0.0, 0.0))
     for stiffness, damping in ((1e308, 0.0), (0.0, 1e308)):

@@ -121,9 +121,7 @@ def test_the_three_cases_by_known_values() -> None:
         about(f"damped_spring_state(1.0, 0.0, 100.0, {c}, 1.0, {t})", cause=cause)
         state = damped_spring_state(1.0, 0.0, 100.0, c, 1.0, t)
         count = len(state) if isinstance(state, (tuple, list)) else 1
-        both = (
-            "The function must return two numbers. Return the position and the velocity as a tuple."
-        )
+        both = "The function must return two numbers, the position and the velocity, as a tuple."
         expect_exactly(count, 2, then=": how many numbers", cause=both)
         expect_close(state[0], x, then="[0]", cause=named(state[0], about.cause, slips))
     about.call = "damped_spring_state(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]"
@@ -150,10 +148,10 @@ def test_any_start_any_mass(share: float, name: str, rng: Random) -> None:
         half, (x, v) = c / (2.0 * m), wanted
         fade = math.exp(-half * t)
         slips = {
-            "The damping is not divided by the mass. Use c / (2 m) as the decay rate.": by_roots(
-                x0, v0, k, c * m, m, t
-            ),
-            "The stiffness is not divided by the mass. The square of the natural frequency is k / "
+            "The damping is not divided by the mass, so a heavy body would lose its speed as fast "
+            "as a light one. Use c / (2 m) as the decay rate.": by_roots(x0, v0, k, c * m, m, t),
+            "The stiffness is not divided by the mass, so a heavy body would oscillate as fast as "
+            "a light one. The square of the natural frequency is k / "
             "m.": by_roots(x0, v0, k * m, c, m, t),
             "Your position does not depend on v0. A body that starts with a velocity moves "
             "farther, so add the term with v0.": (
@@ -274,8 +272,8 @@ def test_soft_and_stiff_springs_swing_alike() -> None:
             (1.0, 1.0, 1e12, 1e3, 1.0, 100.0),
             0.0,
             1e-12,
-            "The damping has had 100 s to act. By then the oscillation has died out, so the "
-            "position must be 0.",
+            "The damping has had 100 s to act, so the oscillation has died out and the position "
+            "must be 0.",
         ),
         (
             (1.0, 0.0, 1e-8, 0.0, 1.0, 1e4),
@@ -381,8 +379,8 @@ def test_a_spring_state_needs_numbers_that_mean_something() -> None:
     bad = [(2, -2.0), (3, -3.0), (4, -4.0), (4, 0.0), (5, -5.0)]
     expect_finite_numbers("damped_spring_state", damped_spring_state, good, bad)
     about.cause = (
-        "An intermediate result can be too large for a float. Here the angle of the oscillation "
-        "is about 1e350. Raise ValueError instead of returning a number."
+        "An intermediate result is too large for a float here, because the angle of the "
+        "oscillation is about 1e350. Raise ValueError instead of returning a number."
     )
     expect_error(
         lambda: damped_spring_state(1.0, 0.0, 1e300, 0.0, 1.0, 1e200),
@@ -392,8 +390,8 @@ def test_a_spring_state_needs_numbers_that_mean_something() -> None:
     )
     about.call = "damped_spring_state(1.0, 0.0, 1.0, 2.0, 1.0, 1.0)"
     about.cause = (
-        "This call is valid. The spring is critically damped, so the position is (1 + t) e^-t and "
-        "the velocity is -t e^-t."
+        "All arguments of this call are valid, so it must not raise an error. The spring is "
+        "critically damped, so the position is (1 + t) e^-t and the velocity is -t e^-t."
     )
     got = damped_spring_state(1.0, 0.0, 1.0, 2.0, 1.0, 1.0)
     wanted = (2.0 * math.exp(-1.0), -math.exp(-1.0))

@@ -36,8 +36,8 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
         (
             0.1,
             (
-                "A compressed spring pushes with its full stiffness, however short it is. The "
-                "limit applies only to stretching."
+                "A compressed spring pushes with its full stiffness, however short it is, because "
+                "the limit applies only to stretching."
             ),
         ),
     ):
@@ -53,15 +53,16 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
         slips = {
             "There is no force on p. Up to its limit this is an ordinary spring, so call "
             "particle.add_force with the force of one.": ZERO,
-            "The force points along the offset, so a stretched spring would push. Check its "
-            "sign.": opposite,
+            "The force points along the offset, so a stretched spring would push. Check whether "
+            "the minus sign is missing.": opposite,
         }
         if share < 1.0:
             slips = {
                 "There is no force on p. Up to its limit this is an ordinary spring, so call "
                 "particle.add_force with the force of one.": ZERO,
-                "With abs(l - l0), a compressed spring pulls. Its extension is negative, so "
-                "remove abs (E-3).": opposite,
+                "The extension is abs(l - l0), so a compressed spring pulls instead of pushing. "
+                "Remove abs, because the extension of a compressed spring is negative "
+                "(E-3).": opposite,
             }
         blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-12)
@@ -74,7 +75,7 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
     about.call += "0.25).update_force(p, 0.5); p.force_accumulator"
     about.cause = (
         "The length equals the limit here, so the spring still pulls with its full stiffness. "
-        "Only the length beyond the limit counts with share."
+        "Multiply only the part of the length beyond the limit by share."
     )
     p, q = Particle(Vector3(4.0, 0.0, 0.0)), Particle()
     ElasticLimitSpring(q, k, 2.0, 4.0, 0.25).update_force(p, 0.5)
@@ -105,12 +106,12 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         late = rest + limit  # the length of a limit that is counted from the rest length
         sizes = {
             (
-                "The force stays the same beyond the limit. It must keep growing there, but only "
-                "with share * stiffness."
+                "The force stops growing at the limit. Beyond it the force must still grow with "
+                "the length, but only with share * stiffness."
             ): limit - rest,
             (
-                "share is applied to the whole extension. Apply it only to the part of the "
-                "length beyond the limit."
+                "Your code multiplies the whole extension by share. Multiply only the part of the "
+                "length beyond the limit by it."
             ): share * (length - rest),
             "The spring pulls with its full stiffness beyond the limit as well. Multiply the "
             "stiffness by share for that part of the length.": length - rest,
@@ -153,8 +154,8 @@ def test_ends_of_an_elastic_limit_spring_at_one_place(rng: Random) -> None:
     about.call += "; p.clear_forces(); q.position = q.position - Vector3(4, 0, 0); s.limit = 3.0; "
     about.call += "s.share = 2.0; s.stiffness = 4.0; s.rest_length = 0.0; s.update_force(p, 0.5)"
     about.cause = (
-        "The attributes were changed after the spring was created, so read them in every call. "
-        "The pull is 4 * 3 + 2 * 4 (4 - 3) here."
+        "The attributes were changed after the spring was created, so the pull is now 4 * 3 + 2 * "
+        "4 (4 - 3). Read the attributes in every call."
     )
     p.clear_forces()
     q.position = q.position - Vector3(4.0, 0.0, 0.0)

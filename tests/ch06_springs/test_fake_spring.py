@@ -42,16 +42,17 @@ def test_the_force_by_its_formula() -> None:
     about.call = "p of 1 kg at (1, 0, 0), at rest, with acceleration (0, -10, 0) and damping 0.5; "
     about.call += "FakeStiffSpring(Vector3(), 400, 0).update_force(p, 1/60)"
     about.cause = (
-        "For a mass of 1 kg the force is (T - x) / h^2 - v / h, where T is the position after h. "
-        "Here T = cos(chi h). The particle's own acceleration and damping do not enter."
+        "For a mass of 1 kg the force is (T - x) / h^2 - v / h, where T is the position after h, "
+        "which is cos(chi h) here. The particle's own acceleration and damping have no effect on "
+        "the force."
     )
     p = Particle(Vector3(1.0, 0.0, 0.0), acceleration=Vector3(0.0, -10.0, 0.0), damping=0.5)
     FakeStiffSpring(Vector3(), 400.0, 0.0).update_force(p, 1.0 / 60.0)
     got = xyz(p.force_accumulator)
     wanted = (-198.15499326694427, 0.0, 0.0)
     sizes = {
-        "In the printed listing, 1 / h * h does not divide by h^2 (E-6). Write the division as / "
-        "h / h or / (h * h).": wanted[0] / 3600.0,
+        "The book's listing contains 1 / h * h, which divides by h and then multiplies by h again "
+        "(E-6). Write / h / h or / (h * h) to divide by h^2.": wanted[0] / 3600.0,
         "The force is that of a real spring, -k x, which is too large for such a long step. Use "
         "the position T that a real spring would reach.": -400.0,
         "The force is twice as large as it should be. It fits a step that moves p by a h^2 / 2, "
@@ -71,13 +72,14 @@ def test_the_force_by_its_formula() -> None:
     wanted = (0.0, (2.0 * math.sin(1.0 / 3.0) / 20.0 * 60.0 - 2.0) * 60.0, 0.0)
     got = xyz(p.force_accumulator)
     sizes = {
-        "The force is the printed (T - x) / h^2 - v (E-6). The units show that v must be divided "
-        "by h, so subtract v / h.": wanted[1] + 120.0 - 2.0,
+        "The force is (T - x) / h^2 - v, as printed in the book (E-6). The units do not match, "
+        "because v is a velocity and not an acceleration, so subtract v / h "
+        "instead.": wanted[1] + 120.0 - 2.0,
         "The force is (T - x) / h^2, which ignores that the particle is already moving. Subtract "
         "v / h as well.": wanted[1] + 120.0,
-        "There is no force, although p moves along y. Its offset from the anchor is 0 and "
-        "therefore has no direction. Compute x, y and z separately instead of the distance "
-        "as a whole.": 0.0,
+        "There is no force, although p moves along y. At the anchor the offset of p is 0 and has "
+        "no direction, so a formula for the whole distance does not work. Compute x, y and z "
+        "separately instead.": 0.0,
     }
     blame(got, {slip: (0.0, size, 0.0) for slip, size in sizes.items()})
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-10)
@@ -122,8 +124,9 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         )
         axes = list(zip(anchor, place, v, wanted, strict=True))
         slips = {
-            "The force has not been multiplied by the mass, so it is an acceleration. Multiply "
-            "it by particle.mass.": [x + u * h + (end - x - u * h) / m for _, x, u, end in axes],
+            "The result is an acceleration, because it has not been multiplied by the mass. "
+            "Multiply it by particle.mass to get a "
+            "force.": [x + u * h + (end - x - u * h) / m for _, x, u, end in axes],
             "The position T has been computed for a mass of 1 kg. Pass the particle's mass to "
             "damped_spring_state.": [
                 a + true_spring(x - a, u, k, c, 1.0, h) for a, x, u, _ in axes
@@ -204,7 +207,8 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     about.call += "0).update_force(p, 0.5)"
     about.cause = (
         "The force is 2 (cos(chi h) - 1) / h^2 here, where chi is the square root of 100 / 2. "
-        "Use the attributes of the spring and the mass of this particle."
+        "Compute it from the current attributes of the spring and the mass of the particle that "
+        "was passed."
     )
     p = Particle(Vector3(1.0, 0.0, 0.0), mass=2.0)
     s.update_force(p, 0.5)
@@ -218,8 +222,8 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
 def test_a_faked_spring_needs_a_duration() -> None:
     about.read = "the docstring of FakeStiffSpring.update_force"
     about.cause = (
-        "The duration must be positive and finite. Check it before anything else, so that "
-        "ValueError is raised for an immovable particle too. positive() does this check."
+        "The duration must be positive and finite. Check it with positive() before anything else, "
+        "so that ValueError is raised for an immovable particle too."
     )
     s = FakeStiffSpring(Vector3(), 400.0, 3.0)
     for mass in (1.0, math.inf):

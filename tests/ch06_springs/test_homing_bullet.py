@@ -55,7 +55,8 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
         pulls = {
             "The force pushes the bullet away from its target. Subtract the bullet's predicted "
             "position from the target's, and not the other way round.": [-k * part for part in way],
-            "The force equals the displacement itself. Multiply it by the stiffness.": way,
+            "The force equals the displacement between the two future positions. Multiply this "
+            "displacement by the stiffness.": way,
             "The force has the size k at every distance, as if the displacement had been "
             "normalized. Multiply k by the whole displacement.": [
                 k * part / math.hypot(*way) for part in way
@@ -120,8 +121,8 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
         f"immovable particle at {w}; b.update_force(p, 0.5)"
     )
     about.cause = (
-        "The bullet has a new target. Read self.target in every call. An immovable particle is a "
-        "valid target too."
+        "The bullet has a new target now, so read self.target in every call. The new target is "
+        "immovable, which is valid too."
     )
     p.clear_forces()
     b.target = Particle(Vector3(*w), mass=math.inf)

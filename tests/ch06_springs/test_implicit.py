@@ -59,12 +59,13 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
             "The two results are in the wrong order. Return the position x' first and then the "
             "velocity v'.": off(method, x, v, stiffness, damping, m, h, (new[1], new[0])),
             f"The result is that of {other}.": off(other, x, v, stiffness, damping, m, h, new),
-            "The damping is missing. The acceleration follows from m a = -k x - c v, so include "
-            "c.": off(method, x, v, stiffness, 0.0, m, h, new),
-            "The stiffness is missing. The acceleration follows from m a = -k x - c v, so "
-            "include k.": off(method, x, v, 0.0, damping, m, h, new),
-            "The stiffness and the damping have not been divided by the mass. The acceleration "
-            "needs k / m and c / m.": off(method, x, v, stiffness, damping, 1.0, h, new),
+            "The damping has no effect on the result. The acceleration follows from m a = -k x - c "
+            "v, so include the term with c.": off(method, x, v, stiffness, 0.0, m, h, new),
+            "The stiffness has no effect on the result. The acceleration follows from m a = -k x - "
+            "c v, so include the term with k.": off(method, x, v, 0.0, damping, m, h, new),
+            "The stiffness and the damping have not been divided by the mass, but the acceleration "
+            "needs k / m and c / m. Divide both of them "
+            "first.": off(method, x, v, stiffness, damping, 1.0, h, new),
         }
         # If the new state solves the equations of a mistake, that mistake was made.
         slip = next((slip for slip in fits if max(map(abs, fits[slip])) < 1e-10), "")
@@ -166,8 +167,8 @@ def test_an_implicit_step_needs_numbers_that_mean_something(method: str) -> None
     about(
         f"{method}(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)",
         cause=(
-            "There is no force here, so the body keeps its velocity and moves by v h. A "
-            "stiffness and a damping of 0 are valid."
+            "The stiffness and the damping are 0 here, which is valid. There is no force then, so "
+            "the body keeps its velocity and moves by v h."
         ),
     )
     got = step(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)

@@ -26,8 +26,8 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
         about.call = f"p at (3, {y}, 5); p.add_force(Vector3{f}); LighterThanAir({most}, "
         about.call += f"{scale}).update_force(p, 0.5); p.force_accumulator"
         about.cause = (
-            "Add a lift of F e^(-y / H), which points upward, to the forces already on the "
-            "particle. At the scale height H the lift is 1 / e of F."
+            "Add an upward force of F e^(-y / H) to the forces that are already on the particle. "
+            "You can check it at y = H, where the lift must be 1 / e of F."
         )
         p = Particle(Vector3(3.0, y, 5.0), mass=7.0)
         p.add_force(Vector3(*f))

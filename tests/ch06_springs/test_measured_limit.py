@@ -41,10 +41,14 @@ def test_how_the_particle_is_released() -> None:
     )
     expect_exactly(len(seen) > 0, True, call=name, cause=calls)
     count, place, velocity, mass, damping, before, force, h, drift = seen[0]
-    about.cause = "Pass a list with exactly one particle to the integrator."
+    about.cause = (
+        "The integrator must get a list with exactly one particle. Do not add any others, such "
+        "as the anchor, to the list."
+    )
     expect_exactly(count, 1, then=": the number of particles")
     about.cause = (
-        "Give the particle a mass of 1 kg, because the stiffness is measured for this mass."
+        "The particle must have a mass of 1 kg, because the stiffness is measured for this mass. A "
+        "heavier particle would tolerate a stiffer spring."
     )
     expect_close(mass, 1.0, then=": its mass")
     about.cause = (
@@ -57,7 +61,10 @@ def test_how_the_particle_is_released() -> None:
             "spring, so pass it to Particle."
         )
     expect_close(damping, 0.25, then=": its damping")
-    about.cause = "Pass the duration on to the integrator unchanged."
+    about.cause = (
+        "The integrator was called with a wrong duration. Pass the duration of the steps on to "
+        "it unchanged."
+    )
     expect_close(h, 0.125, then=": the duration")
     about.cause = "Release the particle at a distance of START from the anchor, which is 10 m."
     expect_close(math.hypot(*place), 10.0, then=": distance from the anchor")
@@ -151,13 +158,16 @@ def test_swings_that_stay_as_they_are_are_not_wider() -> None:
         got = wider(1.0, False, k, 1.0, 1.0 / 60.0)
         expect_exactly(got, False)
     about.call = "swings_wider(integrator, 14700, 1.0, 1/60), a step that is stable up to 14400 N/m"
-    about.cause = "The stiffness is 2 % above the limit of 14400 N/m, so the oscillation grows."
+    about.cause = (
+        "The stiffness is 2 % above the limit of 14400 N/m, so the oscillation grows and the "
+        "answer must be True."
+    )
     got = wider(1.0, False, 14_700.0, 1.0, 1.0 / 60.0)
     expect_exactly(got, True)
     about.call = "swings_wider(integrator, 1.0, 1.0, 1/60), the book's step"
     about.cause = (
-        "Without damping the book's step is unstable for every spring. This oscillation is a "
-        "slow case, and grows by 12 % in FRAMES steps. Make that many steps before you decide."
+        "Without damping the book's step is unstable for every spring, but this oscillation grows "
+        "slowly, by only 12 % in FRAMES steps. Make that many steps before you decide."
     )
     got = wider(1.0, True, 1.0, 1.0, 1.0 / 60.0)
     expect_exactly(got, True)
@@ -225,8 +235,8 @@ def test_the_ends_of_what_is_measured() -> None:
     expect_close(got, most, tolerance=0.01 * most)
     about.call = "largest_stable_stiffness(integrator, 0.0, 1/60), semi-implicit Euler"
     about.cause = (
-        "A damping of 0 is valid. It stops the particle at the end of each step, so a spring may "
-        "be much stiffer. Here even STIFFEST / h^2 is stable."
+        "A damping of 0 is valid. It stops the particle at the end of each step, so that even a "
+        "spring of STIFFEST / h^2 is stable here. Return this stiffness."
     )
     got = measured(1.0, False, 0.0, h)
     most = 16.0 * 3600.0

@@ -58,8 +58,8 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
         pushes = {
             "The force pulls p toward the other particle. It must push p away, so check the sign "
             "of the offset.": -push,
-            "There is no push. Perhaps the loop ends when it finds p itself in the list. Skip p "
-            "and go on to the next particle.": 0.0,
+            "There is no push at all, perhaps because the loop ends when it finds p itself in the "
+            "list. Skip only p, and continue with the next particle.": 0.0,
             "The push has the size k at every distance. It must grow as the particles come "
             "closer, so multiply k by (distance - l).": k,
             "The push has been multiplied by the whole offset, so it depends on the distance "
@@ -103,8 +103,9 @@ def test_every_one_who_is_too_near_counts(rng: Random) -> None:
     about.call += "; p.clear_forces(); crowd.particles.pop(); crowd.distance = 1.25; "
     about.call += f"crowd.stiffness = {2 * k}; crowd.update_force(p, 0.5)"
     about.cause = (
-        "The list, the distance and the stiffness have been changed. Read these attributes in "
-        "every call. Only one particle is still closer than the distance, which is 1.25 m now."
+        "The list, the distance and the stiffness have changed since the last call, so read these "
+        "attributes in every call. The distance is 1.25 m now, and only one particle is still "
+        "closer than that."
     )
     p.clear_forces()
     crowd.particles.pop()
@@ -123,7 +124,7 @@ def test_a_particle_does_not_push_itself_nor_who_is_at_its_place(rng: Random) ->
     about.call += "5.0).update_force(p, 0.5)"
     about.cause = (
         "The particles p and q are at the same position, so there is no direction for a push "
-        "between them. Only r pushes p, and it pushes downward."
+        "between them. Skip q, so that only r pushes p downward."
     )
     p, q = Particle(Vector3(*here)), Particle(Vector3(*here))
     r = Particle(p.position + Vector3(0.0, 1.0, 0.0), mass=math.inf)
@@ -132,8 +133,8 @@ def test_a_particle_does_not_push_itself_nor_who_is_at_its_place(rng: Random) ->
     got = xyz(p.force_accumulator)
     expect_close(got, (0.0, -10.0, 0.0), then="; p.force_accumulator", tolerance=1e-12)
     about.cause = (
-        "The list of particles belongs to the caller. Do not change its order or move its "
-        "particles."
+        "The list of particles belongs to the caller, so you may only read it. Do not change its "
+        "order or move its particles."
     )
     got = [part for one in crowd.particles for part in xyz(one.position)]
     wanted = [here[0], here[1] + 1.0, here[2], *here, *here]

@@ -143,16 +143,17 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
                 max(push * (1.0 + share), 0.0),
                 0.0,
             ),
-            "The damping also acts along the ground, as friction would. It must depend on v_y "
-            "only, so leave x and z at 0.": (-4.0 * c, wanted[1], -4.0 * c),
-            "The force pulls the body down. The ground can only push, so use 0 where the sum is "
-            "negative.": (0.0, push * (1.0 - share), 0.0),
+            "The damping also acts along the ground, as friction would. It must depend only on "
+            "v_y, so leave the x and z components of the force at "
+            "0.": (-4.0 * c, wanted[1], -4.0 * c),
+            "The force pulls the body down, but the ground can only push. If the sum of push and "
+            "damping is negative, use 0 instead.": (0.0, push * (1.0 - share), 0.0),
         }
         blame(got, slips)
         if got[0] or got[2]:
             about.cause = (
-                "The damping also acts along the ground, as friction would. It must depend "
-                "on v_y only, so leave x and z at 0."
+                "The damping also acts along the ground, as friction would. It must depend only on "
+                "v_y, so leave the x and z components of the force at 0."
             )
         expect_close(got, wanted, tolerance=1e-11)
 

@@ -107,10 +107,10 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
                 total - hanger + part
                 for total, hanger, part in zip(wanted, parts[0], below, strict=True)
             ],
-            "Only the hangers act. Neighboring planks must pull on each other as well, so call "
-            "connect for each pair of them.": parts[0],
-            "Each spring between two planks acts twice. A single call of connect already acts on "
-            "both ends, so make only one for each pair.": [
+            "Only the hangers act, but neighboring planks must pull on each other as well. Call "
+            "connect for each pair of neighbors.": parts[0],
+            "Each spring between two planks acts twice. The spring that connect registers already "
+            "acts on both planks, so call connect only once for each pair.": [
                 2.0 * total - hanger for total, hanger in zip(wanted, parts[0], strict=True)
             ],
         }
@@ -292,9 +292,9 @@ def test_a_bridge_needs_numbers_that_mean_something() -> None:
     expect_close(got, ZERO, then="; its force_accumulator")
     about.read = LOAD
     about.cause = (
-        "Raise ValueError here. There must be at least one plank, x must be finite, and the "
-        "weight must be finite and not negative. The functions in arguments.py check numbers "
-        "like these."
+        "At least one of the arguments is not valid, so raise ValueError. There must be at least "
+        "one plank, x must be finite, and the weight must be finite and not negative. The "
+        "functions in arguments.py check such numbers for you."
     )
     for count, x, weight in (
         (0, 1.0, 1.0),

@@ -55,8 +55,8 @@ def spring_slips(
         "The force uses the squared length of the offset. The extension needs the length itself, "
         "so take the magnitude.": along(-k * (length**2 - rest) - c * rate),
         "The damping force is missing. Add -c (v . d^) d^ along the spring.": along(-pull),
-        "There is no force, as if this were a slack rope. A spring also pushes when it is "
-        "shorter than its rest length.": along(0.0 * pull),
+        "There is no force, as if this were a slack rope. Unlike a rope, a spring pushes when it "
+        "is shorter than its rest length.": along(0.0 * pull),
         "The damping is -c v, so it also slows down motion across the spring, which does not "
         "change its length. Use only the part of v along the spring.": [
             a - c * v for a, v in zip(along(-pull), velocity, strict=True)
@@ -269,8 +269,8 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
         "The damping force is missing. Add -c (v . d^) d^ along the spring.": hooke(
             offset, relative, k, rest, 0.0
         ),
-        "The force points in the wrong direction. Check the sign, and the order in which you "
-        "subtract the positions.": tuple(-part for part in pull),
+        "The force points in the opposite direction. Check its sign, and check the order in which "
+        "you subtract the two positions.": tuple(-part for part in pull),
         "The force has been divided by the mass of p. The integrator divides by the mass later, "
         "so add the force itself.": tuple(part / 2.0 for part in pull),
         "The force has been divided by the mass of q. The force of a spring does not depend on "
@@ -295,8 +295,8 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
     about.call += "3; p at (0, 3, 0), velocity (0, 1, 0), q at rest at (0, 0, 0); "
     about.call += "s.update_force(p, 0.5)"
     about.cause = (
-        "The attributes were changed after the spring was created. Read them in every call, so "
-        "that the force here is -(5 (3 - 2) + 3 * 1)."
+        "The attributes were changed after the spring was created, so the force is now -(5 (3 - 2) "
+        "+ 3 * 1). Read the attributes in every call."
     )
     s.stiffness, s.rest_length, s.damping = 5.0, 2.0, 3.0
     p, q.position, q.velocity = Particle(Vector3(0, 3, 0), Vector3(0, 1, 0)), Vector3(), Vector3()
@@ -319,8 +319,9 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
     s = AnchoredSpring(Vector3(*first), k, rest, c)
     about.call += "s.update_force(p, 0.5)"
     about.cause = (
-        "The offset is p.position minus the anchor. The anchor counts as being at rest, so the "
-        "velocity is p.velocity. The mass does not matter."
+        "The offset is p.position minus the anchor, and because the anchor counts as being at "
+        "rest, the relative velocity is p.velocity itself. The mass has no effect on the force of "
+        "a spring."
     )
     s.update_force(p, 0.5)
     offset = tuple(a - b for a, b in zip(here, first, strict=True))
@@ -336,8 +337,8 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
         "counts.": hooke(offset, v, k, 0.0, c),
         "The spring behaves as if its other end were at (0, 0, 0). Subtract self.anchor from "
         "the position to get the offset.": hooke(here, v, k, rest, c),
-        "The force points in the wrong direction. Check the sign, and the order in which you "
-        "subtract the positions.": tuple(-part for part in wanted),
+        "The force points in the opposite direction. Check its sign, and check the order in which "
+        "you subtract the two positions.": tuple(-part for part in wanted),
     }
     blame(got, slips)
     expect_close(got, wanted, tolerance=1e-11)

@@ -157,8 +157,8 @@ def test_a_stiffness_too_large_for_a_float_is_infinite() -> None:
 def test_a_largest_stiffness_needs_numbers_that_mean_something() -> None:
     about.read = READ
     about.cause = (
-        "This argument has no meaning here. Raise ValueError for it, even when the damping is 0. "
-        "Each argument needs one of the functions in arguments.py."
+        "One of the arguments is not valid, so raise ValueError, even if the damping is 0 and the "
+        "limit is infinite. Check each argument with one of the functions in arguments.py."
     )
     for bad in (
         (-0.5, 0.25, 1.0),

@@ -22,12 +22,12 @@ EXERCISES = {
 }
 RULES = {
     "explicit_euler": "Explicit Euler first moves the particle with its old velocity, p' = p + v "
-    "h. Then it changes the velocity, v' = (v + a h) d^h, with the acceleration at the start. "
-    "The damping acts once.",
+    "h. Then it changes the velocity with the acceleration at the start and damps it once, v' = (v "
+    "+ a h) d^h.",
     "semi_implicit_euler": (
-        "Semi-implicit Euler first changes the velocity, v' = (v + a h) d^h, and damps it once. "
-        "Then it moves the old position with the new velocity, p' = p + v' h. Copy a vector "
-        "before you change it in place."
+        "Semi-implicit Euler first changes the velocity and damps it once, v' = (v + a h) d^h. "
+        "Then it moves the old position with the new velocity, p' = p + v' h, so copy a vector if "
+        "you need its old value later."
     ),
     "leapfrog": (
         "Leapfrog first moves for half the step, p1 = p + v h / 2, and evaluates the forces "
@@ -35,9 +35,9 @@ RULES = {
         "p1 + v' h / 2."
     ),
     "velocity_verlet": (
-        "Velocity Verlet first moves, p' = p + v h + a h^2 / 2. Then it evaluates the "
-        "acceleration b at p', with the velocity v + a h, and sets v' = (v + (a + b) h / 2) d^h. "
-        "The damping acts once."
+        "Velocity Verlet first moves the particle, p' = p + v h + a h^2 / 2. Then it evaluates the "
+        "acceleration b at p', with the velocity v + a h, and sets v' = (v + (a + b) h / 2) d^h, "
+        "which is damped once."
     ),
     "runge_kutta_4": (
         "Runge-Kutta takes a weighted mean of four rates, in which the second and the third "
@@ -81,7 +81,8 @@ def slips_of(
         ),
         "The step leaves out the force that was added by hand before it. That force acts during "
         "the whole step, so include it in every evaluation.": (p, v, a, mass, d, ZERO),
-        "The forces have not been divided by the mass. The acceleration is p.acceleration + f / "
+        "The forces have not been divided by the mass. Divide them before you add them to "
+        "p.acceleration, because the whole acceleration is p.acceleration + f / "
         "m.": (p, v, a, 1.0, d, hand),
         "The velocity has not been damped. Multiply it by d^h once in each step.": (
             p,
@@ -267,9 +268,10 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
             places.append(p[i] + v[i] * h + 0.5 * first * h * h)
         elif method == "runge_kutta_4":
             about.cause = (
-                "Runge-Kutta evaluates the rates at four states. The first one is the start. To "
-                "get each of the others, go back to the start and follow the previous rate, for "
-                "half a step, half a step and a whole step."
+                "Runge-Kutta evaluates the rates at four states, and the first one is the start. "
+                "To reach each of the other three, go back to the start and follow the previous "
+                "rate, first for half a step, then for half a step again, and then for a whole "
+                "step."
             )
             places.append(p[i] + 0.5 * h * v[i])
             second = a[i] - k * places[1] / mass
@@ -296,8 +298,8 @@ def test_what_a_step_leaves_behind(method: str, rng: Random) -> None:
         method, f"a = {a}, m = {mass}; by hand {hand}, forces -{k} x - {c} v; h = {h}"
     )
     about.cause = (
-        "The accumulators must be empty at the end of the step. Otherwise the same forces would "
-        "act again in the next one."
+        "Some forces are still in the accumulators at the end of the step, so they would act again "
+        "in the next one. Clear the accumulators before the step ends."
     )
     ends = stepped(method, [body], (k, c), h, 1)
     expect_close(ends["forces"][0], ZERO, then=": p.force_accumulator")
@@ -376,7 +378,8 @@ def test_a_step_needs_a_duration(method: str) -> None:
             tolerance=0.0,
         )
         about.cause = (
-            "apply_forces was called before the duration was refused. Check the duration first."
+            "The duration was refused, but only after apply_forces had been called. Check the "
+            "duration before you do anything else."
         )
         expect_exactly(after["asked"], [0], then=" was refused; how often apply_forces was called")
     about.call = f"{method}([], apply_forces, 0.5), and with one particle"

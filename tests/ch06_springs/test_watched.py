@@ -54,7 +54,8 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         )
         about.cause = (
             "Check every particle after each step, and raise SimulationDiverged(i, steps, speed, "
-            "speed_limit) for the first one that is too fast. The first step has the number 1."
+            "speed_limit) for the first one that is too fast. Here i is its index in the list, and "
+            "steps counts from 1."
         )
         calls, error = watching(limit, speeds)
         wanted = (fast, number, 1.25 * limit, limit)
@@ -68,8 +69,8 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
                 size,
                 limit,
             ),
-            "The index of the particle is one too large. Number the particles from 0, as in the "
-            "list.": (fast + 1, number, size, limit),
+            "The index of the particle is one too large. Particles are numbered from 0, like the "
+            "items of a list.": (fast + 1, number, size, limit),
             "The error reports the last particle that is too fast. Go through the list from the "
             "start, and report the first one you find.": (
                 3,
@@ -99,8 +100,8 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
             then=": (particle, step, speed, limit) of the error, nan if none was raised",
         )
         about.cause = (
-            "The error was raised too early or too late. Raise it right after the step in which "
-            "a particle becomes too fast, before any other step is made."
+            "The error was raised too early or too late. Check the speeds right after each step, "
+            "and raise the error before the next step if a particle is too fast."
         )
         expect_exactly(len(calls), number, then=": the number of steps that were made")
 

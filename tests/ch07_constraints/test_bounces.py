@@ -49,9 +49,8 @@ def test_restitution_is_a_root(rng: Random) -> None:
             (wanted * wanted,
              "The result is the ratio of the heights. The height of a rise grows with the square "
              "of the speed, so take the square root of this ratio."),
-            (1.0 / wanted, "The ratio is inverted. A ball never bounces higher than it was "
-                           "dropped, so the restitution is at most 1. Divide bounce_height by "
-                           "initial_height."),
+            (1.0 / wanted, "The ratio is inverted, so the restitution is above 1, as if the ball "
+            "bounced higher than it was dropped. Divide bounce_height by initial_height."),
         ]  # fmt: skip
         blame(got, mistakes)
         expect_close(got, wanted)
@@ -119,8 +118,8 @@ def test_each_material_has_its_row(rng: Random) -> None:
         "divides by n, which makes it a little too small for a sample. Divide by n - 1, as "
         "statistics.stdev does."),
         ((0.5 * errors[0], errors[1] / math.sqrt(2.0)),
-         "The result is s / n. The standard error falls only with the root of n, so divide s by "
-         "sqrt(n)."),
+         "The result is s / n, but the standard error falls only with the square root of n. Divide "
+         "s by sqrt(n)."),
     ]  # fmt: skip
     blame(seen, mistakes)
     expect_close(seen, errors, then=": standard errors", tolerance=1e-14)
@@ -129,7 +128,10 @@ def test_each_material_has_its_row(rng: Random) -> None:
         "Return None in its place."
     )
     expect_exactly(got[2][3], None, then=": the last error")
-    about("table_of_drops([])", cause="Without drops there are no rows. Return an empty list.")
+    about(
+        "table_of_drops([])",
+        cause="The list of drops is empty, so there are no rows to return. Return an empty list.",
+    )
     got = table_of_drops([])
     expect_exactly(len(got), 0)
 
@@ -196,7 +198,8 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
     v = math.sqrt(2.0 * g * h)
     for lower, ground, pair, wanted, cause in (
         (m, 1.0, 1.0, v, "The masses are equal and no energy is lost, so the two balls exchange "
-                         "their velocities."),
+        "their velocities. The upper ball must therefore rise at the speed at which the lower one "
+        "rose."),
         (m, 0.0, 1.0, 0.0, "The restitution of the ground is 0, so the lower ball stays there. "
                            "The upper ball has the same mass, so it gives all of its motion to "
                            "the lower one and stops."),
@@ -204,7 +207,7 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
          "The lower ball has three times the mass and no energy is lost, so the upper ball leaves "
          "at twice the speed at which it arrived."),
         (m, 1.0, 0.0, 0.0, "The momenta of the two balls cancel, and at a restitution of 0 the "
-                           "balls stick together. So both stop."),
+        "balls stick together, so both of them must stop."),
         (3.0 * m, 0.0, 0.0, -0.25 * v, "At a restitution of 0 the balls stick together. They "
                                        "share the momentum of the upper ball, which was moving "
                                        "down, so the result is negative."),
@@ -278,8 +281,9 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
     f, frame = components(rng), positive_number(rng, 0.1, 0.9)
     for share in (0.25, 1.0, 0.0):
         about.call = f"f = Vector3{f}; force_for_frame(f, {share * frame}, {frame})"
-        about.cause = "The impulse is force times time, and it must stay the same. Multiply the "
-        about.cause += "force by contact_time / frame."
+        about.cause = "The impulse is the force times its duration. If the force acts for a longer "
+        about.cause += "time with the same impulse, it must be smaller, so multiply it by "
+        about.cause += "contact_time / frame."
         force = Vector3(*f)
         got = expect_vector(force_for_frame(force, share * frame, frame))
         wanted = tuple(share * part for part in f)
@@ -291,13 +295,13 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
             longer = tuple(part / share for part in f)
             name = (
                 "The ratio is inverted. The same impulse is now spread over a longer time, so the "
-                "force must become smaller."
+                "force must become smaller: multiply it by contact_time / frame."
             )
             mistakes.append((longer, name))
         why = cause_of(got, mistakes, about.cause)
         expect_close(got, wanted, cause=why, tolerance=1e-14)
-        kept = "The vector that was passed in has changed. Perhaps you used *=, which works in "
-        kept += "place. Return force * number instead, which is a new vector."
+        kept = "The vector that was passed in has changed, perhaps because you used *=, which "
+        kept += "works in place. Return force * number instead, which creates a new vector."
         expect_unchanged("f", xyz(force), f, cause=kept)
     about.call = f"f = Vector3{f}; force_for_frame(f, 1.0, 1.0).x += 1.0"
     about.cause = (
@@ -329,8 +333,8 @@ def test_a_push_is_not_longer_than_its_frame() -> None:
         about.cause = "The contact time must be at least 0 and at most the duration of the frame. "
         about.cause += "Raise an error for any other value."
         if isinstance(contact, str) or isinstance(frame, str):
-            about.cause = "One of the two times is a string, which is not a number. Raise "
-            about.cause += "TypeError."
+            about.cause = "One of the two times is a string and not a number, so raise TypeError. "
+            about.cause += "The functions in arguments.py do this for you."
         elif not 0.0 < frame < math.inf:
             about.cause = "The duration of the frame must be positive and finite. Call positive "
             about.cause += "from arguments.py to check it."
@@ -351,6 +355,6 @@ def test_a_push_is_not_longer_than_its_frame() -> None:
             error,
             call=f"force_for_frame({name}, 1.0, 2.0)",
             allowed=lambda: force_for_frame(Vector3(1.0, 2.0, 3.0), 1.0, 2.0),
-            cause="This argument is not a Vector3 of finite numbers. Check the force with "
-            "finite_vector from arguments.py.",
+            cause="The force must be a Vector3 with finite components, but this argument is not. "
+            "Check it with finite_vector from arguments.py, which raises the error for you.",
         )

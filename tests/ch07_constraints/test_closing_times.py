@@ -26,15 +26,15 @@ def test_when_a_gap_closes(rng: Random) -> None:
                                "equation."),
         (5.0, 0.0, -10.0, 1.0, rest),
         (15.0, 10.0, -10.0, 3.0, "The body first rises and then falls back, so it passes this "
-                                 "height twice. It is closing at the later time."),
+        "height twice. The gap closes only the second time, so return the later time."),
         (40.0, -10.0, -10.0, 2.0,
          "The equation has two solutions. One of them is negative and lies in the past, so take "
          "the positive one."),
         (6.0, -5.0, 2.0, 2.0, "The body slows down but still arrives. The second solution is the "
                               "time when it would come back, so take the first one."),
         (0.5 * pull * t * t, 0.0, -pull, t, rest),
-        (1e-6, -1e-6, 0.0, 1.0, "The body approaches slowly, but it does arrive. Return this time "
-                                "instead of math.inf."),
+        (1e-6, -1e-6, 0.0, 1.0, "The body approaches slowly, but it does arrive. Return the time "
+         "at which it arrives instead of math.inf."),
         (5e-7, 0.0, -1e-6, 1.0, "The acceleration is small, but it does bring the body to the "
                                 "ground. Do not treat it as 0."),
         (0.0, 10.0, -10.0, 2.0,
@@ -74,23 +74,28 @@ def test_when_a_gap_closes(rng: Random) -> None:
 def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
     about.read = CLOSE
     x = positive_number(rng)
-    lies = "The body lies on the ground and is accelerated into it, so the time is 0."
+    lies = (
+        "The body lies on the ground and is accelerated into it, so the gap closes at once. "
+        "Return 0."
+    )
     slow = "The speed is below VELOCITY_TOLERANCE, so it counts as a rounding error and does not "
     slow += "close the gap. Return math.inf."
     for gap, v, a, wanted, cause in (
-        (0.0, -x, 0.0, 0.0, "The body touches the ground and is closing, so the time is 0."),
-        (-x, -x, 3.0, 0.0, "The body is inside the ground and moves farther in, so the time is 0."),
-        (0.0, -1e-9, 0.0, 0.0, "The body touches the ground and is closing, if only slowly, so "
-                               "the time is 0."),
-        (2.0, -2.0, 1.0, math.inf, "The root is 0, which means that the body reverses exactly "
-                                   "when it touches the ground. It arrives with no speed, so "
-                                   "there is no impact. Return math.inf."),
+        (0.0, -x, 0.0, 0.0, "The body touches the ground and moves into it, so the gap closes at "
+         "once. Return 0."),
+        (-x, -x, 3.0, 0.0, "The body is inside the ground and moves farther in, so the gap is "
+         "already closed. Return 0."),
+        (0.0, -1e-9, 0.0, 0.0, "The body touches the ground and moves into it, if only slowly, so "
+         "the gap closes at once. Return 0."),
+        (2.0, -2.0, 1.0, math.inf, "The root is 0, which means that the body reverses exactly when "
+         "it touches the ground. Because it arrives with no speed, there is no impact, so return "
+         "math.inf."),
         (0.0, 0.0, -x, 0.0, lies),
         (-1e-18, 0.0, -x, 0.0, lies),
         (x, 1.0, 0.0, math.inf, "The body moves away, and no acceleration brings it back. Return "
                                 "math.inf."),
-        (x, 0.0, 0.0, math.inf, "The body does not move at all, so it never arrives. Return "
-                                "math.inf."),
+        (x, 0.0, 0.0, math.inf, "The body does not move at all, so it never reaches the ground. "
+        "Return math.inf."),
         (x, 0.0, 2.0, math.inf, "The body is at rest and is accelerated away from the ground, so "
                                 "it never arrives. Return math.inf."),
         (x, 2.0, 3.0, math.inf, "The body moves away and is accelerated away as well, so it never "
@@ -120,9 +125,9 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
 def test_the_digits_of_a_time_are_kept() -> None:
     about.read = CLOSE
     for a in (-10.0, 10.0):
-        about.cause = "The time has lost most of its digits. Perhaps you used (-v - sqrt(...)) / "
-        about.cause += "a, which subtracts two nearly equal numbers. Use 2 gap / (sqrt(v v - 2 a "
-        about.cause += "gap) - v) instead."
+        about.cause = "The time has lost most of its digits, perhaps because you used (-v - "
+        about.cause += "sqrt(...)) / a, which subtracts two nearly equal numbers. Use 2 gap / "
+        about.cause += "(sqrt(v v - 2 a gap) - v) instead."
         about.call = f"time_to_close(1e-10, -1000.0, {a})"
         got = time_to_close(1e-10, -1000.0, a)
         # The acceleration changes it by 1e-15 of it.

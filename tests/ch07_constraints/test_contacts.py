@@ -41,8 +41,8 @@ def test_two_part_as_one_sees_the_other(rng: Random) -> None:
     ):
         about.call = f"a at {p}, velocity {v}; b of {mass} kg at {q}, velocity {w}; Contact(a, b, "
         about.call += f"Vector3{n}, 0.5, -1.0).separating_velocity()"
-        about.cause = "The separating velocity is (va - vb) . n. It is positive while the two move "
-        about.cause += "apart. Masses and penetration do not matter."
+        about.cause = "The separating velocity is (va - vb) . n, which is positive while the two "
+        about.cause += "particles move apart. Masses and penetration have no effect on it."
         a = Particle(Vector3(*p), Vector3(*v), mass=2.0)
         b = Particle(Vector3(*q), Vector3(*w), mass=mass)
         got = Contact(a, b, Vector3(*n), 0.5, -1.0).separating_velocity()
@@ -143,23 +143,23 @@ def test_what_closes_bounces(rng: Random) -> None:
         mistakes = [
             (
                 -wanted,
-                "The sign is wrong, so the particles still move into each other. After a "
-                "bounce they separate. Return -c v_s.",
+                "The sign is wrong, so the particles would still move into each other after the "
+                "bounce. They must separate, so return -c v_s.",
             ),
             (
                 -closing,
-                "The restitution is missing, so the bounce loses no speed at all. Multiply "
-                "by it, and return -c v_s.",
+                "The result does not depend on the restitution c, so the bounce loses no speed at "
+                "all. Return -c v_s.",
             ),
             (
                 closing,
-                "This is the separating velocity before the bounce. Return the velocity after it, "
-                "which is -c v_s.",
+                "The result is the separating velocity before the bounce. Return the one after the "
+                "bounce, which is -c v_s.",
             ),
             (
                 wanted - closing,
-                "This is the change of the velocity during the bounce. Return the velocity after "
-                "the bounce, which is -c v_s.",
+                "The result is the change of the velocity during the bounce. Return the velocity "
+                "after the bounce, which is -c v_s.",
             ),
         ]
         if closing < -1e-3:  # below, all of these are near 0
@@ -204,8 +204,9 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
     x, y, z = xyz(side)
     pull = (5.0 * x - G * n[0], 5.0 * y - G * n[1], 5.0 * z - G * n[2])
     for closing, wanted, cause in (
-        (G * h, 0.0, "This body is at rest. It closes only with the velocity that this time step "
-                     "has added, so it must not bounce."),
+        (G * h, 0.0, "This body is at rest and approaches the ground only with the velocity that "
+        "gravity has added in this time step. Leave that velocity out, so that the body does not "
+        "bounce."),
         (0.4 * G * h, 0.0,
          "The time step added more than the whole closing speed, so nothing is left to bounce. "
          "Return 0 and never less, because the particles must not move into each other."),
@@ -225,10 +226,11 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
              "The bounce became faster, but the velocity that the step has added must make it "
              "slower. Here a . n is negative, so add a . n h to -v_s."),
             (c * (closing - size * h),
-             "The result uses the whole |a|. Only a . n, its component along the normal, "
-             "closes the contact."),
+             "The result uses the magnitude of the acceleration, |a|. Only its component along the "
+             "normal, a . n, closes the contact."),
             (0.0, "The contact does not bounce, although the time step added only 0.1962 of the 5 "
-                "m/s. Did you multiply a . n by the duration? Return c (-v_s + a . n h)."),
+            "m/s. Perhaps a . n has not been multiplied by the duration h. Return c (-v_s + a . n "
+            "h)."),
         ]  # fmt: skip
         v = along(n, -closing, rng)
         about.call = f"a of 3 kg with velocity {v}, acceleration {pull}, damping 0.25; Contact(a, "
@@ -240,7 +242,7 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
     about.call = f"a with velocity (0, -5, 0), acceleration (0, -{G}, 0); Contact(a, None, "
     about.call += "Vector3(0, 1, 0), 1.0).velocity_after(0.0)"
     about.cause = (
-        "A duration of 0 means that no time step has added any velocity. The whole closing "
+        "A duration of 0 means that no time step has added any velocity, so the whole closing "
         "velocity must bounce."
     )
     a = Particle(velocity=Vector3(0.0, -5.0, 0.0), acceleration=Vector3(0.0, -G, 0.0))
@@ -254,8 +256,8 @@ def test_an_acceleration_that_parts_explains_nothing(rng: Random) -> None:
     pull, c = positive_number(rng), round(rng.uniform(0.3, 0.9), 3)
     about.call = f"a with velocity (0, -2, 0), acceleration (3, {pull}, 3); Contact(a, None, "
     about.call += f"Vector3(0, 1, 0), {c}).velocity_after(0.25)"
-    about.cause = "This acceleration points away from the contact (a . n > 0), so it did not close "
-    about.cause += "it. All of the 2 m/s bounces."
+    about.cause = "This acceleration points away from the contact (a . n > 0), so it has not "
+    about.cause += "closed the contact. The whole 2 m/s must therefore bounce."
     a = Particle(velocity=Vector3(0.0, -2.0, 0.0), acceleration=Vector3(3.0, pull, 3.0))
     got = Contact(a, None, Vector3(*UP), c).velocity_after(0.25)
     expect_close(got, 2.0 * c)
@@ -267,9 +269,10 @@ def test_forces_build_up_as_well(rng: Random) -> None:
     mass, c, h = positive_number(rng), round(rng.uniform(0.3, 0.9), 3), 0.02
     about.call = f"a of {mass} kg; a.add_force(Vector3(0, -{mass} * {G}, 0)); a.integrate({h}); "
     about.call += f"Contact(a, None, Vector3(0, 1, 0), {c}).velocity_after({h})"
-    about.cause = "Count forces as well as gravity. Use last_acceleration: it includes the forces, "
-    about.cause += "and the accumulator is already empty. The book counts only the constant "
-    about.cause += "acceleration, so a body under a gravity generator keeps bouncing (E-26)."
+    about.cause = "The acceleration must include forces as well as gravity. The accumulator is "
+    about.cause += "already empty at this point, so use last_acceleration, which includes them. "
+    about.cause += "The book uses only the constant acceleration, so a body under a gravity "
+    about.cause += "generator keeps bouncing (E-26)."
     a = Particle(mass=mass)
     a.add_force(Vector3(0.0, -mass * G, 0.0))
     a.integrate(h)
@@ -326,7 +329,8 @@ def test_two_that_fall_alike_build_up_nothing(rng: Random) -> None:
          "accelerations, (aa - ab) . n."),
         (0.0, other, 1.0, math.inf, c * 3.0, immovable),
         (-other, 0.0, 1.0, math.inf, c * (3.0 - other * h),
-         "If the other particle is immovable, the whole acceleration of a counts."),
+         "The other particle is immovable, so it does not accelerate. Use the whole acceleration "
+         "of a."),
         (-other, 0.0, math.inf, 1.0, c * 3.0, immovable),
     ):  # fmt: skip
         about.cause = cause
@@ -346,7 +350,7 @@ def test_to_say_how_it_bounces_changes_nothing(rng: Random) -> None:
     about.call = f"a with velocity {v}, acceleration (0, -2, 0); c = Contact(a, b, Vector3(0, 1, "
     about.call += "0), 0.5); c.velocity_after(0.5)"
     about.cause = (
-        "The call has changed a velocity. This method only computes the new one, and "
+        "The call has changed a velocity. This method must only compute the new velocity, because "
         "resolve_velocity makes the change."
     )
     a = Particle(velocity=Vector3(*v), acceleration=Vector3(0.0, -2.0, 0.0))

@@ -33,10 +33,8 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
     about.read = GROUND
     height, c = number(rng), round(rng.uniform(0.1, 0.9), 3)
     lowest = "The lowest point of the sphere, y - radius, is below the height of the ground. "
-    lowest += (
-        "Whether a sphere touches the ground depends on its position alone. Return a contact of "
-        "that depth, whatever the velocity is."
-    )
+    lowest += "Return a contact of that depth whatever the velocity is, because only the position "
+    lowest += "decides whether a sphere touches the ground."
     for radius in (0.0, 0.25):
         about.call = f"GroundPlane([p], {height}, {radius}, {c}).contacts()"
         # Eighths of a meter are exact beside a radius of a quarter.
@@ -78,32 +76,31 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
                 # Rounding of heights up to 10 m.
                 shown = f"{name}: penetration"
                 mistakes = [
-                    (wanted - radius, "The radius is missing, so the center would have to reach "
-                                      "the ground. The lowest point of the sphere is at y - "
-                                      "radius."),
+                    (wanted - radius, "The radius is missing, so the center of the sphere would "
+                     "have to reach the ground. Use its lowest point, which is at y - radius."),
                     (wanted - 2.0 * radius, "The radius has the wrong sign, so this is the "
                                             "highest point of the sphere. The lowest point is at "
                                             "y - radius."),
-                    (-wanted, "The sign is wrong. A penetration is positive if the sphere is "
-                              "inside the ground."),
+                    (-wanted, "The penetration has the wrong sign. It must be positive if the "
+                    "sphere is inside the ground, so compute height + radius - y."),
                     (wanted - height,
-                     "The ground was taken to be at a height of 0. The depth is height + radius - "
-                     "y."),
+                     "The depth was computed as if the ground were at a height of 0. Compute "
+                     "height + radius - y instead."),
                 ]  # fmt: skip
                 why = cause_of(depth, mistakes, about.cause)
                 expect_close(depth, wanted, call=shown, cause=why, tolerance=2e-14)
                 seen = (a, b, *normal, restitution)
-                why = "The contact itself is wrong. It needs the particle, None as its other, the "
-                why += "normal (0, 1, 0), the detector's restitution and the depth."
+                why = "The depth is right, but the contact is not. Create it with the particle, "
+                why += "None as its other, the normal (0, 1, 0), the detector's restitution and "
+                why += "the depth."
                 down = (0, -1, 0, -1, 0, c)
                 why = cause_of(
                     seen,
                     [
                         (
                             down,
-                            "The normal points down, so the contact would pull "
-                            "the sphere into the ground. It must point "
-                            "up, out of the ground.",
+                            "The normal points down, so the contact would push the sphere farther "
+                            "into the ground. It must point up, out of the ground.",
                         )
                     ],
                     why,
@@ -236,27 +233,28 @@ def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
     expect_exactly(len(got), len(wanted), then=": number of pairs")
     expect_exactly(seen, pairs, then=": the pairs, by index")
     for (_, _, normal, restitution, depth), right in zip(got, wanted, strict=True):
-        about.cause = "The normal is wrong. It must point from the second particle of the pair to "
-        about.cause += "the first."
+        about.cause = "The normal of a contact is wrong. It must be the unit vector that points "
+        about.cause += "from the second particle of the pair to the first."
         # Differences of positions of up to 10 m, over a distance of half a meter or more.
         expect_close(normal, right[2], then=": normal", tolerance=1e-13)
-        about.cause = "A contact has the wrong restitution. Pass the detector's restitution to "
-        about.cause += "each contact."
+        about.cause = "A contact has the wrong restitution. Pass the restitution of the detector "
+        about.cause += "to each contact that you create."
         expect_close(restitution, right[3], then=": restitution")
         apart = size - right[4]
         mistakes = [
             (size * size - apart * apart,
              "The squares of the lengths were subtracted, which gives an area. Subtract the "
              "distance itself from two radii."),
-            (-right[4], "The sign is wrong. The penetration of overlapping spheres is positive."),
-            (0.5 * size - apart, "Only one radius was used, but both spheres have one. Subtract "
-                                 "the distance from two radii."),
+            (-right[4], "The penetration has the wrong sign. It must be positive for overlapping "
+            "spheres, so subtract the distance from two radii."),
+            (0.5 * size - apart, "Only one radius was used, but the centers of touching spheres "
+            "are two radii apart. Subtract the distance from two radii."),
             (apart,
              "The penetration is the distance of the centers, which becomes smaller the deeper "
              "the overlap is. Subtract this distance from two radii."),
         ]  # fmt: skip
-        otherwise = "The penetration is wrong. It is two radii minus the distance between the "
-        otherwise += "centers."
+        otherwise = "The penetration of a contact is wrong. Compute it as two radii minus the "
+        otherwise += "distance between the centers."
         about.cause = cause_of(depth, mistakes, otherwise)
         expect_close(depth, right[4], then=": penetration", tolerance=1e-13)
 
@@ -299,7 +297,13 @@ def test_not_every_pair_is_looked_at() -> None:
     # A grid asks about 1,400 times, a sweep along an axis some 33,000 times.
     expect_between(asked, 0, 100_000)
     name = "the same: number of touching pairs"
-    expect_exactly(found, wanted, call=name, cause="A pair of touching spheres has no contact.")
+    expect_exactly(
+        found,
+        wanted,
+        call=name,
+        cause="A pair of touching spheres has no contact. "
+        "Perhaps they are in neighboring cells that your search does not compare.",
+    )
 
 
 @pytest.mark.exercise("B7.9")
@@ -319,7 +323,9 @@ def test_pairs_are_those_of_now(rng: Random) -> None:
     )
     expect_exactly(second, [0, 3, 1, 4, 2, 4])
     about.call += "; p.radius doubled"
-    about.cause = "The radius has changed since the first call. Read it again on every call."
+    about.cause = (
+        "The radius of the detector has changed since the first call. Read it again on every call."
+    )
     expect_exactly(third, [0, 1, 0, 3, 1, 2, 1, 4, 2, 4])
 
 

@@ -70,8 +70,8 @@ def test_when_two_spheres_meet(rng: Random) -> None:
         # Positions of up to 90 m, rounded, at closing speeds of about 1 m/s; grazing loses more.
         expect_close(impact[0], t, then=": time", tolerance=1e-9)
         ((first, second, normal, restitution, depth),) = told([impact[1]], pair)
-        about.cause = "The normal is wrong. It must point from b to a, so compute it from their "
-        about.cause += "positions at the time of the impact."
+        about.cause = "The normal is wrong. It must be the unit vector from b to a at the time of "
+        about.cause += "the impact, so compute it from the positions that they have then."
         turned = tuple(-part for part in n)
         mistakes = [
             (
@@ -98,7 +98,7 @@ def test_when_two_spheres_meet(rng: Random) -> None:
 def test_spheres_that_touch_or_never_meet() -> None:
     about.read = PAIRS
     meet = "The centers are 5 m apart, and the spheres touch when this distance has become 2 m. At "
-    meet += "3 m/s this takes 1 s."
+    meet += "3 m/s this takes 1 s, so return this time."
     for x, y, speed, wanted, cause in (
         (2.0, 0.0, -3.0, 0.0, "The spheres touch and approach each other, so the time is 0."),
         (1.5, 0.0, -3.0, 0.0, "The spheres overlap and approach each other, so the time is 0."),
@@ -109,8 +109,8 @@ def test_spheres_that_touch_or_never_meet() -> None:
                               "meet. Return None before you divide by the relative speed."),
         (5.0, 2.5, -3.0, None, "The spheres miss each other. In this case the number under the "
                                "root is negative, so return None instead of taking the root."),
-        (5.0, 2.000001, -3.0, None, "The spheres miss each other, although only just. Return "
-                                    "None."),
+        (5.0, 2.000001, -3.0, None, "The spheres only just miss each other, so there is no impact. "
+        "Return None."),
         (5.0, 0.0, -3.0, 1.0, meet),
         (-5.0, 0.0, 3.0, 1.0, meet),
         (5.0, 0.0, -0.125, None, "The spheres meet after 24 s, which is later than the end of the "
@@ -161,16 +161,17 @@ def test_the_first_pair_of_many(rng: Random) -> None:
     speeds = [0.0, speed, 0.0, 0.0, -speed, -speed]
     about.call = f"six spheres of radius 1 at x = {places} with velocities {speeds} along x; p = "
     about.call += "ParticlePairs(particles, 1.0); p.next_impact(9.0)"
-    about.cause = "This is not the earliest impact. Compare all pairs of particles. The pair that "
-    about.cause += "meets first is 0.5 m apart, and both of its spheres move."
+    about.cause = "This is not the earliest impact, which happens between two moving spheres that "
+    about.cause += "are 0.5 m apart. Compute the time of impact for every pair of particles, and "
+    about.cause += "return the smallest."
     particles = [Particle(Vector3(x), Vector3(v)) for x, v in zip(places, speeds, strict=True)]
     pairs = ParticlePairs(particles, 1.0)
     impact = expect_impact(pairs.next_impact(9.0))
     ((a, b, normal, _, _),) = told([impact[1]], particles)
     expect_close((a, b), (1, 4), then=": index of particle and other")
     expect_close(impact[0], 0.25 / speed, then=": time")
-    about.cause = "The normal is wrong. It must point from the second particle of the pair to the "
-    about.cause += "first."
+    about.cause = "The normal is wrong. It must be the unit vector from the second particle of the "
+    about.cause += "pair to the first."
     expect_close(normal, (-1.0, 0.0, 0.0), then=": normal")
     about.call += ", with particles 1 and 4 immovable"
     about.cause = "Particles 1 and 4 are immovable now, so they stay where they are and do not "

@@ -74,8 +74,8 @@ def test_two_balls_bounce_by_the_inverse_of_their_masses(rng: Random) -> None:
                           "momentum."),
             (impulse / mb, "The masses are swapped. The impulse on a changes its velocity by n g "
                            "/ ma, so divide by the mass of a."),
-            (-impulse / ma, "The impulse has the wrong sign, so it makes the contact close "
-                            "faster. It must push a along +n, away from b."),
+            (-impulse / ma, "The impulse has the wrong sign, so it makes the contact close even "
+            "faster. It must push a along +n, which points away from b."),
             (unlike / ma, "This would be right only if a and b had no closing velocity before. "
                           "The separating velocity changes from v_s to -c v_s, so the change is "
                           "-c v_s - v_s."),
@@ -92,8 +92,8 @@ def test_two_balls_bounce_by_the_inverse_of_their_masses(rng: Random) -> None:
                            "opposite, so add -n g / mb to the velocity of b."),
             (-impulse, f"{momentum}, and add -n g / mb."),
         ]  # fmt: skip
-        otherwise = "The impulse on b is opposite to the impulse on a, so it must change the "
-        otherwise += "velocity of b by -n g / mb."
+        otherwise = "The impulse on b is opposite to the impulse on a. It must therefore change "
+        otherwise += "the velocity of b by -n g / mb, with the mass of b."
         about.cause = cause_of(got, along(w, n, mistakes), otherwise)
         expect_close(got, wanted_b, then="; b.velocity", tolerance=1e-12)
 
@@ -106,8 +106,8 @@ def test_momentum_is_kept_and_energy_lost(rng: Random) -> None:
         v, w = closing_velocities(rng, n)
         about.call = f"a of {ma} kg, velocity {v}; b of {mb} kg, velocity {w}; Contact(a, b, "
         about.call += f"Vector3{n}, {c}).resolve_velocity()"
-        about.cause = "A collision conserves the total momentum at every restitution. The momentum "
-        about.cause += "that a gains must be taken from b."
+        about.cause = "A collision conserves the total momentum at every restitution, so b must "
+        about.cause += "lose exactly the momentum that a gains."
         a = Particle(velocity=Vector3(*v), mass=ma)
         b = Particle(velocity=Vector3(*w), mass=mb)
         Contact(a, b, Vector3(*n), c).resolve_velocity()
@@ -186,8 +186,8 @@ def test_what_parts_or_cannot_be_moved_gets_no_impulse(rng: Random) -> None:
         ("c.restitution and c.penetration", (c.restitution, c.penetration), (0.0, -1.0)),
         ("a.force_accumulator", xyz(a.force_accumulator), (1.0, 2.0, 3.0)),
     ):
-        about.cause = "resolve_velocity has changed something other than a velocity. It must "
-        about.cause += "change only the two velocities."
+        about.cause = "resolve_velocity has changed something other than a velocity. Leave "
+        about.cause += "everything except the two velocities as it is."
         expect_unchanged(name, now, before)
 
 
@@ -203,8 +203,8 @@ def test_an_impulse_leaves_rest_at_rest(rng: Random) -> None:
     Contact(a, None, Vector3(*UP), c, 0.125).resolve_velocity(h)
     got = xyz(a.velocity)
     expect_close(got, (side, 0.0, 0.0), then="; a.velocity")
-    about.cause = "The particle was moved. resolve_velocity changes velocities only, and "
-    about.cause += "resolve_penetration moves the particles."
+    about.cause = "The call has moved a particle. Leave this to resolve_penetration, because "
+    about.cause += "resolve_velocity must change only velocities."
     got = xyz(a.position)
     expect_close(got, ZERO, then="; a.position")
 

@@ -92,8 +92,8 @@ def places(pair: list[Any]) -> Components:
 
 @scoped
 def expect_ends(pair: list[Any], before: Components) -> None:
-    about.cause = "contacts() has moved an end of the link. Perhaps you used -=, which works in "
-    about.cause += "place. Compute b - a instead, because it creates a new vector."
+    about.cause = "contacts() has moved an end of the link, perhaps because you used -=, which "
+    about.cause += "works in place. Compute b - a instead, because it creates a new vector."
     expect_unchanged("the pair of positions", places(pair), before)
 
 
@@ -137,8 +137,8 @@ def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     about.call = f"{told_ends}; c = {name}(a, {'anchor' if anchored else 'b'}, {1.25 * length}); "
     about.call += "c.contacts()"
     about.cause = (
-        "This cable is slack, because it is shorter than its maximum length. A slack cable has no "
-        "contact."
+        "This cable is shorter than its maximum length, so it is slack and exerts no force. Return "
+        "no contact."
     )
     before = places(pair)
     cable = make(*pair, 1.25 * length)
@@ -223,7 +223,11 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
             "This rod is compressed, if only slightly, so it pushes. The normal must point away "
             "from the other end.",
         ),
-        (length, [], "This rod has exactly the right length, so it has no contact."),
+        (
+            length,
+            [],
+            "This rod has exactly the right length, so it must not have a contact.",
+        ),
     ):
         about(f"{told_ends}; r = {name}(a, {'anchor' if anchored else 'b'}, {rod}); ", cause=cause)
         about.call += "r.contacts()"
@@ -307,9 +311,10 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
     back = (-n[0], -n[1], -n[2])
     c = round(rng.uniform(0.1, 0.9), 3)
     for low, high, wanted, cause in (
-        (0.5, 1.5, [], "The distance is between the two limits, so the link has no contact."),
+        (0.5, 1.5, [], "The distance is between the two limits, so the link neither pulls nor "
+        "pushes. Return no contact."),
         (1023.0 / 1024.0, 1025.0 / 1024.0, [], "The distance is between the two limits, so the "
-                                               "link has no contact."),
+        "link neither pulls nor pushes. Return no contact."),
         (0.25, 0.5, [(0, 1, n, c, 0.5 * length)],
          "The distance exceeds max_length, so the link pulls like a cable. The normal must point "
          "from a to b."),
@@ -341,8 +346,8 @@ def test_equal_limits_both_act(rng: Random) -> None:
     about.read = LIMITS
     pair, n, length, told_ends = ends(rng, anchored=False)
     about.call = f"{told_ends}; l = Limits(a, b, {length}, {length}, 0.5); l.contacts()"
-    about.cause = "The distance is equal to both limits, so both are reached. Return two contacts "
-    about.cause += "with opposite normals."
+    about.cause = "Both limits are equal to the distance, so both are reached. Return two contacts "
+    about.cause += "with opposite normals, one for each limit."
     link = Limits(*pair, length, length, 0.5)
     got = told(link.contacts(), pair)
     expect_exactly(len(got), 2, then=": number of contacts")

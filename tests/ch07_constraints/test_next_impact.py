@@ -45,13 +45,14 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     ground = GroundPlane(particles, height, radius, c)
     times = [fall / speed for fall, speed in zip(falls, speeds, strict=True)]
     first = min(times)
-    about.cause = "Each of the four spheres hits the ground within the duration. Return the "
-    about.cause += "earliest of these impacts."
+    about.cause = "Each of the four spheres hits the ground within the duration. Compute the times "
+    about.cause += "of all four impacts, and return the earliest."
     impact = expect_impact(ground.next_impact(9.0))
     time, contact = impact[0], impact[1]
     whole = min((fall + radius) / speed for fall, speed in zip(falls, speeds, strict=True))
     mistakes = [
-        (max(times), "This is the time of the last impact. Return the earliest one instead."),
+        (max(times), "The result is the time of the last impact. Return the time of the earliest "
+        "one instead."),
         (times[0], "This is the impact of the first particle in the list. Compute the times of "
                    "all particles and return the earliest one."),
         (whole, "The radius is missing, so this is the time when the center arrives. The lowest "
@@ -63,14 +64,16 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     ((a, b, normal, restitution, depth),) = told([contact], particles)
     seen = (a, b, *normal, restitution, depth)
     wanted = (times.index(first), -1, *UP, c, 0.0)
-    about.cause = "The contact is wrong. Create it with the particle, None as its other, the "
-    about.cause += "normal (0, 1, 0), the detector's restitution and a penetration of 0."
+    about.cause = "The time is right, but the contact is not. Create it with the particle, None as "
+    about.cause += "its other, the normal (0, 1, 0), the detector's restitution and a penetration "
+    about.cause += "of 0."
     for part, cause in (
         (0, "The contact belongs to the wrong particle. It must belong to the particle that "
             "reaches the ground first."),
         (1, "The ground is not a particle, so pass None as the contact's other."),
         (3, "The normal must point from the ground to the particle, so it must be (0, 1, 0)."),
-        (5, "The contact has the wrong restitution. Pass the detector's restitution to it."),
+        (5, "The contact has the wrong restitution. Pass the restitution of the detector when you "
+        "create the contact."),
         (6, "The contact describes the moment of the impact, when the surfaces only touch. Its "
             "penetration must be 0."),
     ):  # fmt: skip
@@ -79,7 +82,10 @@ def test_the_first_on_the_ground(rng: Random) -> None:
             break
     name = f"{about.call}: index of particle and other (-1 is None), normal, restitution, depth"
     expect_close(seen, wanted, call=name)
-    about.cause = "The first impact is later than the end of the duration. Return None."
+    about.cause = (
+        "The first impact happens only after the end of the duration, so there is none to "
+        "report. Return None."
+    )
     name = f"{about.call}; g.next_impact({0.999 * first}) is None"
     got = ground.next_impact(0.999 * first)
     expect_exactly(got is None, True, call=name)
@@ -113,9 +119,9 @@ def test_the_ground_sees_accelerations_and_walls(rng: Random) -> None:
     about.call = f"p of 2 kg at rest at (0, {2.5 * t * t}, 0), acceleration (0, 2, 0); "
     about.call += "p.add_force(Vector3(0, -14, 0)); p.integrate(1e-9); "
     about.call += "GroundPlane([p]).next_impact(100): time"
-    about.cause = "Forces accelerate the particle as well. Use last_acceleration, which includes "
-    about.cause += "them and is -5 m/s^2 here. The constant acceleration alone would make the "
-    about.cause += "particle rise."
+    about.cause = "Forces accelerate the particle as well, so use last_acceleration, which "
+    about.cause += "includes them and is -5 m/s^2 here. With the constant acceleration alone, the "
+    about.cause += "particle would rise and never reach the ground."
     p = Particle(Vector3(0.0, 2.5 * t * t, 0.0), None, Vector3(0.0, 2.0, 0.0), mass=2.0)
     p.add_force(Vector3(0.0, -14.0, 0.0))
     p.integrate(1e-9)

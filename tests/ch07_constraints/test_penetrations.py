@@ -42,7 +42,7 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
         (simple, 1.0, 3.0, 0.75, share_of_a),
         (drawn, ma, mb, mb / (ma + mb), share_of_a),
         (drawn, ma, wall, 1.0, whole_a),
-        (small, wall, mb, 0.0, "a is immovable, so b must move by the whole depth."),
+        (small, wall, mb, 0.0, "The particle a is immovable, so b must move by the whole depth."),
         (small, ma, None, 1.0, whole_a),
     ):
         about(f"a of {first} kg at {p}, b ", cause=cause)
@@ -53,8 +53,8 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
         contact = Contact(a, b, Vector3(*n), 0.5, depth)
         moves = contact.resolve_penetration()
         got = xyz(contact.normal)
-        whole = "The contact's normal has changed. Perhaps you used *= or normalize, which work in "
-        whole += "place. Compute a new vector with * instead."
+        whole = "The contact's normal has changed, perhaps because you used *= or normalize, which "
+        whole += "work in place. Compute a new vector with * instead."
         expect_unchanged("the normal", got, n, cause=whole)
         move = tuple(share * depth * part for part in n)
         back = tuple((share - 1.0) * depth * part for part in n)
@@ -104,7 +104,8 @@ def test_what_is_not_in_each_other_is_not_moved(rng: Random) -> None:
     gap = "A negative penetration means that there is a gap between the particles. Do not move "
     gap += "them, however small the gap is."
     for depth, mass, cause in (
-        (0.0, 2.0, "The two particles only touch, so neither of them may be moved."),
+        (0.0, 2.0, "The penetration is 0, so the two particles only touch. Do not move either of "
+        "them."),
         (-positive_number(rng), 2.0, gap),
         (-0.125, 2.0, gap),
         (-1e-10, 2.0, gap),
@@ -159,8 +160,9 @@ def test_the_moves_are_vectors_of_their_own(rng: Random) -> None:
     p, q, n = components(rng), components(rng), direction(rng)
     about.call = f"a at {p}; c = Contact(a, None, Vector3{n}, 0.5, 1.0); moves = "
     about.call += "c.resolve_penetration(); moves[0].x += 1; moves[1].x += 1"
-    separate = "The caller may change the returned moves. Return new vectors, and never the "
-    separate += "contact's normal or a particle's position itself, and do not change the normal."
+    separate = "The caller may change the two returned vectors, so they must be new. Do not return "
+    separate += "the contact's normal or a particle's position itself, and do not change the "
+    separate += "normal."
     about.cause = separate
     a = Particle(Vector3(*p))
     c = Contact(a, None, Vector3(*n), 0.5, 1.0)
@@ -190,8 +192,8 @@ def test_the_moves_are_vectors_of_their_own(rng: Random) -> None:
         expect_close(got, wanted, call=shown, tolerance=1e-14 * 8)
         got = xyz(particle.velocity)
         shown = f"{about.call}; {name}.velocity"
-        about.cause = "A velocity has changed. resolve_penetration changes positions only, and "
-        about.cause += "resolve_velocity changes the velocities."
+        about.cause = "A velocity has changed. Leave the velocities to resolve_velocity, because "
+        about.cause += "resolve_penetration must change only positions."
         expect_close(got, ZERO, call=shown)
 
 
@@ -203,10 +205,11 @@ def test_what_lies_on_the_ground_stays_there() -> None:
         about.call = f"a body of restitution {restitution} lies on the ground, gravity is "
         about.call += f"{gravity}; 15 s of semi-implicit steps of 1/60 s, each with "
         about.call += "Contact.resolve(1/60)"
-        sinks = "The body sinks into the ground. Contact.resolve must call resolve_penetration as "
-        sinks += "well as resolve_velocity."
-        jumps = "The body jumps, although it should lie still. In resolve_velocity, leave out of "
-        jumps += "the bounce the velocity that gravity has added in this time step."
+        sinks = "The body sinks into the ground, perhaps because only its velocity is resolved. "
+        sinks += "Contact.resolve must call resolve_velocity and then resolve_penetration."
+        jumps = "The body jumps, although it should lie still. Pass the duration on to "
+        jumps += "resolve_velocity, so that the velocity that gravity has added in this time step "
+        jumps += "does not bounce."
         about.cause = sinks
         heights, fastest = lying(restitution, generated, 900, 1.0 / 60.0)
         # Up to a millimeter counts as rest; rounding leaves some 1e-15 m.

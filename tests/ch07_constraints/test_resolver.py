@@ -90,28 +90,34 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
     about.call = f"a of 100 kg with (0, -2, 0) and b of 100 kg with ({side}, -1, {side}) hit the "
     about.call += "ground, restitution 1; c of 1 kg at rest, 0.25 m above a wall that moves with "
     about.call += "(0, 3, 0), restitution 0; resolve_velocities of the three contacts, limit 1"
-    about.cause = "Resolve the contact that closes fastest. Here this is the contact of c, which "
-    about.cause += "closes at 3 m/s because the wall moves. The separating velocity includes the "
-    about.cause += "velocity of an immovable other."
+    about.cause = "Resolve the contact that closes fastest, which is the contact of c. It closes "
+    about.cause += "at 3 m/s because its wall moves, so include the velocity of the other particle "
+    about.cause += "even if that particle is immovable."
     used, after, depths = resolved(bodies, contacts, "resolve_velocities", 1)
     got = tuple(velocity[1] for _, velocity in after[:3])
     mistakes = [
         ((2.0, -1.0, 0.0), "The contact of a was resolved, but the contact of c closes faster. "
-                           "Compare only the separating velocities. The depth, the restitution "
-                           "and an immovable end make no difference."),
-        ((-2.0, 1.0, 0.0), "The contact of b was resolved. It is the deepest, and b is the "
-                           "fastest particle, but neither matters here. The contact of c has "
-                           "the lowest separating velocity."),
+        "Compare only the separating velocities, because the depth, the restitution and an "
+        "immovable end make no difference here."),
+        ((-2.0, 1.0, 0.0), "The contact of b was resolved. It is the deepest, and b is the fastest "
+        "particle, but only the separating velocity counts in this phase. It is lowest for the "
+        "contact of c, so resolve that one first."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, (-2.0, -1.0, 3.0), then=": upward velocities")
-    why = "One contact was resolved here. Return the number of contacts that you resolved."
+    why = (
+        "Exactly one contact was resolved here, so the method must return 1. Count the "
+        "resolutions and return their number."
+    )
     expect_exactly(used, 1, then="; returned", cause=why)
     about.cause = "The order of the contacts has changed. The list belongs to the caller, so do "
     about.cause += "not sort or reorder it."
     expect_close(depths, (0.5, 0.75, -0.25), then="; penetrations of the contacts")
     about.call = "resolve_velocities([], 9, 0.5)"
-    about.cause = "The list of contacts is empty, so there is nothing to resolve. Return 0."
+    about.cause = (
+        "The list of contacts is empty, so there is nothing to resolve. Return 0 as the number "
+        "of resolutions."
+    )
     used, _, _ = resolved([], [], "resolve_velocities", 9)
     expect_exactly(used, 0)
 
@@ -119,8 +125,8 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
 @pytest.mark.exercise("B7.5")
 def test_of_equal_ones_the_first_is_taken() -> None:
     about.read = FASTEST
-    about.cause = "Both pairs close at 2 m/s. In this case, resolve the contact that comes first "
-    about.cause += "in the list. Compare with < instead of <=."
+    about.cause = "Both pairs close at 2 m/s, so resolve the one that comes first in the list. If "
+    about.cause += "your code chose the second one, compare with < instead of <=."
     for order, wanted in (
         (((1, 0), (2, 1)), (0.0, 2.0, -2.0)),
         (((2, 1), (1, 0)), (2.0, -2.0, 0.0)),
@@ -131,7 +137,10 @@ def test_of_equal_ones_the_first_is_taken() -> None:
         used, bodies, _ = resolved(row(2.0, 0.0, -2.0), contacts, "resolve_velocities", 1)
         got = tuple(velocity[0] for _, velocity in bodies)
         expect_close(got, wanted)
-        why = "One contact was resolved here. Return the number of contacts that you resolved."
+        why = (
+            "Exactly one contact was resolved here, so the method must return 1. Count the "
+            "resolutions and return their number."
+        )
         expect_exactly(used, 1, then="; returned", cause=why)
 
 
@@ -206,8 +215,9 @@ def test_only_what_closes_is_resolved(rng: Random) -> None:
         left = 0.0 if wanted else closing
         # Some roundings of numbers up to 20.
         expect_close(got, left, then=": the closing speed", tolerance=5e-14)
-        about.cause = "A position or a penetration has changed. resolve_velocities changes "
-        about.cause += "velocities only, and resolve_penetrations changes the positions."
+        about.cause = "A position or a penetration has changed. Leave these to "
+        about.cause += "resolve_penetrations, because resolve_velocities must change only "
+        about.cause += "velocities."
         expect_close(after[0][0], ZERO, then=": position")
         expect_close(depths[0], depth, then=": penetration")
 
@@ -226,7 +236,7 @@ def test_many_contacts_come_to_an_end(rng: Random) -> None:
         contacts.append((a, b, n, 0.5, 0.0))
     about.call = "9 particles, one of them immovable, with 11 closing contacts, restitution 0.5; "
     about.call += "resolve_velocities, limit 2000"
-    about.cause = "At the end no contact may still be closing. Keep resolving until no contact "
+    about.cause = "Some contact is still closing at the end. Keep resolving until no contact "
     about.cause += "closes faster than VELOCITY_TOLERANCE."
     used, after, _ = resolved(bodies, contacts, "resolve_velocities", 2000)
     got = max(dot(after[b][1], n) - dot(after[a][1], n) for a, b, n, _, _ in contacts)
@@ -234,8 +244,8 @@ def test_many_contacts_come_to_an_end(rng: Random) -> None:
     # VELOCITY_TOLERANCE is 1e-12. Separating is fine, and nothing separates faster than 100 m/s.
     expect_between(got, -100.0, 2e-12, call=name)
     # One resolution changes two bodies, and no two bodies take part in all of the contacts.
-    about.cause = "The returned number is wrong. Return how many times you resolved a contact, "
-    about.cause += "which is more than once here and less often than the limit."
+    about.cause = "The returned number is wrong. Count how many times you resolve a contact, and "
+    about.cause += "return this number, which is above 1 and below the limit here."
     expect_between(used, 2, 1998, then=": returned")
     before, now = (
         sum(0.5 * m * dot(v, v) for (_, _, m), v in zip(bodies[:8], velocities, strict=False))

@@ -72,23 +72,26 @@ def test_what_is_deepest_is_first() -> None:
             ((0.0, 0.0), "The depth of the right contact is still 0. The middle ball is the other "
                          "particle of this contact, so update contacts for contact.other as "
                          "well."),
-            ((0.0, -0.4375), "The sign of the update is wrong for contact.other. When it moves "
-                             "along the normal, it moves toward contact.particle, so the "
-                             "contact becomes deeper."),
+            ((0.0, -0.4375), "The update for contact.other has the wrong sign. When contact.other "
+            "moves along the normal, it moves toward contact.particle, so the contact becomes "
+            "deeper. Add the distance that it moved."),
         ]  # fmt: skip
         blame(got_depths, mistakes)
         expect_close(got_depths, depths, then=f" {limit}: penetrations")
-        about.cause = "The returned number is wrong. Return how many times you resolved a contact."
+        about.cause = (
+            "The returned number is wrong. Count how many times you resolve a contact, and "
+            "return this number."
+        )
         expect_exactly(used, limit, then=f" {limit}: returned")
         got = tuple(velocity[0] for _, velocity in after)
-        about.cause = "A velocity has changed. resolve_penetrations changes positions only, and "
-        about.cause += "resolve_velocities changes the velocities."
+        about.cause = "A velocity has changed. Leave the velocities to resolve_velocities, because "
+        about.cause += "resolve_penetrations must change only positions."
         expect_close(got, (1.0, 0.0, -1.0), then=f" {limit}: velocities")
     about.call = "the same with 0.5 m each, limit 1: penetrations"
     for order in ((0, 1), (1, 0)):
         equal = [(1, 0, RIGHT, 0.0, 0.5), (2, 1, RIGHT, 0.0, 0.5)]
-        about.cause = "Both contacts are 0.5 m deep. In this case, resolve the contact that comes "
-        about.cause += "first in the list."
+        about.cause = "Both contacts are 0.5 m deep, so resolve the one that comes first in the "
+        about.cause += "list."
         _, _, got = resolved(bodies, [equal[i] for i in order], "resolve_penetrations", 1)
         expect_close(got, (0.0, 0.75), then=f", order {order}")
 
@@ -120,7 +123,10 @@ def test_one_contact_is_resolved_once(rng: Random) -> None:
         left = 0.0 if wanted else deep
         expect_close(depths[0], left, then=": penetration")
     about.call = "resolve_penetrations([], 9)"
-    about.cause = "The list of contacts is empty, so there is nothing to resolve. Return 0."
+    about.cause = (
+        "The list of contacts is empty, so there is nothing to resolve. Return 0 as the number "
+        "of resolutions."
+    )
     used, _, _ = resolved([], [], "resolve_penetrations", 9)
     expect_exactly(used, 0)
 
@@ -152,7 +158,9 @@ def test_a_move_changes_all_contacts_of_its_particles(rng: Random) -> None:
             wanted = -5.0 - (moves.get(p, 0.0) - moves.get(q, 0.0)) * dot(n, m)
             about.cause = "For each other contact, subtract the distance that contact.particle "
             about.cause += "moved along its normal, and add the distance that contact.other "
-            about.cause += "moved. Compare particles with `is`. If other is None, it never moves."
+            about.cause += (
+                "moved. Compare particles with `is`, and leave out contact.other if it is None."
+            )
             name = f"{about.call} {names[p]} and {names[q]}"
             expect_close(got, wanted, call=name, tolerance=1e-14)
 
@@ -164,24 +172,24 @@ def test_both_phases_have_their_own_limit() -> None:
     pairs = [(1, 0, RIGHT, 0.0, 0.5), (2, 1, RIGHT, 0.0, 0.5), (3, -1, LEFT, 0.0, 9.0)]
     about.call = "three balls of 1 kg in a row with 2, 0 and -2 m/s, both pairs 0.5 m deep, "
     about.call += "restitution 0; an immovable one deep in the ground; "
-    own = "Each of the two phases may resolve up to `iterations` contacts. Do not let them share "
-    own += "one limit."
-    default = "If iterations is not given, the limit of each phase is twice the number of contacts "
-    default += "in which something can move."
+    own = "The two phases share one limit here, but each of them may resolve up to `iterations` "
+    own += "contacts. Pass the full limit to both."
+    default = "No iterations were given, so the limit of each phase must be twice the number of "
+    default += "contacts. Count only contacts in which a particle can move."
     for iterations, wanted, cause in ((None, 8, default), (3, 6, own), (1, 2, own)):
         about.cause = cause
         name = f"{about.call}ContactResolver({iterations}).resolve_contacts; iterations_used"
         used, after, _ = resolved(bodies, pairs, "resolve_contacts", iterations or 0)
         expect_exactly(used, wanted, call=name)
         about.cause = "The final positions differ from those that resolve_penetrations gives. Call "
-        about.cause += "it once, after the velocities."
+        about.cause += "this method once, after the velocities have been resolved."
         got = math.fsum(place[0] for place, _ in after[:3])
         name = f"{about.call}ContactResolver({iterations}).resolve_contacts; sum of the positions"
         expect_close(got, 3.0, call=name, tolerance=1e-14)
     name = f"{about.call}the balls at rest and apart; iterations_used"
     pairs = [(1, 0, RIGHT, 0.0, 0.0), (2, 1, RIGHT, 0.0, -0.5)]
-    about.cause = "No contact is closing and no contact has a penetration, so nothing is resolved. "
-    about.cause += "Set iterations_used to 0."
+    about.cause = "No contact is closing and no contact has a penetration, so there is nothing to "
+    about.cause += "resolve. Set iterations_used to 0 in this case."
     used, after, _ = resolved(row(0.0, 0.0, 0.0), pairs, "resolve_contacts", 0)
     expect_exactly(used, 0, call=name)
     got = tuple(place[0] for place, _ in after)

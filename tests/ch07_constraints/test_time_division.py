@@ -49,8 +49,8 @@ def test_without_an_impact_the_flight_is_exact(rng: Random) -> None:
          "particle to the end of the step."),
         (without, "The term a t^2 / 2 is missing, as in explicit Euler. Use p + v t + a t^2 / 2."),
         ((wanted[0], 9.0 + v[1] * h - 10.0 * h * h, wanted[2]),
-         "The step adds a t^2 to the position. The velocity grows from v to v + a t, so on "
-         "average only half of it counts. Add a t^2 / 2."),
+         "The step adds a t^2 to the position. The velocity grows from v to v + a t, so on average "
+         "only half of the growth counts, and the term must be a t^2 / 2."),
     ]  # fmt: skip
     seen = cause_of(place, mistakes, about.cause)
     expect_close(place, wanted, then="position", cause=seen)
@@ -82,12 +82,13 @@ def test_a_ball_bounces_when_it_is_due(rng: Random) -> None:
             [((0.0, 5.0, 0.0), ZERO, 2.0)], DOWN, 0.0, (e, None), h, frames
         )
         if len(found) > 1000:
-            about.cause = "The impacts do not end. Ask the detector for the rest of the step, not "
-            about.cause += "for all of it, and resolve each velocity with a duration of 0."
+            about.cause = "The step finds one impact after another without end. Pass only the time "
+            about.cause += "that is left in the step to next_impact, and resolve each velocity "
+            about.cause += "with a duration of 0."
         if h > 1.0 and len(found) == 1:
             about.cause = (
-                "The step stopped after one impact, although another one follows in the same "
-                "step. Call next_impact again for the rest of the step."
+                "The step resolved only the first impact, but there is a second one before the "
+                "step ends. After each impact, call next_impact again for the rest of the step."
             )
         expect_exactly(len(found), len(times), then="number of impacts")
         expect_exactly(len(found), len(times), then="impacts")
@@ -96,13 +97,14 @@ def test_a_ball_bounces_when_it_is_due(rng: Random) -> None:
         speed = 10.0 * e**bounces
         wanted = (speed * left - 5.0 * left * left, speed - 10.0 * left)
         place, velocity = seen[-1][0]
-        about.cause = "Resolve each velocity at the time of its impact. Use a duration of 0, "
-        about.cause += "because no part of the velocity may be left out of the bounce."
+        about.cause = "Resolve each velocity at the time of its impact with a duration of 0. With "
+        about.cause += "any other duration, a part of the velocity is left out of the bounce."
         # Some 200 flights, each with a few roundings of 10 m.
         name = f"{about.call}height and speed"
         expect_close((place[1], velocity[1]), wanted, call=name, tolerance=1e-11)
-        about.cause = "The first call of next_impact must be for the whole step. Each later call "
-        about.cause += "must be for the time that is left in the step."
+        about.cause = "next_impact was called with a wrong duration. Pass the duration of the "
+        about.cause += "whole step to the first call, and the time that is left in the step to "
+        about.cause += "each later call."
         name = f"{about.call}the longest duration that next_impact got"
         expect_close(max(asked), h, call=name)
         name = f"{about.call}number of calls of next_impact"
@@ -116,8 +118,9 @@ def test_nothing_is_lost_at_restitution_one() -> None:
     about.read = READ
     about.call = "a ball falls 2 m, g = 10, restitution 1; 20 s of steps of 1/60 s: the lowest and "
     about.call += "highest energy, divided by m g, in m"
-    about.cause = "The flights are exact, and a bounce at restitution 1 loses no energy. So the "
-    about.cause += "energy must stay the same, and the ball must always rise to 2 m."
+    about.cause = "The flights are exact, and a bounce with a restitution of 1 loses no energy, so "
+    about.cause += "the ball must always rise to 2 m again. Check how you move the particles "
+    about.cause += "between the impacts."
     seen, found, _, _ = flown([((0.0, 2.0, 0.0), ZERO, 1.0)], DOWN, 0.0, (1.0, None), FRAME, 1200)
     heights = [place[1] + velocity[1] ** 2 / 20.0 for ((place, velocity),) in seen]
     got = (min(heights), max(heights))
@@ -153,8 +156,8 @@ def test_rest_is_told_with_its_time() -> None:
     expect_exactly(impacts, 1000, then="error.impacts")
     about.call = "a particle lies on the ground, g = 10, restitution 0.5; one step: error.impacts "
     about.call += "and error.time"
-    about.cause = "A particle that lies on the ground has one impact after another at time 0, "
-    about.cause += "without end. Raise TooManyImpacts."
+    about.cause = "A particle that lies on the ground has one impact after another at time 0, and "
+    about.cause += "this never ends. Raise TooManyImpacts after max_impacts impacts."
     _, _, _, ended = flown([(ZERO, ZERO, 1.0)], DOWN, 0.0, (0.5, None), FRAME, 1)
     expect_close(ended or (0, -1.0), (1000, 0.0))
     about.call = "a ball falls 5 m, g = 10, restitution 0.5; one step of 2.6 s, max_impacts 3: was "
@@ -173,15 +176,16 @@ def test_rest_is_told_with_its_time() -> None:
         impacts, time = ended or (0, 0.0)
         times = [1.0, 2.0, 2.5, 2.75]
         expect_exactly(impacts, most, then=f"{most}: error.impacts")
-        about.cause = "The impacts are at 1, 2, 2.5 and 2.75 s. They come too early if the "
-        about.cause += "velocity is damped at each impact. Apply the damping once, at the end of "
-        about.cause += "the step."
+        about.cause = "The impacts must be at 1, 2, 2.5 and 2.75 s. If the velocity is damped at "
+        about.cause += "each impact, they come too early, so apply the damping only once, at the "
+        about.cause += "end of the step."
         name = f"{about.call}{most}: error.time"
         expect_close(time, times[most], call=name, tolerance=1e-12)
         place, velocity = seen[0][0]
         speed = -10.0 * 0.5**most
-        about.cause = "When TooManyImpacts is raised, the particles must be at the time of the "
-        about.cause += "next impact. Do not resolve this impact and do not apply the damping."
+        about.cause = "When you raise TooManyImpacts, the particles must already be at the time of "
+        about.cause += "the next impact. Move them there, but do not resolve this impact and do "
+        about.cause += "not apply the damping."
         early = "The particles are still where the last allowed impact left them. Move them to the "
         early += "time of the next impact, and then raise the error."
         blame((place[1], velocity[1]), [((0.0, -speed), early)])
@@ -294,8 +298,9 @@ def test_a_frame_uses_the_forces_up(rng: Random) -> None:
     name = f"{about.call}p.last_acceleration"
     expect_close(bouncing[2], wanted, call=name, tolerance=1e-14)
     expect_close(bouncing[3], ZERO, then="p.force_accumulator")
-    about.cause = "Each particle has its own forces. For this particle the acceleration is f / m, "
-    about.cause += "which is 8 N / 2 kg = 4 m/s^2."
+    about.cause = "This particle has a force of its own, so its acceleration is f / m, which is 8 "
+    about.cause += "N / 2 kg = 4 m/s^2. Use the last_acceleration of each particle when you move "
+    about.cause += "it."
     got = falling[0] + falling[1]
     name = "the second of three particles: 2 kg, damping 0.25, at rest at (9, 90, 0), with a force "
     name += f"of (8, 0, 0); a step of {h} s without an impact: position, velocity"
@@ -312,8 +317,8 @@ def test_a_frame_uses_the_forces_up(rng: Random) -> None:
     wanted = (9.0, 9.0, 9.0, 1.0, 2.0, 3.0, 0.0, 0.0, 0.0)
     expect_close(got, wanted, call=name)
     about.call += "a second step; "
-    about.cause = "In the second step the force must not act anymore. Forces act for one step "
-    about.cause += "only."
+    about.cause = "The force still acts in the second step, but a force acts for one step only. "
+    about.cause += "Call kick(0.0) at the start of each step to use up the forces."
     wanted = (2.25, height + end * h + 0.125 * a * h * h, 0.0)
     name = f"{about.call}position"
     expect_close(bouncing[4], wanted, call=name, tolerance=1e-13)
@@ -333,7 +338,7 @@ def test_depths_are_not_looked_at() -> None:
     about.call = "the same with velocity (0, -3, 0), restitution 0.5: position, velocity"
     body = ((0.0, -1.0, 0.0), (0.0, -3.0, 0.0), 2.0)
     about.cause = "The particle must bounce at once, without being moved out of the ground first. "
-    about.cause += "Call resolve_velocity only."
+    about.cause += "Call only resolve_velocity, and leave the penetration as it is."
     seen, _, _, _ = flown([body], ZERO, 0.0, (0.5, None), 0.5, 1)
     got = seen[0][0][0] + seen[0][0][1]
     expect_close(got, (0.0, -0.25, 0.0, 0.0, 1.5, 0.0))

@@ -28,8 +28,8 @@ def test_a_row_counts_once(rng: Random) -> None:
         read=RULES,
     )
     about.cause = (
-        "The first landing on a row scores POINTS, which is 10. Later landings on the same row "
-        "score nothing."
+        "The first landing on a row must score POINTS, which is 10, and later landings on the same "
+        "row must score nothing. Check self.visited before you add points."
     )
     seen = ruled(rows, events)
     got = [score for score, *_ in seen]
@@ -92,11 +92,15 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     blame(won[0], mistakes)
     expect_exactly(won[0], score, then=": the score when all rows are visited")
     name = f"Rules({rows}) after {events}: rules.won and rules.over when all rows are visited"
-    over = "The game is over when it is won, and also when no lives are left."
+    over = (
+        "There are two ways for the game to end: the player has visited all rows, or no lives "
+        "are left. Check both conditions in over."
+    )
     expect_exactly(list(won[3:]), [True, True], call=name, cause=over)
     before = seen[rows + falls - 2]
     about.cause = (
-        "The game is not won before the last row is visited, so no bonus may be added yet."
+        "The last row has not been visited yet, so the game is not won and no bonus may be added. "
+        "Add the bonus only when self.won is true."
     )
     expect_exactly(before[0], 10 * (rows - 1), then=": the score before the last row")
     about.cause = (
@@ -116,8 +120,8 @@ def test_three_falls_are_the_end(rng: Random) -> None:
         read=RULES,
     )
     about.cause = (
-        "A fall takes one life. When the last life is gone the game is over, so later falls must "
-        "leave lives at 0."
+        "A fall must take exactly one life. When the last life is gone, the game is over, so later "
+        "falls must leave lives at 0."
     )
     seen = ruled(6, events)
     got = [lives for _, lives, *_ in seen]
@@ -178,16 +182,17 @@ def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
     for what, x, height, velocity, wanted, cause in (
         ("in the deck, falling", before, 4.5 - depth, -speed, (2, row), named),
         ("in the deck, falling slowly", beyond, 4.5 - depth, -0.01, (2, row),
-         "A slow ball lands as well. Any negative separating velocity counts, so do not require "
-         "a minimum speed."),
+         "The ball is moving down slowly, which also counts as a landing. Any negative separating "
+         "velocity counts, so do not require a minimum speed."),
         ("in the deck, on its way up", before, 4.5 - depth, speed, (2, -1),
          "The ball touches the deck, but it is moving up, so this is not a landing. Set row to "
          "None unless the separating velocity is negative."),
-        ("in the deck, at rest", before, 4.5 - depth, 0.0, (2, -1), "A ball at rest touches the "
-         "deck but does not land. Its separating velocity is 0, and a landing needs a negative "
-         "one."),
-        ("above the deck, falling", before, 4.5 + depth, -speed, (0, -1), "The ball does not "
-         "touch the deck, so there is no contact. Without a contact, row must be None."),
+        ("in the deck, at rest", before, 4.5 - depth, 0.0, (2, -1), "The ball touches the deck but "
+        "is at rest, so it does not land. Require a separating velocity below 0, because it is "
+        "exactly 0 here."),
+        ("above the deck, falling", before, 4.5 + depth, -speed, (0, -1), "The ball does not touch "
+        "the deck, so there is no contact and it cannot have landed. Set row to None in this "
+        "case."),
     ):  # fmt: skip
         about.cause = cause
         about.call = (
@@ -197,8 +202,8 @@ def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
         got = (count, -1 if first is None else first)
         if not count and wanted[0]:
             about.cause = (
-                "There are no contacts, so the ball would fall through the bridge. Return the "
-                "contacts of the deck."
+                "contacts() returns no contacts, so the ball would fall through the bridge. Return "
+                "the contacts that self.deck.contacts() finds."
             )
         expect_close(got, wanted, tolerance=0.0)
         about.call = (
@@ -237,9 +242,9 @@ def test_a_ball_is_steered(rng: Random, direction: int) -> None:
     got = seen[-1]["velocity"]
     if direction:
         mistakes = [
-            ((free, vy, 0.0), "The push has no effect. It was probably added before start_frame, "
-                              "which clears the forces. Add it after start_frame and before "
-                              "run_physics."),
+            ((free, vy, 0.0), "The push has no effect, probably because it was added before "
+            "start_frame, which clears the forces. Add it after start_frame and before "
+            "run_physics."),
             ((weak, vy, 0.0), "The mass is missing from the push. PUSH is an acceleration in "
                               "m/s^2, so the force is PUSH * mass."),
         ]  # fmt: skip
@@ -274,8 +279,8 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
             )
         elif row == 0:
             about.cause = (
-                "The ball landed on row 0, and this landing was ignored. The number 0 counts as "
-                "false, so `if row` skips the first row. Write `if row is not None` instead."
+                "The ball landed on row 0, but this landing was ignored. Python treats 0 as false, "
+                "so `if row` skips the first row. Write `if row is not None` instead."
             )
         expect_close(got, (6.0, 10.0, float(row)), tolerance=1e-12)
     about.call = (
@@ -317,8 +322,8 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
     seen = played(1, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), visited=[2, 4])[-1]
     expect_exactly(seen["lives"], 2, then=": lives")
     kept = (
-        "The fall has changed the visited rows. It must take a life, but rows that were visited "
-        "before must stay visited."
+        "The fall has changed the visited rows. It must only take a life, so leave visited as it "
+        "is."
     )
     expect_exactly(seen["visited"], [2, 4], then=": visited, which was [2, 4]", cause=kept)
     got = seen["place"] + seen["velocity"]
@@ -342,8 +347,8 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
         "of game.step(1/60)"
     )
     about.cause = (
-        "The last life is gone, so the game is over. The ball must not start again, and step must "
-        "do nothing from now on."
+        "The last life is gone, so the game is over. Do not let the ball start again after this "
+        "fall, and return from step at once if self.rules.over is true."
     )
     seen = played(3, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), lives=1)
     expect_exactly(seen[-1]["lives"], 0, then=": lives")

@@ -39,8 +39,8 @@ def expect_forces(call: str, seen: tuple, force: float, way: Components) -> None
             ((*ZERO, *ZERO), f"Neither end gets a force. {about.cause}"),
             (
                 (*on_a, *ZERO),
-                "Only a gets a force, so b does not move. A bond pulls on both of "
-                "its ends: self._to_b acts on a, and self._to_a must act on b.",
+                "Only a gets a force, but a bond pulls on both of its ends. Use self._to_b for a, "
+                "and self._to_a for b.",
             ),
             (
                 (*on_a, *on_a),
@@ -79,9 +79,9 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
     way = direction(rng)
     about(f"Bond(a, b, {k}, {rest}, {limit}, {share}, {most})", read=BOND)
     causes = {
-        "breaks": "The bond is longer than break_length, so it must break. Decide this before you "
-        "apply a force, so that it acts on neither end in this call. It must not "
-        "matter for which end update_force is called.",
+        "breaks": "The bond is longer than break_length, so it must break, whichever end "
+        "update_force is called for. Decide this before you apply a force, so that the broken bond "
+        "does not pull in the same call.",
         "broken": "The bond is broken, and its ends are still more than rest_length apart. It "
         "must stay broken until their distance is rest_length or less.",
         "heals": "The ends of the broken bond are less than rest_length apart, so the bond heals. "
@@ -141,8 +141,8 @@ def test_a_bond_at_its_very_limits(rng: Random) -> None:
         )
     elif got == [True, False, True, True]:
         about.cause = (
-            "The bond heals too early. As soon as it is no longer than break_length, it holds "
-            "again. It must stay broken until its length is rest_length or less."
+            "The bond heals too early, because it holds again as soon as its length drops below "
+            "break_length. It must stay broken until its length is rest_length or less."
         )
     expect_exactly(got, [True, False, False, True])
 
@@ -151,8 +151,9 @@ def test_a_bond_at_its_very_limits(rng: Random) -> None:
 def test_bonds_keep_a_blob_together() -> None:
     about("seven particles with bonds between all of them, 3 s after they were dropped", read=BOND)
     about.cause = (
-        "The blob has collapsed or flown apart. A bond must push its ends apart when it is too "
-        "short, and pull them together when it is too long."
+        "The blob has collapsed or flown apart. Check the direction of the forces, because a bond "
+        "must push its ends apart when it is too short, and pull them together when it is too "
+        "long."
     )
     before, after = settled_blob(180, 1.0 / 60.0)
     # Under its own weight, such a blob spreads by 1 to 2 %.
@@ -172,15 +173,15 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
         read=SPREAD,
     )
     about.cause = (
-        "The center of mass is the middle of the square. Every corner is sqrt(2) m away from it, "
-        "so the root of the mean square is sqrt(2) m, too."
+        "The center of mass is the middle of the square, and every corner is sqrt(2) m away from "
+        "it. All squared distances are therefore 2 m^2, and the root of their mean is sqrt(2) m."
     )
     x, y, z = components(rng)
     square = [(x + i, y + j, z) for i in (0.0, 2.0) for j in (0.0, 2.0)]
     got, after = spread_of(square, [3.0] * 4)
     mistakes = [
-        (2.0, "This is the mean of the squared distances, in m^2. Take its square root to get a "
-              "length."),
+        (2.0, "The result is the mean of the squared distances, in m^2. Take its square root to "
+        "get a length."),
         (math.sqrt(8.0),
          "The square root was taken of a sum and not of a mean. Divide the sum by the total mass "
          "before you take the root."),
@@ -213,8 +214,8 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     ways = (n / total * apart, m / total * apart)  # of both from their center of mass
     mistakes = [
         ((m * ways[0] + n * ways[1]) / total,
-         "This is the mean of the distances. Average their squares instead, weighted by mass, and "
-         "then take the square root."),
+         "The result is the mean of the distances. Average the squares of the distances instead, "
+         "weighted by mass, and then take the square root."),
         (0.5 * apart,
          "The distances were measured from the midpoint of the two particles. Measure them from "
          "the center of mass, which is nearer to the heavier particle."),
@@ -226,8 +227,8 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     expect_close(got, wanted, tolerance=1e-12)
     about(
         f"spread of a single particle at {p}",
-        cause="A single particle is at its own center of mass. Its distance from the center is 0, "
-        "so the spread must be 0.",
+        cause="A single particle is at its own center of mass, so its distance from the center is "
+        "0. The spread must therefore be 0.",
     )
     expect_close(spread_of([p], [m])[0], 0.0, tolerance=1e-12)
 
@@ -240,7 +241,9 @@ def test_a_spread_of_nothing_is_refused() -> None:
     def allowed() -> None:
         spread_of([ZERO], [1.0])
 
-    about.cause = "Without particles there is no center of mass and no mean. Raise ValueError."
+    about.cause = (
+        "There are no particles, so there is neither a center of mass nor a mean. Raise ValueError."
+    )
     expect_error(lambda: spread([]), ValueError, call="spread([])", allowed=allowed)
     about.cause = (
         "One of the particles is immovable, so its mass is infinite and the center of mass is not "

@@ -107,15 +107,15 @@ def test_nothing_else_holds_them() -> None:
         "links_of(make_rows()), then all planks are pushed together along X: the number of contacts"
     )
     about.cause = (
-        "No link is too long or too short here, so there must be no contacts. The cables are "
-        "slack, and the rods have exactly the right length."
+        "The cables are slack here, and the rods have exactly the right length, so there must be "
+        "no contacts. Check the lengths that you pass to the links."
     )
     count = len(bridge_links(places))
     mistakes = [
-        (10, "The ten links from row to row push the planks apart. A rope can only pull, so make "
-         "these links of cables and not of rods."),
-        (12, "The twelve links to the anchors push the planks away. A rope can only pull, so make "
-         "these links of anchored cables and not of rods."),
+        (10, "The ten links from row to row push the planks apart, but ropes can only pull. Use "
+        "Cable for these links instead of a rod."),
+        (12, "The twelve links to the anchors push the planks away, but ropes can only pull. Use "
+        "AnchoredCable for these links instead of a rod."),
         (22, "The links from row to row and to the anchors push the planks. Ropes can only pull, "
          "so make these links of cables and not of rods."),
     ]  # fmt: skip
@@ -181,9 +181,9 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
     rows = draw_rows(rng, 4)
     points = middles(rows)
     about.cause = (
-        "Between two rows, the deck is the straight line from one midpoint to the next. "
-        "Interpolate its height at the x of the ball. The nearest row is the one whose midpoint "
-        "is closer to the ball along X."
+        "Between two rows, the deck is the straight line from one midpoint to the next, so "
+        "interpolate its height at the x of the ball. The nearest row is the one whose midpoint is "
+        "closer to the ball along X."
     )
     for i, ((x, y), (u, v)) in enumerate(pairwise(points)):
         for share in (0.25, 0.4, 0.75):
@@ -195,8 +195,8 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
             near = one + (at - rows[i][0][0]) / (rows[i + 1][0][0] - rows[i][0][0]) * (two - one)
             mistakes = [
                 ((row, points[int(row)][1]),
-                 "This is the height of the nearest row itself. Between two rows the deck has a "
-                 "slope, so interpolate the height between the two midpoints around the ball."),
+                 "The result is the height of the nearest row itself. Between two rows the deck "
+                 "has a slope, so interpolate between the two midpoints around the ball."),
                 ((float(i), height),
                  "The height is right, but the row is the one before the ball. Return the row "
                  "whose midpoint is closer to the ball along X."),
@@ -237,8 +237,8 @@ def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
     for x, i in ((-1.0, 0), (5.0, 2)):
         about.call = nearest_of(points, x)
         about.cause = (
-            "The deck reaches beyond its first and its last row by half a SPACING, which is 1 m. "
-            "The ball is still above it here. Return None only farther out."
+            "The deck reaches beyond its first and its last row by half a SPACING, which is 1 m, "
+            "so the ball is still above it here. Return None only farther out."
         )
         got = deck((x, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
         expect_exactly(got is None, False, then=" is None")
@@ -318,13 +318,13 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         ends = [(a, b) for a, b, *_ in got]
         if ends == []:
             about.cause = (
-                "The ball touches the deck, but there are no contacts. Compare the lowest point "
-                "of the ball with the deck. This point is y - radius, not y."
+                "The ball touches the deck, but there are no contacts. Compare the lowest point of "
+                "the ball, which is y - radius, with the height of the deck."
             )
             if not depth:
                 about.cause = (
-                    "The ball just touches the deck, so its penetration is 0. This counts as a "
-                    "contact."
+                    "The ball just touches the deck, which counts as a contact. Return contacts "
+                    "with a penetration of 0."
                 )
         elif ends in ([(0, 3)], [(0, 4)]):
             about.cause = (
@@ -338,20 +338,19 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
             )
         elif len(ends) > 2:
             about.cause = (
-                "Other rows have contacts as well. Return contacts with the two ends of the "
-                "nearest row only."
+                "Other rows have contacts as well, but the ball rests on the nearest row alone. "
+                "Return contacts only with the two ends of that row."
             )
         expect_exactly(ends, [(0, 3), (0, 4)], then=": ends")
         for _, _, normal, restitution, penetration in list(got):
             about.cause = (
-                "The normal of a contact is wrong. The deck pushes the ball up, so the normal must "
-                "be +Y."
+                "The normal of a contact is wrong. The deck pushes the ball up, so it must be +Y."
             )
             expect_close(normal, UP, then=": the normal", tolerance=1e-15)
             about.cause = (
-                "The restitution or the penetration is wrong. Pass self.restitution, and compute "
-                "how far the lowest point of the ball is below the deck. This is height + radius - "
-                "y, where height is the height of the deck."
+                "The restitution or the penetration is wrong. The restitution is self.restitution, "
+                "and the penetration is the depth of the lowest point of the ball below the deck. "
+                "Compute it as height + radius - y, where height is the height of the deck."
             )
             mistakes = [
                 ((0.0, depth), "The restitution is 0, but it should be that of the deck. Pass "
@@ -359,8 +358,9 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
                 ((c, 0.5 * depth), "The depth was divided between the two contacts. Each contact "
                  "gets the full depth, because both ends of the row are below "
                  "the same ball."),
-                ((c, depth - radius), "The radius is missing, so this is the depth of the center "
-                 "of the ball. The penetration is height + radius - y."),
+                ((c, depth - radius), "The penetration is that of the center of the ball, because "
+                "the radius is missing. The lowest point is one radius deeper, so compute height + "
+                "radius - y."),
             ]  # fmt: skip
             got = (restitution, penetration)
             why = cause_of(got, mistakes, about.cause)

@@ -34,27 +34,28 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
             "Eight corners have 24 degrees of freedom, and a rigid body keeps 6 of them. Each "
             "rod removes one, so you need at least 24 - 6 rods.",
         ),
-        (3, 3, "A triangle is rigid, so three particles need three rods."),
+        (3, 3, "A triangle of three rods is rigid, so three particles need three rods."),
         (
             2,
             1,
-            "Two particles need one rod. The formula 3 n - 6 gives 0 here, because two "
-            "particles on a line have only five motions as a rigid body. Handle this case "
-            "separately.",
+            "Two particles need one rod, but the formula 3 n - 6 gives 0. It does not hold here, "
+            "because two particles on a line have only five motions as a rigid body. Handle this "
+            "case separately.",
         ),
         (1, 0, "A single particle has no distance to keep, so it needs no rod."),
-        (4, 6, "A tetrahedron is rigid, so four particles need six rods."),
+        (4, 6, "A tetrahedron of six rods is rigid, so four particles need six rods."),
     ):
         about(f"fewest_rods({count})", cause=cause)
         got = fewest_rods(count)
         if count == 8:
             mistakes = [
-                (24, "These are all 24 degrees of freedom of the eight corners. A rigid body can "
-                 "still move and rotate, which are six of them, so subtract 6."),
-                (13, "This is 2 n - 3, which holds for a figure in the plane. In space the number "
-                 "is 3 n - 6."),
-                (21, "This is 3 n - 3. A rigid body can move in three directions and also rotate "
-                 "about three axes, so subtract 6 and not 3."),
+                (24, "The result is 24, which counts all degrees of freedom of the eight corners. "
+                 "A rigid body keeps six of them, because it can still move along three axes and "
+                 "rotate about them, so subtract 6."),
+                (13, "The result is 2 n - 3, which holds for particles in a plane. In space, use 3 "
+                "n - 6."),
+                (21, "The result is 3 n - 3. A rigid body can not only move in three directions "
+                "but also rotate about three axes, so subtract 6 instead of 3."),
             ]  # fmt: skip
             blame(got, mistakes)
         expect_exactly(got, wanted)
@@ -131,8 +132,8 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
         read=WHEEL,
     )
     about.cause = (
-        "Join the hub to each particle of the rim with a rod. Also join each particle of the rim "
-        "to the next particle, and the last particle to the first."
+        "The wheel needs two kinds of rods. Join the hub to each particle of the rim, and also "
+        "join each particle of the rim to the next one, and the last to the first."
     )
     rods = sorted(wheel_rods(hub, rim))
     wanted = [(0, i + 1) for i in range(count)] + [(i, i + 1) for i in range(1, count)]
@@ -157,9 +158,9 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
     about.read = DRIVE
     hub, force, already = components(rng), number(rng), components(rng)
     about.cause = (
-        "The force must act at a right angle to the spoke, in the X-Y plane. Rotate the direction "
-        "of the spoke by a right angle and multiply it by the force. The force has the same size "
-        "at every distance from the hub."
+        "The force must act at a right angle to the spoke, in the X-Y plane, and its size must be "
+        "the same at every distance from the hub. Take the unit vector along the spoke, rotate it "
+        "by a right angle, and multiply it by the force."
     )
     about.call = (
         "RimDrive(hub at (1, 2, 3), 10).update_force(particle, 0.1) with the particle at (4, 6, 15)"
@@ -168,8 +169,8 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
     mistakes = [
         ((6.0, 8.0, 0.0), "This force acts along the spoke, so it cannot turn the wheel. Rotate "
                           "(x, y) by a right angle to get (-y, x)."),
-        ((8.0, -6.0, 0.0), "This force drives the rim clockwise. The vector (y, -x) points "
-                           "backward, so use (-y, x)."),
+        ((8.0, -6.0, 0.0), "This force drives the rim clockwise, because the vector (y, -x) points "
+        "backward. Use (-y, x) instead."),
         ((-40.0, 30.0, 0.0), "This force grows with the distance from the hub. Divide (-y, x) by "
                              "the length of the spoke before you multiply it by the force."),
         ((6.0, 8.0, 24.0), "This force acts along the spoke and along Z, so it cannot turn the "
@@ -241,10 +242,10 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
         (-rate, "The sign is wrong. A counter-clockwise rotation is positive, so the angular "
          "momentum is the sum of m (x v_y - y v_x)."),
         (rate * inertia,
-         "This is the angular momentum. Divide it by the moment of inertia, the sum of m (x^2 "
-         "+ y^2), to get the spin."),
-        (rate + drifting / inertia, "The velocity of the hub has been counted as a rotation. "
-         "Subtract it from the velocity of each particle."),
+         "The result is the angular momentum of the rim. Divide it by the moment of inertia, the "
+         "sum of m (x^2 + y^2), to get the spin."),
+        (rate + drifting / inertia, "The velocity of the hub has been counted as a part of the "
+        "rotation. Subtract it from the velocity of each particle."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, rate, tolerance=1e-12)
@@ -253,8 +254,9 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
         "0), and 3 kg at (0, 2, 0) with velocity (-2, 0, 0)"
     )
     about.cause = (
-        "The angular momentum, the sum of m (x v_y - y v_x), is 14 here. The moment of inertia, "
-        "the sum of m (x^2 + y^2), is 13. Divide the first by the second."
+        "Divide the angular momentum by the moment of inertia. The angular momentum is the sum of "
+        "m (x v_y - y v_x), which is 14 here, and the moment of inertia is the sum of m (x^2 + "
+        "y^2), which is 13."
     )
     one, two = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), 1.0), ((0.0, 2.0, 0.0), (-2.0, 0.0, 0.0), 3.0)
     got = spun(((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)), [one, two])
@@ -264,10 +266,10 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
         (1.5, "This is the mean of the rates of all particles. Heavier and more distant particles "
               "must count more, so divide the sum of m (x v_y - y v_x) by the sum of m (x^2 + "
               "y^2)."),
-        (2.0, "The distance has not been squared. The moment of inertia is the sum of m (x^2 + "
-         "y^2), which is 13."),
-        (14.0, "This is the angular momentum. Divide it by the moment of inertia, the sum of m "
-         "(x^2 + y^2), to get the spin."),
+        (2.0, "The distance from the hub has not been squared in the moment of inertia. It is the "
+        "sum of m (x^2 + y^2), which is 13 here."),
+        (14.0, "The result is the angular momentum of the rim. Divide it by the moment of inertia, "
+        "the sum of m (x^2 + y^2), to get the spin."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, 14.0 / 13.0)
@@ -318,17 +320,20 @@ def test_the_deformation_is_that_of_the_worst_rod(rng: Random) -> None:
         shares = [now / length - 1.0 for length, now in rods]
         mistakes = [
             (max(abs(now - length) for length, now in rods),
-             "This is the largest error in meters. Divide each error by rod.length, so that long "
-             "and short rods are comparable."),
+             "The result is the largest error in meters. Divide each error by rod.length, so that "
+             "long and short rods can be compared."),
             (math.fsum(map(abs, shares)) / len(shares),
-             "This is the mean of the errors. A single rod that is far off must be noticed, so "
-             "return the largest error."),
+             "The result is the mean of the errors, which hides a single rod that is far off. "
+             "Return the largest error instead."),
             (max(shares), "A rod that is too short has been ignored, because its error is "
                           "negative. Take abs() of each error before you look for the largest."),
-            (1.0 + max(shares), "This is length / rod.length. A rod of the right length has a "
-                                "ratio of 1, so subtract 1."),
+            (1.0 + max(shares), "The result is the ratio length / rod.length, which is 1 for a rod "
+            "of the right length. Subtract 1 to get the error."),
         ]  # fmt: skip
         blame(got, mistakes)
         expect_close(got, wanted, tolerance=1e-12)
-    about("deformation([])", cause="There are no rods, so nothing is deformed. Return 0.")
+    about(
+        "deformation([])",
+        cause="There are no rods, so nothing can be deformed. Return 0 in this case.",
+    )
     expect_close(deformed([], way), 0.0, tolerance=0.0)

@@ -35,8 +35,8 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
         steps, left = divmod(left + quarter, 4)
         mistakes = [
             (steps + 1,
-             "One step too many was made. The time that is left is shorter than a step, so "
-             "keep it in self.left for the next call."),
+             "One step too many was made, although the remaining time is shorter than a step. Keep "
+             "this time in self.left for the next call."),
             (1, "Only one step was made, although enough time for more has passed. Repeat the "
              "step in a loop while self.left is enough for it."),
         ]  # fmt: skip
@@ -140,8 +140,8 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
         mistakes = [
             (
                 limit + 1,
-                "One step more than max_steps was made. Stop as soon as max_steps "
-                "steps have been made in this call.",
+                "One step more than max_steps was made in this call. Check the number of steps "
+                "before each step, and stop as soon as it has reached max_steps.",
             )
         ]  # fmt: skip
         seen = cause_of(row[0], mistakes, about.cause)
@@ -157,8 +157,8 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
              "dropped contains a number of steps here. It is a time in seconds, so multiply "
              "the number of steps by the duration."),
             ((left, STEP),
-             "dropped contains only the time that the last call dropped. It must contain the "
-             "time of all calls, so add to it instead of replacing it."),
+             "dropped contains only the time that the last call has dropped. It must be the total "
+             "over all calls, so add to it instead of replacing it."),
         ]  # fmt: skip
         seen = cause_of(row[1:], mistakes, about.cause)
         expect_close(
@@ -204,9 +204,9 @@ def test_a_step_that_fails_is_still_due(rng: Random) -> None:
         "time of 6 steps, and then by 0"
     )
     about.cause = (
-        "A step that raises an error was not made, so its time must stay in self.left. Subtract "
-        "the duration only after self.step has returned, and let the error pass through. The next "
-        "call then makes the failed step again."
+        "A step that raises an error was not made, so its time must stay in self.left, and the "
+        "next call makes the step again. Subtract the duration only after self.step has returned, "
+        "and let the error pass through."
     )
     done = advanced(STEP, [6.0 * STEP, 0.0], raise_at=good + 1)
     expect_exactly(
@@ -231,13 +231,14 @@ def test_a_time_that_is_none_is_refused() -> None:
     ):
         about.call = f"a FixedStep of {STEP} s with left = {0.25 * STEP}; advance({time!r})"
         about.cause = (
-            'Check elapsed before you change self.left, with not_negative("elapsed", elapsed).'
+            "The time elapsed must be finite and not negative. Check it with "
+            'not_negative("elapsed", elapsed) before you change self.left.'
         )
         name, left, made = refused_time(STEP, time)
         expect_exactly(name, error, then=": the name of the error ('' if there was none)")
         lost = (
-            "The call was refused, but it has changed self.left, so time from the call before is "
-            "lost. Check elapsed first."
+            "The call was refused, but it has already changed self.left, so the time that was left "
+            "from earlier calls is wrong. Check elapsed before you change self.left."
         )
         expect_close(left, 0.25 * STEP, then=": left", cause=lost, tolerance=0.0)
         expect_exactly(made, 0, then=": the number of steps that were made")

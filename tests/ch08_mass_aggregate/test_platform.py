@@ -59,7 +59,7 @@ def test_a_platform_can_only_tilt() -> None:
                 "that are possible besides the tilt"
             )
             expect_exactly(len(left) - 1, 0)
-    about.cause = "The rods hold the platform still. It must be able to tilt about its pivot."
+    about.cause = "The rods hold the platform still, but it must be able to tilt about its pivot."
     expect_exactly(len(left), 1, then=": how many")
 
 
@@ -95,8 +95,8 @@ def test_rods_are_as_long_as_their_ends_are_apart(rng: Random) -> None:
 def test_what_balances_a_platform(rng: Random) -> None:
     about("balancing_mass([1, 1, 1, 1], [-3, -3, 4, 4], -3)", read=BALANCE)
     about.cause = (
-        "The platform balances when the sum of mass times position is 0. The four masses give 2 "
-        "kg m, so the new mass must give -2 kg m. Its position is -3 m, so it must be 2/3 kg."
+        "The platform balances when the sum of mass times position is 0. The four masses give 2 kg "
+        "m, so the new one must give -2 kg m, and at -3 m this takes 2/3 kg."
     )
     got = balancing_mass([1.0] * 4, [-3.0, -3.0, 4.0, 4.0], -3.0)
     mistakes = [
@@ -125,8 +125,8 @@ def test_what_balances_a_platform(rng: Random) -> None:
     masses, places, x = [0.0, *masses], [number(rng), *places], -2.0 * x
     about.call = f"balancing_mass({masses}, {[-place for place in places]}, {x})"
     about.cause = (
-        "The new mass is -(sum of mass times position) / x, on either side of the pivot. A mass "
-        "of 0 kg adds nothing to the sum."
+        "On either side of the pivot, the new mass is -(sum of mass times position) / x. Masses of "
+        "0 kg are valid and add nothing to the sum."
     )
     got = balancing_mass(masses, [-place for place in places], x)
     expect_close(got, turn / x, tolerance=1e-12 * (1 + turn / x))
@@ -144,10 +144,10 @@ def test_what_balances_a_platform(rng: Random) -> None:
         got = balancing_mass([1.0], [place], x)
         expect_close(got, wanted)
     for masses, places, x, why in (
-        ([2.0, 1.0], [-1.0, 2.0], 5.0, "The platform is already balanced, so the answer is 0."),
-        ([2.0, 1.0], [-1.0, 2.0], 0.0, "The platform is already balanced, so the answer is 0. No "
-                                       "mass is needed, even though x is 0. Avoid the division "
-                                       "by x in this case."),
+        ([2.0, 1.0], [-1.0, 2.0], 5.0, "The platform is already balanced, so it needs no mass. "
+         "Return 0."),
+        ([2.0, 1.0], [-1.0, 2.0], 0.0, "The platform is already balanced, so no mass is needed, "
+        "even though x is 0. Return 0 before you divide by x."),
         ([], [], 3.0, "There are no masses, so the platform is balanced and the answer is 0."),
     ):  # fmt: skip
         about(f"balancing_mass({masses}, {places}, {x})", cause=why)
@@ -174,19 +174,20 @@ def test_what_cannot_be_balanced_is_refused() -> None:
          "the pivot. No mass at x can help, so raise ValueError."),
         ([1.0, 2.0], [-1.0, 2.0], 0.0, ValueError, "A mass at the pivot has no torque, so it "
          "cannot balance anything. Raise ValueError."),
-        ([1.0, -2.0], [5.0, 2.0], -3.0, ValueError, "One of the masses is negative. Check every "
-         "mass, and raise ValueError."),
-        ([1.0, math.nan], [-1.0, 2.0], -3.0, ValueError, "One of the masses is NaN. Check every "
-         "mass, and raise ValueError."),
-        ([1.0, 2.0], [-1.0, math.nan], -3.0, ValueError, "One of the positions is NaN. Check "
-         "every position, and raise ValueError."),
-        ([1.0, 2.0], [-1.0, math.inf], -3.0, ValueError, "One of the positions is infinite. Check "
-         "every position, and raise ValueError."),
-        ([1.0, math.inf], [-1.0, 2.0], -3.0, ValueError, "One of the masses is infinite. Check "
-         "every mass, and raise ValueError."),
-        ([1.0, 2.0], [-1.0, 2.0], -math.inf, ValueError, "x is infinite. Check it, and raise "
-         "ValueError."),
-        ([1.0, 2.0], [-1.0, 2.0], math.nan, ValueError, "x is NaN. Check it and raise ValueError."),
+        ([1.0, -2.0], [5.0, 2.0], -3.0, ValueError, "One of the masses is negative, which is not "
+        "valid. Check every mass with not_negative from arguments.py."),
+        ([1.0, math.nan], [-1.0, 2.0], -3.0, ValueError, "One of the masses is NaN, which is not "
+        "valid. Check every mass with not_negative from arguments.py."),
+        ([1.0, 2.0], [-1.0, math.nan], -3.0, ValueError, "One of the positions is NaN, which is "
+        "not valid. Check every position with finite from arguments.py."),
+        ([1.0, 2.0], [-1.0, math.inf], -3.0, ValueError, "One of the positions is infinite, which "
+        "is not valid. Check every position with finite from arguments.py."),
+        ([1.0, math.inf], [-1.0, 2.0], -3.0, ValueError, "One of the masses is infinite, which is "
+        "not valid. Check every mass with not_negative from arguments.py."),
+        ([1.0, 2.0], [-1.0, 2.0], -math.inf, ValueError, "The position x is infinite, which is not "
+        "valid. Check it with finite from arguments.py."),
+        ([1.0, 2.0], [-1.0, 2.0], math.nan, ValueError, "The position x is NaN, which is not "
+        "valid. Check it with finite from arguments.py."),
         ([2.0, 1.0], [-1.0, 2.0], math.inf, ValueError, "The platform is already balanced, but x "
          "is infinite, which is never valid. Check x before you return 0."),
         ([1.0, 2.0], [1.0], -3.0, ValueError, "There are fewer positions than masses. Every mass "
@@ -219,9 +220,9 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
             "and of the right end"
         )
         about.cause = (
-            "The right end carries mass * (x + 3) / 7, and the left end carries the rest. Each "
-            "end consists of two particles. Each of them gets half of the load, in addition to "
-            "its own 1 kg."
+            "The right end carries mass * (x + 3) / 7, and the left end carries the rest. Each end "
+            "consists of two particles, so each of them gets half of the load of its end in "
+            "addition to its own 1 kg."
         )
         right = mass * (x + 3.0) / 7.0
         wanted = _masses(1.0, mass - right, right)
@@ -231,13 +232,12 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
         mistakes = [
             (_masses(1.0, right, left), "The loads of the two ends are swapped. The end that is "
                                         "nearer to the weight must carry more."),
-            (_masses(1.0, 2.0 * left, 2.0 * right), "Each particle got the whole load of its end. "
-             "An end consists of two particles, so each one carries half of it."),
+            (_masses(1.0, 2.0 * left, 2.0 * right), "Each particle got the whole load of its end, "
+            "but an end consists of two particles. Give each of them half of the load."),
             (_masses(0.0, left, right), "The particles have lost their own mass. Add MASS to the "
                                         "load that each of them carries."),
-            (_masses(1.0, near, far), "The nearer end carries the whole weight. A weight between "
-                                      "the ends rests on both, so divide it according to the "
-                                      "distances."),
+            (_masses(1.0, near, far), "The nearer end carries the whole weight, but a weight "
+            "between the ends rests on both of them. Divide it according to the distances."),
         ]  # fmt: skip
         blame(got[2:], mistakes, tolerance=2e-3)  # a mass of 0 has become 1 g
         expect_close(got[2:], wanted, tolerance=1e-12)
@@ -251,8 +251,8 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
             f"platform.put_weight(7.0, 1.0), then put_weight({mass}, {x}): the masses of the ends"
         )
         about.cause = (
-            "The old weight still counts. The platform carries only one weight, so a new one "
-            "replaces it."
+            "The old weight still counts, but a new weight must replace it. Compute the masses "
+            "from MASS and the new weight alone."
         )
         got, _ = weighed([(7.0, 1.0), (mass, x)])
         expect_close(got[2:], wanted, tolerance=1e-12)
@@ -329,7 +329,7 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
     expect_close(done["masses"], [1.0] * 6, tolerance=1e-12)
     about.call = "platform.put_weight(7.0, 4.0), then free_pivot(): the masses of the six particles"
     about.cause = (
-        "free_pivot() has changed the load of the ends. Change only the masses of the two "
+        "free_pivot() has changed the load that the ends carry. Change only the masses of the two "
         "particles of the pivot."
     )
     wanted = [1.0, 1.0, 1.0, 1.0, 4.5, 4.5]
@@ -382,8 +382,8 @@ def test_a_free_platform_slides_and_stays_rigid() -> None:
         # The impulses of rods are equal and opposite, to rounding, however many there are.
         expect_close(got, wanted, then=f": {name} of the center of mass", tolerance=1e-9)
     about.cause = (
-        "The platform has changed its shape. Its rods must keep all distances between its "
-        "particles the same."
+        "The platform has changed its shape, so some of its rods are missing or have the wrong "
+        "length. Together they must keep all distances between its particles the same."
     )
     off = max(
         abs(math.dist(after[i], after[j]) - math.dist(before[i], before[j]))
@@ -393,7 +393,7 @@ def test_a_free_platform_slides_and_stays_rigid() -> None:
     expect_between(off, 0.0, 0.01, then=": the largest change of a distance, in m")
     moved = after[0][0] - before[0][0]
     about.cause = (
-        "The platform falls to the right, so its pivot must slide to the left. Check that the "
-        "pivot can move."
+        "The platform falls to the right, so its pivot must slide to the left on the ground. Check "
+        "that both particles of the pivot can move."
     )
     expect_between(moved, -math.inf, -0.01, then=": how far the pivot has moved, in m along X")

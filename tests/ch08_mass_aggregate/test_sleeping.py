@@ -26,8 +26,8 @@ def test_what_is_slow_for_long_enough_falls_asleep(rng: Random) -> None:
         "step"
     )
     about.cause = (
-        "A particle is slow if v^2 / 2 is at most sleep_energy. It falls asleep when it has been "
-        "slow for sleep_frames steps in a row."
+        "A particle is slow if v^2 / 2 is at most sleep_energy, and it falls asleep when it has "
+        "been slow for sleep_frames steps in a row. Check both conditions."
     )
     seen = left_alone([0.9, 1.1, 0.0], frames + 2, sleep_frames=frames)
     wanted = [[]] * (frames - 1) + [[0, 2]] * 3
@@ -38,8 +38,8 @@ def test_what_is_slow_for_long_enough_falls_asleep(rng: Random) -> None:
         )
     elif not any(seen):
         about.cause = (
-            "No particle falls asleep. Call fall_asleep at the end of run_physics. It must put "
-            "each particle that falls asleep into self.asleep."
+            "No particle falls asleep. Check that run_physics calls fall_asleep at its end, and "
+            "that fall_asleep puts each particle that falls asleep into self.asleep."
         )
     elif seen[:frames] == wanted[:frames]:
         about.cause = (
@@ -51,8 +51,8 @@ def test_what_is_slow_for_long_enough_falls_asleep(rng: Random) -> None:
         "particles of 0.5, 1 and 2 kg, all moving at 1 m/s; fall_asleep(): who sleeps after 5 steps"
     )
     about.cause = (
-        "All three particles are slow. sleep_energy is an energy per kilogram, so the mass makes "
-        "no difference, and exactly sleep_energy still counts as slow."
+        "All three particles are slow. sleep_energy is an energy per kilogram, so compare v^2 / 2 "
+        "with it whatever the mass is, and also count a particle with exactly this energy as slow."
     )
     seen = left_alone([1.0] * 3, 5, masses=[0.5, 1.0, 2.0])
     expect_exactly(seen[-1], [0, 1, 2])
@@ -155,11 +155,11 @@ def test_what_has_parted_is_no_group(rng: Random) -> None:
 def test_what_touches_the_restless_stays_awake() -> None:
     about.read = FALL
     for what, speeds, pairs, masses, wanted, cause in (
-        ("0 and 1", [0.0, 2.0, 0.0], [(0, 1)], (), [2], "Particle 1 is fast, and it touches "
-         "particle 0, so both must stay awake."),
+        ("0 and 1", [0.0, 2.0, 0.0], [(0, 1)], (), [2], "Particle 1 is fast and touches particle "
+        "0, so it keeps particle 0 awake as well. Neither of them may fall asleep."),
         ("0 and 1, 1 and 2, 2 and 3", [0.0, 0.0, 0.0, 2.0, 0.0], [(0, 1), (1, 2), (2, 3)], (), [4],
-         "Particle 3 is fast, so it keeps particle 2 awake. Particle 2 keeps particle 1 awake, "
-         "and 1 keeps 0 awake. Go through the pairs repeatedly until you find no more particles "
+         "Particle 3 is fast, so it keeps particle 2 awake, which keeps particle 1 awake, which "
+         "keeps particle 0 awake. Go through the pairs repeatedly until you find no more particles "
          "that must stay awake."),
         ("3 and 2, 2 and 1, 1 and 0", [2.0, 0.0, 0.0, 0.0], [(3, 2), (2, 1), (1, 0)], (), [],
          "Particle 0 is fast, and it keeps all others awake through the chain of contacts. The "
@@ -168,12 +168,13 @@ def test_what_touches_the_restless_stays_awake() -> None:
          "so it must stay awake. A restless particle can be the first or the second one of a "
          "pair, so check both."),
         ("0 and 1", [0.0, 0.0], [(0, 1)], (), [0, 1], "Both particles are slow, so they do not "
-         "keep each other awake. Both must fall asleep."),
+        "keep each other awake, and both must fall asleep."),
         ("0 and 1, 1 and 2", [0.0, 0.0, 2.0], [(0, 1), (1, 2)], [1.0, math.inf, 1.0], [0],
          "An immovable particle must not join its neighbors into a group. For example, two bodies "
          "that lie on the same floor can fall asleep separately."),
-        ("0 and a wall (other is None)", [0.0], [(0, -1)], (), [0], "The contact is with a wall, "
-         "so its other is None. A wall does not keep a particle awake."),
+        ("0 and a wall (other is None)", [0.0], [(0, -1)], (), [0], "The other side of this "
+        "contact is a wall, so contact.other is None. A wall does not keep a particle awake, so "
+        "skip such contacts."),
     ):  # fmt: skip
         about.cause = cause
         about.call = (
@@ -199,8 +200,8 @@ def test_sleep_stops_and_waking_gives_the_mass_back(rng: Random) -> None:
     expect_close(done["inverse mass asleep"], 0.0, then=": inverse_mass", tolerance=0.0)
     expect_close(done["velocity asleep"], (0.0,) * 3, then=": velocity", tolerance=0.0)
     about.cause = (
-        "The particle falls asleep at the end of the third step, so exactly three steps move it. "
-        "After that it must stay where it is."
+        "The particle falls asleep at the end of the third step, so exactly three steps may move "
+        "it. After that it must stay where it is."
     )
     place = (1.0 + 3.0 * speed / 60.0, 2.0, 3.0)
     for name in ("place asleep", "place later"):

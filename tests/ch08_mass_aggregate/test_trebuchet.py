@@ -110,8 +110,8 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
     about.cause = lower
     if not lets_go(design, [flight(angle - 0.1)])[0]:
         steep = (
-            "The comparison is the wrong way round, because the sling lets go above the release "
-            "angle. It must let go at the release angle or lower."
+            "The sling lets go above the release angle, so the comparison is the wrong way round. "
+            "It must let go at the release angle or lower."
         )
     forward = (
         "The projectile is not flying forward, so the sling must not let go. Check that v.x > 0."
@@ -124,7 +124,7 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
         ("a little above the angle", flight(angle + 0.1), False, steep),
         ("a little below the angle", flight(angle - 0.1), True, lower),
         ("just above the pivot", flight(angle - 1.0, 0.01), True, "The projectile is above the "
-         "pivot, so the sling must let go. It does not matter how far above."),
+        "pivot, so the sling must let go, no matter how far above it is."),
         ("forward and down", flight(-50.0), True, "The projectile flies below the release angle, "
          "even if it flies down, so the sling must let go."),
         ("steeply backward", flight(180.0 - angle), False, forward),
@@ -175,14 +175,20 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
     )
     seen = cause_of(
         frames,
-        [(4, "The step lasted 1/60 s, which is too long for a trebuchet. Call self.step(STEP).")],
+        [
+            (
+                4,
+                "The throw made steps of 1/60 s, which is too long for a trebuchet. Call "
+                "self.step(STEP) instead.",
+            )
+        ],
         seen,
     )
     expect_exactly(frames, 1, then=": time until then, in units of STEP", cause=seen)
     wanted = 2.0 + 30.0 * (10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
     mistakes = [
-        (wanted - 2.0, "This range is measured from the point of release. The trebuchet's own "
-                       "range starts at x = 0, so add the x of the projectile."),
+        (wanted - 2.0, "This range is measured from the point of release, but the range of a throw "
+        "starts at x = 0. Add the x of the projectile at its release."),
         (2.0 + 30.0 * 20.0 / G,
          "This is the range of a throw that starts on the ground. The projectile was released 8 m "
          "above the ground, so it flies for longer."),
@@ -193,24 +199,24 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
     blame(distance, mistakes)
     expect_close(distance, wanted, then=": range", tolerance=1e-9)
     about.cause = (
-        "The share is a ratio of two energies. The projectile has gained m v^2 / 2 plus m g times "
-        "its rise. Divide this by the energy that the counterweight has lost, which is M g times "
-        "its fall."
+        "The share is a ratio of two energies. Divide the energy that the projectile has gained, "
+        "which is m v^2 / 2 plus m g times its rise, by the energy that the counterweight has "
+        "lost, which is M g times its fall."
     )
     gained = 0.5 * 5.0 * 1000.0 + 5.0 * G * (8.0 - start)
     lost = 4.0 * weight * G
     wanted = gained / lost
     mistakes = [
-        (2500.0 / lost, "The potential energy of the projectile is missing. It has also been "
-                        "lifted, so add m g times its rise."),
+        (2500.0 / lost, "The potential energy of the projectile is missing. The throw has also "
+        "lifted it, so add m g times its rise."),
         ((gained - 2500.0) / lost, "The kinetic energy of the projectile is missing. Add m v^2 / "
                                    "2 to the gained energy."),
         (gained / (4.0 * 5.0 * G), "The lost energy was computed with the mass of the projectile. "
                                    "It is the counterweight that falls, so use its mass."),
         (1.0 / wanted, "The fraction is upside down. Divide the energy that the projectile gained "
                        "by the energy that the counterweight lost."),
-        (100.0 * wanted, "This share is a percentage. Return a fraction, so that 1 stands for all "
-                         "of the energy."),
+        (100.0 * wanted, "The share is given as a percentage. Return it as a fraction, so that 1 "
+         "stands for all of the energy."),
     ]  # fmt: skip
     blame(share, mistakes)
     expect_close(share, wanted, then=": share", tolerance=1e-9)
@@ -266,8 +272,8 @@ def test_what_never_lets_go_is_no_throw() -> None:
     got = throw(design, "nothing")
     expect_close(got[:2], (0.0, 0.0), tolerance=0.0)
     about.cause = (
-        "The number of steps is wrong. The simulation must end after TIME_LIMIT, which is 4 s. At "
-        "a STEP of 1/250 s this makes 1000 steps."
+        "The number of steps is wrong. The simulation must end after TIME_LIMIT, which is 4 s, so "
+        "at a STEP of 1/250 s it makes 1000 steps."
     )
     # One more or less if the time is added up with rounding.
     expect_close(got[2], 1000.0, then=": steps", tolerance=1.0)
@@ -323,7 +329,8 @@ def better(design: Sequence[float], distance: float) -> str:
 def test_your_own_trebuchet(meters: int, percent: int) -> None:
     about(
         "my_design()",
-        cause="my_design() must return a Design, which consists of five numbers.",
+        cause="my_design() must return a Design. Create it with your five numbers, in the order of "
+        "its attributes.",
         read=DESIGN,
     )
     design = my_design()

@@ -46,9 +46,9 @@ def test_what_is_moved_by_hand_wakes(
     new = how.replace("place", "position")
     about.call = f"a particle of 2 kg that sleeps on the ground gets a new {new}; a step of 1/60 "
     about.call += "s, wake_moved()"
-    about.cause = f"A particle that gets a new {new} must wake. Compare it with the values that "
-    about.cause += "are stored in its Sleep. Call wake_moved before the integrator, so that this "
-    about.cause += "step already moves the particle."
+    about.cause = f"A particle that gets a new {new} must wake, and already move in this step. "
+    about.cause += "Compare it in wake_moved with the values that are stored in its Sleep, and "
+    about.cause += "call wake_moved before the integrator."
     if how == "nothing":
         about.call = "a particle of 2 kg that sleeps on the ground; a step of 1/60 s, wake_moved()"
         about.cause = "Nothing about the particle has changed, so it must stay asleep. Wake it "
@@ -76,7 +76,8 @@ def test_whatever_is_moved_a_little_wakes(how: str) -> None:
         about.call = f"three particles that sleep on the ground; the {new} of particles 1 and 2 "
         about.call += f"is changed by {by} along {axis}; a step of 1/60 s, wake_moved()"
         about.cause = (
-            "All three particles are at rest, so they must fall asleep. Check fall_asleep first."
+            "All three particles are at rest, but they have not all fallen asleep. Check "
+            "fall_asleep before you work on waking."
         )
         before, after = woken_by_little(how, axis, by)
         expect_exactly(before, [0, 1, 2], then=": who slept before")
@@ -113,7 +114,8 @@ def test_what_is_pushed_moves_in_that_frame(rng: Random) -> None:
         expect_exactly(woken, True, then=": does it wake within 10 steps")
         got = done["velocity"] or (math.nan,) * 3
         about.cause = "The particle must already move in the step in which it wakes, and each "
-        about.cause += "force must act on it once."
+        about.cause += "force must act on it exactly once. Call wake_pushed before the integrator, "
+        about.cause += "and clear the accumulators after the comparison."
         twice = tuple(2.0 * part for part in velocity)
         if any(velocity):
             seen = "The forces act twice, because they are still in the accumulator when the "
@@ -122,7 +124,10 @@ def test_what_is_pushed_moves_in_that_frame(rng: Random) -> None:
         expect_close(
             got, velocity, then=": velocity after the step in which it wakes", tolerance=1e-12
         )
-        about.cause = "The generators got a wrong duration. Pass the duration of the step to them."
+        about.cause = (
+            "The generators were called with a wrong duration. Pass the duration of the step on "
+            "to them."
+        )
         expect_exactly(done["durations"], [1.0 / 60.0], then=": the durations that they got")
 
 
@@ -141,9 +146,9 @@ def test_what_is_pushed_otherwise_wakes(old: float, new: float, late: bool) -> N
     about.cause = "The wall holds the particle, so it is at rest and must fall asleep first."
     seen = woken_by_force(old, new, 10, late)
     expect_exactly(seen[0], [0], then=": who slept before")
-    about.cause = "The force has changed, so the particle must wake. Call wake_pushed in every "
-    about.cause += "LOOK_EVERY-th step, which is at least once in 10 steps. It must evaluate the "
-    about.cause += "forces while the particle has its own mass."
+    about.cause = "The force has changed, so the particle must wake within 10 steps. Call "
+    about.cause += "wake_pushed in every LOOK_EVERY-th step, and evaluate the forces there while "
+    about.cause += "the particle has its own mass."
     expect_exactly(seen[-1], [], then=": who sleeps after 10 steps")
 
 
@@ -190,9 +195,9 @@ def test_what_is_touched_wakes_with_all_that_it_touches(rng: Random, first: bool
     about.cause = "The contact has woken only some of the balls. A ball that wakes can touch the "
     about.cause += "next one, so find the contacts again until no more balls wake in this step."
     if hit < 0:
-        about.cause = "No ball wakes. If one particle of a contact can move and the other one "
-        about.cause += "sleeps, wake the other one. The sleeping one can be the first or the "
-        about.cause += "second of the two, so check both."
+        about.cause = "No ball wakes, although a moving ball touches a sleeping one. If one "
+        about.cause += "particle of a contact can move and the other one sleeps, wake the sleeping "
+        about.cause += "one. It can be the first or the second of the two, so check both."
     expect_exactly(done["seen"][hit], [], then=": who sleeps after the step of the hit")
     about.cause = "Momentum has been lost. A sleeping ball acts like a wall, so give all balls "
     about.cause += "that wake their masses back before the contacts are resolved."
@@ -233,7 +238,10 @@ def test_what_wakes_still_stands_on_the_ground(rng: Random) -> None:
 def test_what_fell_asleep_as_one_wakes_as_one() -> None:
     about.read = f"{WAKE}wake, and fall_asleep"
     about.call = "ball 1 sleeps on ball 0, which is then moved away by hand; wake(), 6 steps"
-    about.cause = "Both balls are at rest, so they must fall asleep. Check fall_asleep first."
+    about.cause = (
+        "Both balls are at rest, but they have not both fallen asleep. Check fall_asleep before "
+        "you work on waking."
+    )
     before, after, speed = support_gone(6)
     expect_exactly(before, [0, 1], then=": who slept before")
     about.cause = "Ball 0 wakes when it is moved, so ball 1 must wake with it and fall. In "
@@ -250,24 +258,26 @@ def test_what_fell_asleep_as_one_wakes_as_one() -> None:
             about.cause += "Check fall_asleep before you work on wake."
             expect_exactly(was, [0, 1, 2, 3, 4], then=": who slept before")
             about.cause = "The wrong particles are awake. Wake the whole group, which includes the "
-            about.cause += "neighbors of neighbors, and no other particle. As neighbors, store all "
-            about.cause += "particles that touched in the last sleep_frames steps."
+            about.cause += "neighbors of neighbors, but no other particle. The neighbors of a "
+            about.cause += "particle are all particles that it has touched in the last "
+            about.cause += "sleep_frames steps."
             expect_exactly(now, [4], then=": who sleeps afterward")
     about.call = (
         "three particles in a row sleep on two springs, and the last one gets 6 m/s; wake()"
     )
     about.cause = (
-        "All three particles are at rest, so they must fall asleep. Check fall_asleep first."
+        "All three particles are at rest, but they have not all fallen asleep. Check fall_asleep "
+        "before you work on waking."
     )
     seen, places = on_a_spring(20)
     expect_exactly(seen[0], [0, 1, 2], then=": who slept before")
     about.cause = "Some particles are still asleep. Particles that share a generator form a group, "
-    about.cause += "so all three must wake in the same step. Find such pairs with "
-    about.cause += "joined(self.registry)."
+    about.cause += "so all three must wake in the same step. Use joined(self.registry) to find out "
+    about.cause += "which particles share a generator."
     expect_exactly(seen[1], [], then=": who sleeps after a step")
-    about.cause = "The center of mass has not moved at 2 m/s, although the forces of a spring "
-    about.cause += "are equal and opposite. Perhaps one particle was still asleep while the others "
-    about.cause += "moved. Wake all three in the same step."
+    about.cause = "The center of mass has not moved at 2 m/s, although the forces of a spring are "
+    about.cause += "equal and opposite. Perhaps one particle was still asleep while the others "
+    about.cause += "moved, so wake all three in the same step."
     drift = 2.0 * sum(0.9 ** (i / 60.0) for i in range(1, 21)) / 60.0
     middle = math.fsum(place[0] for place in places) / 3.0 - 1.0
     expect_close(
@@ -284,13 +294,15 @@ def test_what_hangs_still_sleeps_on() -> None:
     about.cause += "is large compared with it. Compare the change with |a| + |f / m| instead."
     expect_exactly(hung(40, 40, 0.0)[4:], [[0]] * 36)
     about.call += ", with an extra push of 0.15 N/kg from step 20 on"
-    about.cause = "Here |a| + |f / m| is 20 m/s^2, and SAME times that is 0.2 m/s^2. The push of "
-    about.cause += "0.15 N/kg is less, so the mass must stay asleep."
+    about.cause = "Here |a| + |f / m| is 20 m/s^2, so a change of up to 0.2 m/s^2 (SAME times this "
+    about.cause += "sum) wakes nothing. The push of 0.15 N/kg is weaker, so the mass must stay "
+    about.cause += "asleep."
     expect_exactly(hung(40, 20, 0.15)[4:], [[0]] * 36)
     about.call = "a mass that hangs from a spring, almost at rest, with an extra push of 0.5 "
     about.call += "N/kg from step 20 on; wake_pushed(): does it wake within 10 steps"
-    about.cause = "Here |a| + |f / m| is 20 m/s^2, and SAME times that is 0.2 m/s^2. The push of "
-    about.cause += "0.5 N/kg is more, so the mass must wake."
+    about.cause = "Here |a| + |f / m| is 20 m/s^2, so a change of more than 0.2 m/s^2 (SAME times "
+    about.cause += "this sum) wakes the mass. The push of 0.5 N/kg is stronger, so the mass must "
+    about.cause += "wake."
     expect_exactly([] in hung(31, 20, 0.5)[20:], True)
 
 
@@ -344,7 +356,8 @@ def test_a_frame_without_a_duration_is_refused_here_too() -> None:
     for duration, error in ((0.0, "ValueError"), (math.nan, "ValueError"), ("1", "TypeError")):
         about.call = f"world.run_physics({duration!r})"
         about.cause = (
-            'Check the duration before anything changes, with positive("duration", duration).'
+            'The duration must be positive and finite. Check it with positive("duration", '
+            "duration) before anything changes."
         )
         name, force = refused(duration)
         expect_exactly(name, error, then=": the name of the error ('' if there was none)")

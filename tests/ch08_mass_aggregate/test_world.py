@@ -41,18 +41,20 @@ def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
     about.call += "and acceleration (0, -10, 0)"
     got = energy_of([simple])
     mistakes = [
-        (16.0, "This is the kinetic energy alone. Add the potential energy, which is m g y = 60 J "
-               "here."),
-        (60.0, "This is the potential energy alone. Add the kinetic energy, which is m v^2 / 2 = "
-               "16 J here."),
-        (-44.0, "The potential energy has the wrong sign. It is - m a . p, and since a points "
-                "down, it grows with the height."),
+        (16.0, "The result is the kinetic energy alone. Add the potential energy, which is m g y = "
+        "60 J here."),
+        (60.0, "The result is the potential energy alone. Add the kinetic energy, which is m v^2 / "
+        "2 = 16 J here."),
+        (-44.0, "The potential energy has the wrong sign. It must grow with the height, and "
+         "because a points down, this means - m a . p."),
         (74.86, "The result uses 9.81 m/s^2 for gravity. This particle has its own acceleration "
                 "of 10 m/s^2, so use particle.acceleration."),
         (92.0, "The kinetic energy is twice as large as it should be. It is m v^2 / 2, so the "
                "factor 1/2 is missing."),
-        (38.0, "The mass is missing from the potential energy. It is - m a . p."),
-        (46.0, "The mass is missing from the potential energy. It is - m a . p."),
+        (38.0, "The mass is missing from the potential energy. Multiply a . p by the mass, because "
+        "the potential energy is - m a . p."),
+        (46.0, "The mass is missing from the potential energy. Multiply a . p by the mass, because "
+        "the potential energy is - m a . p."),
     ]  # fmt: skip
     about.cause = cause_of(
         got,
@@ -62,7 +64,8 @@ def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
     )
     expect_close(got, 76.0)
     about.cause = (
-        "The energy of one particle is m v^2 / 2 - m a . p. Add up the energies of all particles."
+        "The energy of one particle is m v^2 / 2 - m a . p. Compute it for each particle, and "
+        "return the sum over all of them."
     )
     for name, some, wanted in (
         ("one particle", bodies[:1], parts[0]),
@@ -77,8 +80,8 @@ def test_energy_is_kinetic_and_that_of_the_acceleration(rng: Random) -> None:
         expect_close(got, wanted, tolerance=1e-10)
     about.call = "mechanical_energy of one particle on which a force acts; its position, "
     about.call += f"velocity, acceleration and mass are {bodies[0]}"
-    about.cause = "The accumulated force has changed the result. Forces do not count here, so "
-    about.cause += "use only the particle's own acceleration."
+    about.cause = "A force in the accumulator has changed the result. Forces do not count for this "
+    about.cause += "energy, so use only the particle's own acceleration."
     got = energy_of(bodies[:1], components(rng))
     expect_close(got, parts[0], tolerance=1e-10)
 
@@ -102,7 +105,7 @@ def test_what_nothing_moves_has_no_energy(rng: Random) -> None:
     expect_close(
         energy_of([]),
         0.0,
-        cause="There are no particles, so there is no energy. Return 0.",
+        cause="There are no particles, so their total energy is 0. Return 0 in this case.",
         tolerance=0.0,
     )
 
@@ -187,8 +190,8 @@ def test_a_frame_moves_by_forces_and_gravity(rng: Random, integrator: str) -> No
                 why,
             )
             for c, d, why in (
-                (1.0, 0.0, "The forces of the registry are missing. Pass "
-                           "self.registry.update_forces to the integrator."),
+                (1.0, 0.0, "The forces of the registry have no effect. Pass "
+                 "self.registry.update_forces to the integrator, which calls it."),
                 (1.0, 2.0, "The forces of the registry count twice. The integrator calls "
                            "update_forces itself, so do not call it as well."),
                 (0.0, 1.0, "The force that was added after start_frame is lost. Only start_frame "
@@ -213,8 +216,8 @@ def test_a_step_forgets_what_was_added_before_it(rng: Random) -> None:
     h, force = positive_number(rng, 0.05, 0.2), components(rng)
     p, v, a, m = draw_body(rng)
     about(f"add_force(Vector3{force}); world.step({h})", read=f"{WORLD}step")
-    about.cause = "step must call start_frame first, which clears the forces that were added "
-    about.cause += "earlier. Then it calls run_physics."
+    about.cause = "A step consists of two calls. Call start_frame first, which clears the forces "
+    about.cause += "that were added earlier, and then call run_physics."
     done = frame([(p, v, a, m)], "step", h, early=force)
     velocity = [v[j] + a[j] * h for j in range(3)]
     got = done["states"][0][1]
@@ -269,8 +272,8 @@ def test_contacts_are_those_of_the_new_places(rng: Random) -> None:
     about.call = (
         f"a particle that is 0.5 m above a floor and moves at {-speed} m/s; world.run_physics({h})"
     )
-    about.cause = "First move the particles, then collect the contacts, and then resolve them. "
-    about.cause += "The particle ends up on the floor, and it no longer falls."
+    about.cause = "Move the particles first, then collect the contacts, and then resolve them, so "
+    about.cause += "that the particle ends up at rest on the floor."
     done = frame(bodies, "run_physics", h, floors=[0.0])
     place, velocity = done["states"][0]
     fallen = 0.5 - speed * h
@@ -316,8 +319,8 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
     asked = [row[1] for row in done["diary"] if row[0] == "contacts"]
     expect_exactly(asked, [low, high], then=": the floors whose contacts() was called")
     about.call = f"three particles at a height of 1, above a floor at 0.5; run_physics({h})"
-    about.cause = "There are no contacts, so do not call the resolver. This saves time in every "
-    about.cause += "step without contacts."
+    about.cause = "The resolver was called although there are no contacts. Call it only if the "
+    about.cause += "list of contacts is not empty, which saves time in every step without contacts."
     done = frame(bodies, "run_physics", h, floors=[0.5], record=True)
     count = sum(row[0] == "resolve" for row in done["diary"])
     expect_exactly(count, 0, then=": the number of calls of the resolver")
@@ -363,7 +366,8 @@ def test_a_frame_without_a_duration_is_refused(method: str) -> None:
     ):
         about(
             f"world.{method}({duration!r})",
-            cause='Check the duration first, with positive("duration", duration).',
+            cause='The duration must be positive and finite. Check it with positive("duration", '
+            "duration) before you do anything else.",
         )
         done = refused(method, duration)
         expect_exactly(done["error"], error, then=": the name of the error ('' if there was none)")

@@ -77,8 +77,9 @@ def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
     )
     wanted = added(turning, v)
     slips = {
-        "The velocity p' of the object is missing from the result.": turning,
-        "This point rotates about the origin of the world instead of p.": added(about_world, v),
+        "The velocity p' of the object itself is missing from the result.": turning,
+        "The position p has not been subtracted, so the point rotates about the origin of the "
+        "world.": added(about_world, v),
         "The velocity p' has been subtracted instead of added.": subtracted(turning, v),
         "Only the velocity p' of the object has been returned, and the rotation is missing.": v,
     }
@@ -165,8 +166,8 @@ def test_a_step_turns_by_the_new_angular_velocity(rng: Random) -> None:
     why = named(got, about.cause, slips)
     expect_close(got, new, then="w", cause=why, tolerance=TIGHT)
     wanted = hamilton(quad(new, h * math.hypot(*new)), q)
-    about.cause = "First compute the new angular velocity w' = w + alpha h. Then rotate the "
-    about.cause += "orientation by w' h, with rotate_by."
+    about.cause = "First compute the new angular velocity w' = w + alpha h, and then rotate the "
+    about.cause += "orientation by w' h with rotate_by."
     got = same_sign(rijk(orientation), wanted)
     slips = {name: same_sign(slip, wanted) for name, slip in step_slips(q, w, new, h).items()}
     why = named(got, about.cause, slips)
@@ -195,9 +196,7 @@ def test_many_steps_about_one_axis(rng: Random) -> None:
     got = same_sign(got, wanted)
     expect_close(got, wanted, tolerance=1e-11)
     wanted = [p + h * count * r for p, r in zip(w, a, strict=True)]
-    about.cause = (
-        "The angular velocity after these steps is wrong. Each step must add alpha h to it."
-    )
+    about.cause = "The angular velocity after these steps is wrong. Add alpha h to it in each step."
     expect_close(after, wanted, call=f"{about.call[:-1]}w", tolerance=1e-11)
     expect_unchanged("alpha", alpha, a, cause=UNCHANGED)
 
@@ -227,8 +226,8 @@ def test_a_step_from_rest(rng: Random) -> None:
         orientation, velocity = Quaternion(*q), Vector3()
         about.call = f"q, w = Quaternion{q}, Vector3(); integrate_rotation(q, w, "
         about.call += f"Vector3{acceleration}, {h})"
-        about.cause = "If w' is zero, there is no axis, so the orientation must not change. "
-        about.cause += "Otherwise rotate it by w' h."
+        about.cause = "If w' is zero, there is no axis of rotation, so the orientation must not "
+        about.cause += "change. In all other cases rotate it by w' h."
         integrate_rotation(orientation, velocity, Vector3(*acceleration), h)
         new = tuple(h * component for component in acceleration)
         expect_close(xyz(velocity), new, then="; w", tolerance=TIGHT)
@@ -242,8 +241,8 @@ def test_a_step_from_rest(rng: Random) -> None:
 def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
     about.read = STEP
     q, w, a = draw_quad(rng), components(rng), components(rng)
-    about.cause = "Check all arguments before you change any of them. Use positive and "
-    about.cause += "finite_vector from arguments.py."
+    about.cause = "One of the arguments is not valid. Check all of them with positive and "
+    about.cause += "finite_vector from arguments.py before you change any of them."
     nan = math.nan
     for velocity, acceleration, h, error in (
         (w, a, 0.0, ValueError),
@@ -277,7 +276,7 @@ def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
         lambda: integrate_rotation(q, spin, Vector3(*a), 0.1),
         TypeError,
         allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
-        cause="The orientation must be a Quaternion, and a tuple is not one. Raise TypeError.",
+        cause="The orientation was a tuple. Raise TypeError for anything but a Quaternion.",
     )
     expect_unchanged("the velocity", xyz(spin), w)
     for name, velocity, acceleration in (
@@ -292,8 +291,8 @@ def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
             ),
             TypeError,
             allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
-            cause="Both vectors must be finite Vector3s. Check them with finite_vector from "
-            "arguments.py.",
+            cause="Both vectors must be Vector3s with finite components. Check each of them with "
+            "finite_vector from arguments.py.",
         )
         expect_unchanged("q", rijk(orientation), q)
 
@@ -336,7 +335,9 @@ def lag_slips(right: float, turn: float) -> dict[str, float]:
 @pytest.mark.exercise("B9.19")
 def test_a_turn_a_second_in_sixty_frames() -> None:
     about("first_order_drift(2 pi, 1, 60)", read=DRIFT)
-    about.cause = "Each step multiplies the length of the quaternion by sqrt(1 + (w h / 2)^2)."
+    about.cause = (
+        "Each step multiplies the length by sqrt(1 + (w h / 2)^2), and there are 60 steps."
+    )
     length, lag = first_order_drift(math.tau, 1.0, 60)
     # Four decimals of the known figure of E-31.
     why = named(length, about.cause, length_slips(math.tau, 1.0, 60))
@@ -362,8 +363,8 @@ def test_what_the_step_of_the_book_lacks(rng: Random) -> None:
         near = 1e-10 * wanted
         why = named(length, about.cause, length_slips(speed, duration, steps_))
         expect_close(length, wanted, then=", length", cause=why, tolerance=near)
-        about.cause = "The missing angle is w t minus the angle of all steps together. For a "
-        about.cause += "negative speed it is negative."
+        about.cause = "The missing angle is the intended angle w t minus the angle of all steps "
+        about.cause += "together, so it is negative for a negative speed."
         why = named(lag, about.cause, lag_slips(missing, speed * duration))
         expect_close(lag, missing, then=", angle", cause=why, tolerance=1e-10)
 
@@ -371,7 +372,7 @@ def test_what_the_step_of_the_book_lacks(rng: Random) -> None:
 @pytest.mark.exercise("B9.19")
 def test_what_does_not_turn_does_not_drift() -> None:
     about("first_order_drift(0, 2, 10)", read=DRIFT)
-    about.cause = "Nothing rotates here, so the length stays 1 and no angle is missing."
+    about.cause = "At a speed of 0 nothing rotates, so the length stays 1 and no angle is missing."
     got = tuple(first_order_drift(0.0, 2.0, 10))
     expect_close(got, (1.0, 0.0), tolerance=TIGHT)
 
@@ -387,7 +388,7 @@ def test_a_drift_of_nothing_is_refused() -> None:
         ((1, 0.0), (1, -1.0)),
     )
     about.cause = (
-        "The number of steps must be a whole number. Check it with whole from arguments.py."
+        "The number of steps must be whole and positive. Check it with whole from arguments.py."
     )
     for bad, error in ((0, ValueError), (-2, ValueError), (2.0, TypeError), ("2", TypeError)):
         expect_error(

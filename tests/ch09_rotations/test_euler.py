@@ -110,8 +110,9 @@ def test_what_the_rates_make(rng: Random) -> None:
         wanted = map_of(x, y, z)
         about.call = f"rate_map({x}, {y}, {z})"
         about.cause = (
-            "Each column of the map is the axis of one angle. The column of z is Z itself. The "
-            "column of y is Y, rotated by z. The column of x is X, rotated by y and then by z."
+            "Each column of the map is the axis about which one of the angles rotates. The last "
+            "rotation is about Z itself, so this is the column of z. The column of y is Y rotated "
+            "by z, and the column of x is X rotated by y and then by z."
         )
         got = entries(rate_map(x, y, z))
         slips = {
@@ -150,7 +151,8 @@ def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
         there = map_of(*angles)
         slips = {
             "the angular velocity itself": w,
-            "The angular velocity has been multiplied by the rate map itself.": applied(there, w),
+            "The angular velocity has been multiplied by the rate map instead of its "
+            "inverse.": applied(there, w),
             "the transpose of the map times the angular velocity, which is right only for a "
             "rotation": applied(transposed(there), w),
         }
@@ -206,9 +208,9 @@ def test_gimbal_lock_is_refused_and_what_is_near_is_not(rng: Random) -> None:
     for off in (5e-13, -5e-13):
         expect_rates_near_lock(x, z, w, off)
     about.cause = (
-        "Near a quarter turn about Y two of the axes coincide, and no rates exist. Refuse the "
-        "angles unless abs(cos y) > SINGULAR. The check in Matrix3.inverse does not cover all of "
-        "these cases, because a row of the map can be tiny as well."
+        "Near a quarter turn about Y two of the axes coincide, so no rates exist. Refuse the "
+        "angles unless abs(cos y) > SINGULAR. Make this check yourself, because Matrix3.inverse "
+        "does not notice all of these cases."
     )
     for y, turn in (
         (quarter, z),
@@ -244,7 +246,8 @@ def test_angles_that_are_none_are_refused() -> None:
         read=ANGLES,
     )
     about.cause = (
-        "The angular velocity must be finite. Check it with finite_vector from arguments.py."
+        "The angular velocity must have finite components. Check it with finite_vector from "
+        "arguments.py, which raises the ValueError."
     )
     good = (1.0, 2.0, 3.0)
     for bad, error in (((1.0, math.nan, 3.0), ValueError), ((math.inf, 2.0, 3.0), ValueError)):
@@ -260,6 +263,6 @@ def test_angles_that_are_none_are_refused() -> None:
         TypeError,
         call="euler_rates(1, 1, 1, (1, 2, 3))",
         allowed=lambda: euler_rates(1, 1, 1, Vector3(*good)),
-        cause="The angular velocity must be a Vector3, and a tuple is not one. Raise TypeError.",
+        cause="The angular velocity was a tuple. Raise TypeError for anything but a Vector3.",
         read=ANGLES,
     )

@@ -57,7 +57,7 @@ BY_STEPS = "the docstring of turned_by_steps, and Eq. 9.5"
 @pytest.mark.exercise("9.1")
 def test_two_turns_end_where_two_others_do() -> None:
     about.read = "the docstring of two_other_turns"
-    about.call, about.cause = "two_other_turns()", "Return the pair (a, b), in degrees."
+    about.call, about.cause = "two_other_turns()", "Return a and b as a pair, in degrees."
     a, b = two_other_turns()
     both = hamilton(quad(X_AXIS, math.radians(b)), quad(Z_AXIS, math.radians(a)))
     about.cause = "The axes stay fixed, all rotations are right-handed, and the angles are in "
@@ -117,8 +117,8 @@ def way_back(q: Quad) -> tuple:
 def test_one_turn_leads_back(rng: Random) -> None:
     about.read = BACK
     axis, small, large = components(rng), rng.uniform(0.1, 1.0), rng.uniform(3.3, 6.0)
-    about.cause = "The conjugate of a quaternion undoes its rotation. It has the same axis and "
-    about.cause += "the opposite angle."
+    about.cause = "The conjugate of a quaternion undoes its rotation, because it has the same axis "
+    about.cause += "and the opposite angle. Convert the conjugate to an axis and an angle."
     drawn = [draw_quad(rng), quad(axis, small), quad(axis, large), quad(axis, -small)]
     for q in ((0.5, 0.5, 0.5, 0.5), *drawn):
         unit, angle = way_back(q)
@@ -137,7 +137,8 @@ def test_one_turn_leads_back(rng: Random) -> None:
 @pytest.mark.exercise("9.2")
 def test_the_way_back_at_the_ends(rng: Random) -> None:
     about(
-        cause="This orientation is already the reference, so the angle is 0. Any axis is correct.",
+        cause="This orientation is already the reference, so the angle must be 0, and any unit "
+        "vector is correct as the axis.",
         read=BACK,
     )
     for q in ((1.0, 0.0, 0.0, 0.0), (-1.0, 0.0, 0.0, 0.0)):
@@ -145,8 +146,8 @@ def test_the_way_back_at_the_ends(rng: Random) -> None:
         about.call = f"back_to_reference(Quaternion{q}), the angle"
         expect_close(angle, 0.0, tolerance=0.0)
     axis, near = turned(draw_quad(rng), X_AXIS), math.pi - 2e-7
-    about.cause = "A half-turn is undone by another half-turn about the same axis. It can go in "
-    about.cause += "either direction."
+    about.cause = "A half-turn is undone by another half-turn about the same axis, in either "
+    about.cause += "direction."
     for q, turn in (((0.0, *axis), math.pi), (quad(axis, near), near)):
         unit, angle = way_back(q)
         got, wanted = (abs(angle), *same_sign(unit, axis)), (turn, *axis)
@@ -172,7 +173,7 @@ def test_no_way_back_from_what_is_no_orientation() -> None:
         TypeError,
         call="back_to_reference((1, 0, 0, 0))",
         allowed=lambda: back_to_reference(Quaternion(0.6, 0.8, 0.0, 0.0)),
-        cause="The orientation must be a Quaternion, and a tuple is not one. Raise TypeError.",
+        cause="The orientation was a tuple. Raise TypeError for anything but a Quaternion.",
         read=FIRST_LINES,
     )
 
@@ -199,8 +200,8 @@ def test_a_product_without_j_and_k(rng: Random) -> None:
     why = named(got, about.cause, slips)
     expect_close(got, wanted, cause=why, tolerance=TIGHT)
     name = f"{about.call}: the number of multiplications (up to four count as four)"
-    about.cause = "The general product a * b takes sixteen multiplications. Most of its terms "
-    about.cause += "are zero here, so leave them out."
+    about.cause = "The general product a * b takes sixteen multiplications, but most of its terms "
+    about.cause += "are zero here. Leave these terms out, so that four multiplications remain."
     got = max(4, multiplications((r, i), (s, j)))
     expect_exactly(got, 4, call=name)
 
@@ -231,7 +232,7 @@ def test_a_product_with_j_or_k_is_refused(rng: Random) -> None:
             TypeError,
             call=f"product_without_j_and_k({which})",
             allowed=lambda: product_without_j_and_k(Quaternion(*good), Quaternion(*good)),
-            cause="Both arguments must be Quaternions. Raise TypeError for anything else.",
+            cause="One argument is not a Quaternion. Raise TypeError in this case.",
             read=FIRST_LINES,
         )
 
@@ -250,7 +251,7 @@ def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
         about.cause = "Rotate only once, by rate * duration about the world's X axis. This "
         about.cause += "rotation acts after the old one, so it belongs on the left of the product."
         if rate == 0.0:
-            about.cause = "With a rate of 0 the angle is 0, so nothing rotates."
+            about.cause = "With a rate of 0 nothing rotates, so the result must equal q."
         turn = quad(X_AXIS, rate * duration)
         wanted = hamilton(turn, q)
         got = same_sign(rijk(turned_by_sense(orientation, rate, duration)), wanted)
@@ -295,8 +296,8 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         rate, duration = share * positive_number(rng, 0.3, 1.2), positive_number(rng, 1.0, 2.0)
         orientation = Quaternion(*q)
         about.call = f"turned_by_steps(Quaternion{q}, {rate}, {duration}, {steps})"
-        about.cause = "Work on a copy of q. Call add_scaled with duration / steps in each step, "
-        about.cause += "and normalize the copy at the end."
+        about.cause = "Work on a copy of q. Call its add_scaled with duration / steps in each "
+        about.cause += "step, and normalize the copy only once, at the end."
         if steps == 1:
             about.call = f"turned_by_steps(Quaternion{q}, {rate}, {duration})"
             result, error = turned_by_steps(orientation, rate, duration)
@@ -366,7 +367,7 @@ def test_a_turn_of_nothing_is_refused() -> None:
         bad,
         read=BY_STEPS,
     )
-    about.cause = "The steps must be a whole number. Check it with whole from arguments.py."
+    about.cause = "The number of steps must be whole. Check it with whole from arguments.py."
     for steps, error in ((0, ValueError), (-1, ValueError), (2.0, TypeError)):
         expect_error(
             lambda steps=steps: turned_by_steps(Quaternion(), 1.0, 2.0, steps),
@@ -394,6 +395,6 @@ def test_a_turn_of_nothing_is_refused() -> None:
             TypeError,
             call=f"turned_by_{name}((1, 0, 0, 0), 1, 2)",
             allowed=lambda function=function: function(Quaternion(), 1.0, 2.0),
-            cause="The orientation must be a Quaternion, and a tuple is not one. Raise TypeError.",
+            cause="The orientation was a tuple. Raise TypeError for anything but a Quaternion.",
             read=FIRST_LINES,
         )

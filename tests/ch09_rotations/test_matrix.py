@@ -50,7 +50,7 @@ def test_a_matrix_times_a_vector(rng: Random) -> None:
     got = xyz(Matrix3(*m).transform(v))
     wanted = applied(m, a)
     slips = {
-        "Each column has been multiplied by the vector instead of each row.": applied(
+        "The vector has been multiplied by the columns of the matrix instead of its rows.": applied(
             transposed(m), a
         ),
         "The old x was overwritten before y and z were computed from it. Keep all three old "
@@ -78,11 +78,12 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
     got = entries(first.product(second))
     slips = {
         "the product in the other order": times(n, m),
-        "Each number has been multiplied by the number in the same position.": [
-            p * q for p, q in zip(m, n, strict=True)
-        ],
-        "Rows have been multiplied by rows.": times(m, transposed(n)),
-        "Columns have been multiplied by columns.": times(transposed(m), n),
+        "Each number has been multiplied by the number in the same position, which is not the "
+        "matrix product.": [p * q for p, q in zip(m, n, strict=True)],
+        "The rows of self have been multiplied by the rows of m instead of its columns.": times(
+            m, transposed(n)
+        ),
+        "The columns of self have been multiplied by the columns of m.": times(transposed(m), n),
         "the transpose of the product": transposed(times(m, n)),
     }
     why = named(got, about.cause, slips, times(m, n))
@@ -99,7 +100,7 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
 def test_a_matrix_times_something_else_is_refused() -> None:
     about.read = "the docstring at the top of matrix.py"
     v, m = Vector3(1.0, 2.0, 3.0), Matrix3(*IDENTITY)
-    about.cause = "The argument must be a Vector3, and a tuple is not one. Raise TypeError."
+    about.cause = "The argument was a tuple. Raise TypeError for anything but a Vector3."
     expect_error(
         lambda: m.transform((1.0, 2.0, 3.0)),
         TypeError,
@@ -124,7 +125,7 @@ def test_rows_become_columns(rng: Random) -> None:
     matrix = Matrix3(*m)
     about.call = f"{written(m)}.transpose()"
     about.cause = (
-        "The rows of the matrix become the columns of the transpose. The number in row i and "
+        "The rows of the matrix become the columns of the transpose, so the number in row i and "
         "column j moves to row j and column i."
     )
     got = entries(matrix.transpose())
@@ -167,7 +168,8 @@ def determinant_slips(m: Nine) -> dict[str, float]:
     }
     return signs | {
         "the determinant with the wrong sign": -right,
-        "This is only the product of the three numbers on the diagonal.": a * e * i,
+        "This is only the product of the three numbers on the diagonal, but the numbers beside the "
+        "diagonal count as well.": a * e * i,
         "All six products have been added, but three of them need a minus sign.": a * e * i
         + b * f * g
         + c * d * h
@@ -182,8 +184,8 @@ def test_the_determinant(rng: Random) -> None:
     about.read = "book 9.4.3, and the docstring of Matrix3.determinant"
     m = draw_matrix(rng)
     about.cause = (
-        "Treat the rows as vectors. The determinant is first . (second x third), and it can be "
-        "negative."
+        "If you treat the rows as vectors, the determinant is first . (second x third). It can be "
+        "negative, so do not take an absolute value."
     )
     for rows in ((0, 1, 2), (1, 0, 2), (2, 0, 1)):
         n = tuple(m[3 * row + column] for row in rows for column in range(3))
@@ -238,10 +240,10 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
         got = entries(matrix.inverse())
         product = times(n, got) if isinstance(got, tuple) and len(got) == 9 else got
         slips = {
-            "The division by the determinant is missing.": [
+            "The result has not been divided by the determinant.": [
                 determinant(n) * one for one in IDENTITY
             ],
-            "The result has been divided by the determinant twice.": [
+            "The result has been divided by the determinant twice instead of once.": [
                 one / determinant(n) for one in IDENTITY
             ],
             "the result without the sign of the determinant": [-one for one in IDENTITY],
@@ -251,7 +253,10 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
         if product is not got and all(type(number) in (int, float) for number in got):
             back = times(n, transposed(got))
             if all(abs(b - one) < 1e-9 for b, one in zip(back, IDENTITY, strict=True)):
-                slips["The rows and columns of the inverse have been swapped."] = product
+                slips[
+                    "The rows and columns of the inverse have been swapped, which gives its "
+                    "transpose."
+                ] = product
         why = named(product, how, slips)
         expect_close(product, IDENTITY, cause=why, tolerance=TIGHT)
         expect_unchanged("m", entries(matrix), n, cause=UNCHANGED)
@@ -287,8 +292,9 @@ def test_a_singular_matrix_has_no_inverse(rng: Random) -> None:
     expect_no_inverse((0.0,) * 9)
     expect_no_inverse((1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0))
     about.cause = (
-        "Because of rounding, the determinant is not exactly 0 here. It is about 1e-15 times the "
-        "product of the lengths of the rows. Compare it with SINGULAR times that product."
+        "This matrix is singular, but because of rounding errors its determinant is not exactly 0. "
+        "It is about 1e-15 times the product of the lengths of the rows, so compare it with "
+        "SINGULAR times that product."
     )
     for scale in (1.0, 1e6):
         for _ in range(6):

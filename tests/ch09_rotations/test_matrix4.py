@@ -44,15 +44,17 @@ def test_a_point_is_transformed_and_moved(rng: Random) -> None:
     v = Vector3(*a)
     about.call = f"{written(twelve)}.transform(Vector3{a})"
     about.cause = (
-        "Each component of the result starts with a row of the matrix. Take the scalar product of "
-        "the vector and the first three numbers of that row, and then add the fourth number."
+        "Each row of the matrix gives one component of the result. Take the scalar product of the "
+        "vector and the first three numbers of the row, and then add the fourth number."
     )
     got = xyz(Matrix4(*twelve).transform(v))
     slips = {
-        "The translation is missing from this point.": applied(m, a),
-        "The point has been translated before it was rotated.": applied(m, added(a, p)),
+        "The translation is missing from the result.": applied(m, a),
+        "The point has been translated before it was rotated, so the translation has been rotated "
+        "too.": applied(m, added(a, p)),
         "the result with rows and columns swapped": moved(transposed(m), p, a),
-        "The translation has been subtracted instead of added.": subtracted(applied(m, a), p),
+        "The translation has been subtracted from the rotated point instead of added to "
+        "it.": subtracted(applied(m, a), p),
         "The first nine entries have been used as the rotation, but every fourth entry is a "
         "translation.": applied(twelve[:9], a),
     }
@@ -72,8 +74,8 @@ def test_one_transformation_after_another(rng: Random) -> None:
     one, other = Matrix4(*first), Matrix4(*second)
     about.call = f"{written(first)}.product({written(second)})"
     about.cause = (
-        "The matrix m acts first, and self then transforms every point. So transform the "
-        "translation of m by self to get the last column."
+        "The matrix m acts first, and self then transforms every point, even the one to which m "
+        "has moved the origin. So transform the translation of m by self to get the last column."
     )
     got = entries(one.product(other))
     wanted = joined(times(m, n), moved(m, p, q))
@@ -146,7 +148,7 @@ def test_the_translation_has_no_part_in_the_determinant(rng: Random) -> None:
     twelve = joined(m, p)
     about.call = f"{written(twelve)}.determinant()"
     about.cause = (
-        "The translation does not change volumes. So the determinant is that of the nine numbers "
+        "The translation does not change volumes, so the determinant is that of the nine numbers "
         "without the last column."
     )
     got = Matrix4(*twelve).determinant()
@@ -175,8 +177,8 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
     small = tuple(1e-7 * number for number in drawn)
     ring = (0.0, 2.0, 0.0, 0.0, 0.0, 3.0, -5.0, 0.0, 0.0)
     listing = (
-        "A Matrix4 has only the entries 0 to 11. The book's listing also reads entry 15 (E-13), "
-        "so do not copy it."
+        "A Matrix4 has only the entries 0 to 11, but the book's listing also reads entry 15 "
+        "(E-13). Do not copy this listing."
     )
     tiny = (
         "A matrix with small numbers is not singular. Call Matrix3.inverse for the nine numbers "
@@ -264,8 +266,8 @@ def test_only_vectors_and_matrices_of_twelve() -> None:
     about.read = FIRST_LINES
     matrix, nine, three = small_pair()
     about.cause = (
-        "This argument has the wrong type. Raise TypeError for a tuple, and for a matrix or a "
-        "vector of another type."
+        "This argument has the wrong type. Raise TypeError for it, whether it is a tuple or a "
+        "matrix or vector of another type."
     )
     v = Vector3(1.0, 2.0, 3.0)
     for name, attempt, allowed in (

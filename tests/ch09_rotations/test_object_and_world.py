@@ -49,8 +49,8 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
     place, orientation = Vector3(*p), Quaternion(*q)
     about.call = f"Matrix4.from_orientation_and_position(Quaternion{q}, Vector3{p})"
     about.cause = (
-        "The first three columns are the rotation, which is Matrix3.from_quaternion(q). The last "
-        "column is the position."
+        "The first three columns are the rotation, which is Matrix3.from_quaternion(q), and the "
+        "last column is the position."
     )
     got = entries(Matrix4.from_orientation_and_position(orientation, place))
     m = matrix_of(q)
@@ -75,7 +75,10 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
     near = tuple(component * (1.0 + 5e-7) for component in q)
     orientation = Quaternion(*near)
     about.call = f"Matrix4.from_orientation_and_position(Quaternion{near}, Vector3{p})"
-    about.cause = "The length of this quaternion is close enough to 1 for is_unit(). Accept it."
+    about.cause = (
+        "The length of this quaternion is close enough to 1 for is_unit(), so accept the "
+        "quaternion."
+    )
     got = entries(Matrix4.from_orientation_and_position(orientation, place))
     expect_close(got, wanted, tolerance=1e-5)
     expect_unchanged("q", rijk(orientation), near, cause=UNCHANGED)
@@ -103,7 +106,8 @@ def test_no_matrix_of_what_is_no_orientation() -> None:
                 Quaternion(0.6000012, 0.0, 0.8000016, 0.0), p
             ),
             ValueError,
-            "The length is 1 + 2e-6. This is too far from 1 for is_unit, so refuse the quaternion.",
+            "The length of this quaternion is 1 + 2e-6, which is too far from 1 for is_unit. "
+            "Refuse the quaternion.",
         ),
         (
             "Quaternion(nan, 0, 0, 0), Vector3(1, 2, 3)",
@@ -115,13 +119,13 @@ def test_no_matrix_of_what_is_no_orientation() -> None:
             "(0.6, 0, 0.8, 0), Vector3(1, 2, 3)",
             lambda: Matrix4.from_orientation_and_position((0.6, 0.0, 0.8, 0.0), p),
             TypeError,
-            "q must be a Quaternion, and a tuple is not one. Raise TypeError.",
+            "The argument q was a tuple. Raise TypeError for anything but a Quaternion.",
         ),
         (
             "Quaternion(0.6, 0, 0.8, 0), (1, 2, 3)",
             lambda: Matrix4.from_orientation_and_position(q, (1.0, 2.0, 3.0)),
             TypeError,
-            "p must be a Vector3, and a tuple is not one. Raise TypeError.",
+            "The argument p was a tuple. Raise TypeError for anything but a Vector3.",
         ),
     ):
         about.cause = cause
@@ -151,13 +155,11 @@ def world_slips(m: Nine, p: Components, a: Components) -> dict[str, Components]:
         "the vector rotated back first and then translated back": subtracted(applied(back, a), p),
         "the vector rotated back first and then translated forward": moved(back, p, a),
         "the vector translated forward and then rotated back": applied(back, added(a, p)),
-        "This was computed with a general inverse, which is slower. It also undoes the scale of "
-        "this matrix, which is 1 + 4e-6. Subtract the translation and rotate back by the "
-        "transpose instead.": applied(inverse, subtracted(a, p)),
-        "This was computed with a general inverse, which is slower. It also undoes the scale of "
-        "this matrix, which is 1 + 4e-6. Rotate back by the transpose instead.": applied(
-            inverse, a
-        ),
+        "The result was computed with a general inverse, which is slower and also undoes the scale "
+        "of this matrix, 1 + 4e-6. Subtract the translation and rotate back by the transpose "
+        "instead.": applied(inverse, subtracted(a, p)),
+        "The result was computed with a general inverse, which is slower and also undoes the scale "
+        "of this matrix, 1 + 4e-6. Rotate back by the transpose instead.": applied(inverse, a),
     }
 
 
@@ -172,7 +174,7 @@ def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
     wanted, about.cause = {
         "transform_inverse": (
             applied(transposed(m), subtracted(a, p)),
-            "To go back, undo the steps in the opposite order. Subtract the translation first, "
+            "To go back, undo the two steps in the opposite order: subtract the translation first, "
             "and then rotate back by the transpose.",
         ),
         "transform_direction": (
@@ -206,7 +208,7 @@ def test_only_vectors_go_there_and_back(rng: Random, method: str) -> None:
         TypeError,
         call=f"{written(twelve)}.{method}({a})",
         allowed=lambda: getattr(matrix, method)(Vector3(*a)),
-        cause="The argument must be a Vector3, and a tuple is not one. Raise TypeError.",
+        cause="The argument was a tuple. Raise TypeError for anything but a Vector3.",
         read=FIRST_LINES,
     )
 
@@ -305,7 +307,8 @@ def test_a_basis_must_fit(rng: Random) -> None:
             "Matrix3(...), a Matrix3 of zeros",
             lambda: change_basis(small, flat),
             ValueError,
-            "This basis is singular, so it has no inverse. Let the error of inverse() pass.",
+            "This basis is singular, so it has no inverse. inverse() raises ValueError for it, so "
+            "let this error pass to the caller.",
         ),
     ):
         about.cause = cause

@@ -97,7 +97,9 @@ def test_no_angle_is_no_direction() -> None:
 @pytest.mark.exercise("B9.2")
 def test_the_direction_of_an_angle(rng: Random) -> None:
     about.read = "book 9.1.1, Eq. 9.1"
-    about.cause = "The direction of an angle is (cos(angle), sin(angle)). The angle is in radians."
+    about.cause = (
+        "The direction of an angle is (cos(angle), sin(angle)), where the angle is in radians."
+    )
     angle, small = positive_number(rng, 1.7, 3.0), positive_number(rng, 0.1, 1.4)
     for t in (angle, -angle, small, -small, small + 2.0 * math.tau, 0.0, 0.5 * math.pi, 4.0):
         about.call = f"angle_to_vector({t})"
@@ -118,9 +120,12 @@ def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
     start, place, turn = complex(*point), complex(*origin), cmath.rect(1.0, angle)
     ends = {
         "a clockwise rotation": place + start / turn,
-        "The point has been moved before it was rotated.": (start + place) * turn,
-        "The point has been rotated but not moved.": start * turn,
-        "The point has been moved but not rotated.": place + start,
+        "The point has been moved before it was rotated, so the position of the object has been "
+        "rotated too.": (start + place) * turn,
+        "The point has been rotated, but the position of the object has not been added.": start
+        * turn,
+        "The position of the object has been added, but the point has not been rotated.": place
+        + start,
         "This is a rotation about origin. The point is given relative to the object, so rotate it "
         "about (0, 0) first and then add origin.": place + (start - place) * turn,
         "the result for an angle in degrees": place + start * cmath.rect(1.0, math.radians(angle)),
@@ -155,7 +160,7 @@ def test_a_point_is_turned_and_then_moved(rng: Random) -> None:
         about.call = f"rotate_point(({x}, {y}), {angle}, ({across}, {up}))"
         about.cause = (
             "Rotate the point first, which gives (x cos t - y sin t, x sin t + y cos t) for an "
-            "angle t. Then add origin."
+            "angle t, and then add origin."
         )
         got = rotate_point((x, y), angle, (across, up))
         about.cause = named(got, about.cause, slips_of((x, y), angle, (across, up)))
@@ -180,12 +185,14 @@ def test_a_point_of_nothing_is_refused() -> None:
 def test_the_center_of_two_masses_is_nearer_to_the_larger() -> None:
     about("center_of_mass([6, 2], [(0, 0), (4, 8)])", read=MASS)
     about.cause = (
-        "Add up m x and m y over all masses. Then divide both sums by the sum of the masses."
+        "Add up m x and m y over all masses, and then divide both sums by the sum of the masses."
     )
     got = center_of_mass([6.0, 2.0], [(0.0, 0.0), (4.0, 8.0)])
     slips = {
-        "The sums of m x and m y have not been divided by the total mass.": (8.0, 16.0),
-        "The sums have been divided by the number of masses.": (4.0, 8.0),
+        "The sums of m x and m y have been returned as they are, without dividing them by the "
+        "total mass.": (8.0, 16.0),
+        "The sums of m x and m y have been divided by the number of masses instead of the total "
+        "mass.": (4.0, 8.0),
         "This is the mean of the positions, so the masses have been ignored.": (2.0, 4.0),
         "the result with the masses swapped": (3.0, 6.0),
     }
@@ -196,7 +203,7 @@ def test_the_center_of_two_masses_is_nearer_to_the_larger() -> None:
 def test_the_center_of_many_masses(rng: Random) -> None:
     about.read = MASS
     about.cause = (
-        "Add up m x and m y over all masses. Then divide both sums by the sum of the masses, and "
+        "Add up m x and m y over all masses, and then divide both sums by the sum of the masses, "
         "not by their number."
     )
     for count in (1, 2, 5):
@@ -237,8 +244,8 @@ def test_masses_and_positions_must_be_as_many(rng: Random) -> None:
     about.read = MASS
     m, x, y = positive_number(rng), number(rng), number(rng)
     about.cause = (
-        "There must be at least one mass and exactly one position for each mass. Raise ValueError "
-        "otherwise."
+        "These lists are not valid. There must be at least one mass and exactly one position for "
+        "each mass, so raise ValueError."
     )
     for masses, positions in (
         ([], []),

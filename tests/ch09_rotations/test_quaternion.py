@@ -30,8 +30,8 @@ def draw_four(rng: Random) -> Quad:
 @pytest.mark.exercise("B9.7")
 def test_the_length_of_four_components(rng: Random) -> None:
     about(
-        cause="The magnitude is the square root of the sum of all four squares, sqrt(r^2 + i^2 "
-        "+ j^2 + k^2).",
+        cause="The magnitude is sqrt(r^2 + i^2 + j^2 + k^2). Add up the squares of all four "
+        "components, and take the square root of the sum.",
         read=LENGTH,
     )
     about.call = "Quaternion(1, -3, 5, 1).magnitude()"
@@ -67,8 +67,8 @@ def test_near_which_length_it_is_a_turn(rng: Random) -> None:
         scaled = tuple(component * length for component in q)
         about.call = f"Quaternion{scaled}.is_unit(), of length {abs(length)}"
         about.cause = (
-            "The length must differ from 1 by no more than UNIT_TOLERANCE (1e-6), and it can be "
-            "above or below 1."
+            "A quaternion is accepted if its length differs from 1 by at most UNIT_TOLERANCE "
+            "(1e-6), whether it is above or below 1."
         )
         if 0.0 < abs(length - 1.0) < 1e-5:
             about.cause += (
@@ -96,8 +96,8 @@ def test_normalized_it_has_length_one(rng: Random) -> None:
     for q in (drawn, opposite, tuple(component * (1.0 + 5e-7) for component in near)):
         length = math.hypot(*q)
         about.cause = (
-            "Divide all four components by the length. Compute the length before you change any "
-            "of them, and use the same value for all."
+            "Compute the length before you change any component, and then divide all four "
+            "components by this same number."
         )
         quaternion = Quaternion(*q)
         about.call = f"q = Quaternion{q}; q.normalize(); q"
@@ -139,8 +139,8 @@ def test_what_is_huge_or_not_finite_is_no_turn(rng: Random) -> None:
     about.read = LENGTH
     q = draw_quad(rng)
     about.cause = (
-        "Every comparison with NaN is False. So test whether the length is near 1, instead of "
-        "testing whether it is far from 1."
+        "Every comparison with NaN is False, so a test for a length that is far from 1 does not "
+        "notice NaN. Test whether the length is near 1 instead."
     )
     for length in (math.nan, math.inf):
         scaled = tuple(component * length for component in q)
@@ -184,20 +184,20 @@ def test_the_conjugate_turns_back(rng: Random) -> None:
     quaternion = Quaternion(*q)
     about.call = f"q = Quaternion{q}; q.conjugate()"
     about.cause = (
-        "The conjugate has the same r, and the signs of i, j and k are reversed. Return it as a "
+        "The conjugate has the same r, but the signs of i, j and k are reversed. Return it as a "
         "new quaternion."
     )
     got = rijk(quaternion.conjugate())
     r, i, j, k = q
     wanted = (r, -i, -j, -k)
     slips = {
-        "All four signs have been reversed, which gives the same orientation again.": (
+        "All four signs have been reversed, which gives -q, the same orientation as q.": (
             -r,
             -i,
             -j,
             -k,
         ),
-        "The sign of r has been reversed instead of the other three signs.": (-r, i, j, k),
+        "The sign of r has been reversed instead of the signs of i, j and k.": (-r, i, j, k),
         "the original quaternion": q,
     }
     why = named(got, about.cause, slips)
@@ -215,8 +215,8 @@ def test_the_table_of_i_j_and_k() -> None:
         "k": (0.0, 0.0, 0.0, 1.0),
     }
     about.cause = (
-        "The rules are i i = -1, i j = k, j k = i and k i = j. If the factors are swapped, the "
-        "product of two different ones changes its sign."
+        "The rules are i i = j j = k k = -1, i j = k, j k = i and k i = j. If the factors are "
+        "swapped, the product of two different ones changes its sign."
     )
     products = []
     for first, a in units.items():
@@ -255,7 +255,10 @@ def test_the_product_of_any_two(rng: Random) -> None:
 def test_a_quaternion_times_a_number_is_refused(rng: Random) -> None:
     about.read = "the docstring at the top of quaternion.py"
     q = draw_four(rng)
-    about.cause = "q is not a Quaternion, so return NotImplemented. Python then raises TypeError."
+    about.cause = (
+        "The factor q is not a Quaternion, so return NotImplemented. Python then raises the "
+        "TypeError for you."
+    )
     for other in (2.0, "2", None, (1.0, 0.0, 0.0, 0.0), Vector3(1.0, 2.0, 3.0)):
         name = "Vector3(1, 2, 3)" if isinstance(other, Vector3) else repr(other)
         expect_error(

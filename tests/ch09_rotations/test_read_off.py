@@ -47,8 +47,8 @@ def test_rotation_and_position_are_read_off(rng: Random) -> None:
     matrix = Matrix4(*twelve)
     about.call = f"read_off({written(twelve)})"
     about.cause = (
-        "The first three columns are the rotation, which is a Matrix3. The last column is the "
-        "position."
+        "Return the first three columns as the rotation, a Matrix3, and the last column as the "
+        "position, a Vector3."
     )
     rotation, position = read_off(matrix)
     name = f"{about.call}, the rotation"
@@ -80,8 +80,8 @@ def test_nothing_is_read_off_what_scales(rng: Random) -> None:
     near = tuple(n * (1.0 + 4e-6) for n in m)
     about.call = f"len(read_off({written(joined(near, p))}))"
     about.cause = (
-        "The rows of this rotation have a length of 1 + 4e-6, which is_rotation() accepts. Accept "
-        "it as well."
+        "The rows of this rotation have a length of 1 + 4e-6, which is_rotation() accepts, so your "
+        "function must accept it as well."
     )
     expect_exactly(len(read_off(Matrix4(*joined(near, p)))), 2)
     about.cause = (
@@ -121,8 +121,8 @@ def test_the_easy_inverse(rng: Random) -> None:
     matrix = Matrix4(*twelve)
     about.call = f"easy_inverse({written(twelve)})"
     about.cause = (
-        "The inverse of a rotation is its transpose T. So the inverse matrix has the rotation T, "
-        "and the position -T p."
+        "The inverse of a rotation is its transpose T, so the inverse matrix consists of the "
+        "rotation T and the position -T p."
     )
     got = entries(easy_inverse(matrix))
     t = transposed(m)
@@ -171,8 +171,9 @@ def test_the_easy_inverse_divides_by_nothing(rng: Random) -> None:
         twelve = joined(linear, p)
         about.call = f"easy_inverse({written(twelve)}), which is not a rotation"
         about.cause = (
-            "This matrix is not a rotation, but easy_inverse must not check that. Always use the "
-            "transpose. A general inverse would divide by the determinant and give another result."
+            "This matrix is not a rotation, but easy_inverse must not check that and must always "
+            "use the transpose. Perhaps you used a general inverse, which divides by the "
+            "determinant and gives another result."
         )
         got = entries(easy_inverse(Matrix4(*twelve)))
         x, y, z = applied(transposed(linear), p)
@@ -189,8 +190,8 @@ def test_the_easy_inverse_undoes_a_motion(rng: Random) -> None:
     there = moved(m, p, a)
     about.call = f"m = {written(twelve)}; easy_inverse(m) @ (m @ Vector3{a})"
     about.cause = (
-        "The inverse undoes the steps in the opposite order. It subtracts the position first, and "
-        "then rotates back."
+        "The inverse undoes the two steps in the opposite order, so it subtracts the position "
+        "first and then rotates back."
     )
     got = entries(easy_inverse(Matrix4(*twelve)))
     if isinstance(got, tuple) and len(got) == 12:

@@ -56,7 +56,7 @@ def expect_rotation(m: Nine, wanted: bool) -> None:
 def test_rotations_are_known(rng: Random) -> None:
     about.cause = (
         "The rows have length 1, they are at right angles to each other, and they are "
-        "right-handed. This is a rotation, so return True."
+        "right-handed, so this matrix is a rotation. Return True."
     )
     expect_rotation(IDENTITY, True)
     about.cause += (
@@ -96,8 +96,8 @@ def test_what_is_no_rotation(rng: Random) -> None:
     for scale in (-1.0, -1.0 - 4e-6, 4e-6 - 1.0):
         expect_rotation(tuple(scale * number for number in m), False)
     about.cause = (
-        "This matrix shears, so it is not a rotation. Its rows have length 1, but they are not at "
-        "right angles, so check their scalar products, too."
+        "This matrix shears, so it is not a rotation. Its rows have length 1 but are not at right "
+        "angles to each other, so check the scalar products of different rows too."
     )
     s, t = math.sin(0.3), math.cos(0.3)
     for n in (
@@ -112,8 +112,8 @@ def test_what_is_no_rotation(rng: Random) -> None:
 def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
     m = draw_slight_turn(rng)
     limit = (
-        "The scalar products of the rows may differ from 1 and 0 by up to ROTATION_TOLERANCE "
-        "(1e-5)."
+        "Compare the scalar products of the rows with 1 and 0, and accept differences of up to "
+        "ROTATION_TOLERANCE (1e-5)."
     )
     for scale, wanted in ((4e-6, True), (-4e-6, True), (7e-6, False), (-7e-6, False)):
         about.cause = (
@@ -143,8 +143,8 @@ def test_what_is_huge_is_no_rotation(rng: Random) -> None:
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_what_is_not_finite_is_no_rotation(bad: float) -> None:
     about.cause = (
-        "Every comparison with NaN is False. So test whether each product is close enough, "
-        "instead of testing whether it is too far off."
+        "Every comparison with NaN is False, so a test for products that are too far off does not "
+        "notice NaN. Test whether each product is close enough instead."
     )
     for place in range(9):
         m = [*IDENTITY]
@@ -171,7 +171,10 @@ def from_slips(q: Quad) -> dict[str, Nine]:
 def test_ninety_degrees_about_each_axis() -> None:
     about.read = FROM
     half = math.sqrt(0.5)
-    about.cause = "The columns of the matrix are the rotated axes X, Y and Z."
+    about.cause = (
+        "The columns of the matrix are the axes X, Y and Z after the rotation. Compare each "
+        "column with the axis that it should be."
+    )
     for q, axes, wanted in (
         ((half, half, 0.0, 0.0), "X", (1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0)),
         ((half, 0.0, half, 0.0), "Y", (0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, 0.0, 0.0)),
@@ -221,7 +224,7 @@ def test_no_matrix_of_what_is_no_turn(rng: Random) -> None:
             call=f"Matrix3.from_quaternion(q) for a q of length {length}",
             allowed=lambda: [of_length(1.0 + 5e-7), of_length(1.0 - 5e-7)],
         )
-    about.cause = "The argument must be a Quaternion, and a tuple is not one. Raise TypeError."
+    about.cause = "The argument was a tuple. Raise TypeError for anything but a Quaternion."
     expect_error(
         lambda: Matrix3.from_quaternion(q),
         TypeError,
@@ -246,8 +249,8 @@ def expect_back(q: Quad) -> None:
     got = same_sign(rijk(Matrix3(*m).to_quaternion()), q)
     r, i, j, k = q
     slips = {
-        "Either the sign of r is wrong, or the signs of i, j and k are.": (-r, i, j, k),
-        "All components are positive, so their signs have been lost.": [
+        "Either the sign of r is wrong, or the signs of i, j and k are wrong.": (-r, i, j, k),
+        "All four components are positive, so their signs have been lost in a square root.": [
             abs(component) for component in q
         ],
         "twice the quaternion": [2.0 * component for component in q],
@@ -259,8 +262,8 @@ def expect_back(q: Quad) -> None:
     # If r is nearly 0, the conjugate cannot be told apart from the right result.
     slips = {name: same_sign(tuple(slip), q) for name, slip in slips.items() if abs(r) > 1e-6}
     signs = (
-        "The signs come from the numbers on both sides of the diagonal. They are h - f = 4 i r, c "
-        "- g = 4 j r and d - b = 4 k r."
+        "The signs of the components come from the numbers on both sides of the diagonal, because "
+        "h - f = 4 i r, c - g = 4 j r and d - b = 4 k r."
     )
     why = named(got, signs, slips)
     if why != signs:
@@ -341,7 +344,8 @@ def test_only_a_rotation_has_a_quaternion(rng: Random) -> None:
     about.read = TO
     m = draw_slight_turn(rng)
     about.cause = (
-        "This matrix is not a rotation, so it has no quaternion. Call is_rotation() first."
+        "This matrix is not a rotation, so no quaternion represents it. Call is_rotation() first, "
+        "and raise ValueError if it returns False."
     )
     for n in (
         tuple(2.0 * number for number in m),

@@ -112,7 +112,9 @@ def offset_slips(stones: Stones, angle: float) -> dict[str, float]:
     half = 0.5 * math.fsum(mass for _, mass in sides)
     offset = next(side for (side, _), mass in zip(sides, passed, strict=True) if mass >= half)
     return {
-        "This offset is measured to the right instead of the left.": -left_of(center, angle),
+        "This offset is measured to the right instead of the left, so its sign is wrong.": -left_of(
+            center, angle
+        ),
         "This distance is measured along the edge instead of to the left of it.": left_of(
             center, angle - 0.5 * math.pi
         ),
@@ -134,7 +136,8 @@ def test_where_the_edge_must_lie(rng: Random) -> None:
     why = named(got, about.cause, offset_slips(stones, 0.0))
     expect_close(got, middle(stones).imag, cause=why, tolerance=TIGHT)
     about.cause = (
-        "The offset is the scalar product of the center of mass and (-sin(angle), cos(angle))."
+        "The offset is measured to the left of the edge, so it is the scalar product of the center "
+        "of mass and (-sin(angle), cos(angle))."
     )
     small, large = positive_number(rng, 0.3, 1.4), positive_number(rng, 1.7, 3.0)
     for angle in (0.5 * math.pi, small, -small, large, -large, large + math.tau):
@@ -151,8 +154,8 @@ def test_it_balances_though_the_masses_differ() -> None:
     stones = [("near and heavy", 3.0, 0.2, 0.4), ("far and light", 1.0, 0.6, 0.8)]
     about.call = f"masses_beside({stones}, 0)"
     about.cause = (
-        "The edge is at y = 0.5. On its left, where y is larger, there is 1 kg. On its right "
-        "there are 3 kg."
+        "The edge is at y = 0.5. There is 1 kg on its left, where y is larger, and 3 kg on its "
+        "right."
     )
     got = masses_beside(stones, 0.0)
     slips = {
@@ -168,7 +171,7 @@ def test_it_balances_though_the_masses_differ() -> None:
     expect_close(got, (1.0, 3.0), cause=why, tolerance=TIGHT)
     about.call = f"masses_beside({stones}, pi / 2)"
     about.cause = (
-        "The edge is at x = 0.3. It is parallel to Y, so stones with a smaller x are on its left."
+        "The edge is at x = 0.3 and is parallel to Y, so stones with a smaller x are on its left."
     )
     got = masses_beside(stones, 0.5 * math.pi)
     expect_close(got, (3.0, 1.0), tolerance=TIGHT)
@@ -257,8 +260,8 @@ def test_a_box_of_nothing_has_no_center(rng: Random) -> None:
         ("masses_beside", masses_beside, (0.3,)),
     )
     about.cause = (
-        "These stones have no center of mass. Call center_of_mass for all of them, which raises "
-        "the error."
+        "These stones have no center of mass. Pass all of them to center_of_mass, which raises the "
+        "error for you."
     )
     for name, function, more in calls:
         for stones in (
@@ -275,7 +278,10 @@ def test_a_box_of_nothing_has_no_center(rng: Random) -> None:
                 allowed=lambda function=function, more=more: function(good, *more),
                 read=f"the docstring of {name}",
             )
-    about.cause = "The angle must be finite. Check it with finite from arguments.py."
+    about.cause = (
+        "The angle must be finite. Check it with finite from arguments.py, which raises the "
+        "ValueError for you."
+    )
     for name, function, _ in calls[1:]:
         for angle in (math.nan, math.inf):
             expect_error(
@@ -299,7 +305,10 @@ def test_your_own_stones() -> None:
         "your stones.csv: the number of lines, of which at most 4 count (three stones and the box)"
     )
     expect_exactly(min(len(stones), 4), 4, call=name)
-    about.cause = "Some stones have the same position. Measure the position of each stone."
+    about.cause = (
+        "Some stones in your file have the same position, which is not possible in a box. "
+        "Measure the position of each stone separately."
+    )
     places = {(x, y) for _, _, x, y in stones}
     name = "your stones.csv: the number of different positions, of which at most 3 count"
     expect_exactly(min(len(places), 3), 3, call=name)

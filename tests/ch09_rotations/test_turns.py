@@ -52,7 +52,7 @@ def make_slips(axis: Components, angle: float) -> dict[str, Quad]:
         "The axis has not been normalized.": (cosine, *(c * sine for c in axis)),
         "the result for an angle in degrees": quad(axis, math.radians(angle)),
         "the result with sine and cosine swapped": (sine, *(c / length * cosine for c in axis)),
-        "The axis has not been multiplied by the sine.": (
+        "The axis has been used as it is, without multiplying it by the sine.": (
             cosine,
             *(c / length for c in axis),
         ),
@@ -64,7 +64,7 @@ def make_slips(axis: Components, angle: float) -> dict[str, Quad]:
 def test_the_quaternion_of_axis_and_angle(rng: Random) -> None:
     about("Quaternion.from_axis_angle(Vector3(1, 2, 3), 1.2)", read=MAKE)
     about.cause = (
-        "The scalar part is cos(angle / 2). The vector part is the normalized axis times "
+        "The scalar part is cos(angle / 2), and the vector part is the normalized axis times "
         "sin(angle / 2)."
     )
     got = rijk(Quaternion.from_axis_angle(Vector3(1.0, 2.0, 3.0), 1.2))
@@ -98,7 +98,7 @@ def expect_any_length(rng: Random, scale: float, cause: str) -> None:
 
 @pytest.mark.exercise("B9.9")
 def test_the_length_of_the_axis_does_not_matter(rng: Random) -> None:
-    expect_any_length(rng, 1e-3, "The axis was changed. Normalize a copy of it instead.")
+    expect_any_length(rng, 1e-3, "The call has changed the axis. Normalize a copy of it instead.")
 
 
 @pytest.mark.exercise("B9.9")
@@ -126,15 +126,15 @@ def test_no_axis_or_no_angle_is_refused() -> None:
     ):
         about.call = f"Quaternion.from_axis_angle(Vector3{axis}, {angle!r})"
         about.cause = (
-            "A zero axis has no direction, so refuse it. Check the rest with finite_vector and "
-            "finite from arguments.py."
+            "A zero axis has no direction, and all numbers must be finite. Raise ValueError for a "
+            "zero axis, and check the arguments with finite_vector and finite from arguments.py."
         )
         expect_error(
             lambda axis=axis, angle=angle: Quaternion.from_axis_angle(Vector3(*axis), angle),
             error,
             allowed=lambda: Quaternion.from_axis_angle(Vector3(0.0, 1.0, 1.0), 1.0),
         )
-    about.cause = "The axis must be a Vector3, and a tuple is not one. Raise TypeError."
+    about.cause = "The axis was a tuple. Raise TypeError for anything but a Vector3."
     expect_error(
         lambda: Quaternion.from_axis_angle((0.0, 1.0, 1.0), 1.0),
         TypeError,
@@ -171,7 +171,9 @@ def expect_small_turn(unit: Components, small: float) -> None:
 @pytest.mark.exercise("B9.9", weight=2)
 def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
     about.read = BACK
-    about.cause = "The angle is 2 atan2(|(i, j, k)|, |r|). The axis is (i, j, k), normalized."
+    about.cause = (
+        "The angle is 2 atan2(|(i, j, k)|, |r|), and the axis is the normalized (i, j, k)."
+    )
     for sign in (1.0, -1.0, 1.0 + 1e-14):  # the last is a length after rounding
         axis, angle = draw_turn(rng)
         length = math.hypot(*axis)
@@ -341,8 +343,8 @@ def test_a_vector_is_turned(rng: Random) -> None:
     half = math.sqrt(0.5)
     about.call = f"Quaternion({half}, 0, 0, {half}).rotate(Vector3(1, 0, 0)), 90 degrees about Z"
     about.cause = (
-        "The result is q (0, v) q*, where q* is the conjugate. A rotation by 90 degrees about Z "
-        "takes X to Y."
+        "The result must be q (0, v) q*, where q* is the conjugate of q. This rotation by 90 "
+        "degrees about Z takes X to Y."
     )
     got = xyz(Quaternion(half, 0.0, 0.0, half).rotate(Vector3(1.0, 0.0, 0.0)))
     why = named(got, about.cause, rotate_slips((half, 0.0, 0.0, half), (1.0, 0.0, 0.0)))

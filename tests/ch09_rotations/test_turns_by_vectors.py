@@ -69,8 +69,8 @@ def test_a_quaternion_is_turned_on_by_a_vector(rng: Random) -> None:
     about.read = BY_VECTOR
     about.cause = (
         "The length of the vector is the angle, and its direction is the axis. Make a rotation "
-        "from both with from_axis_angle, and multiply it by q. The axis is the world's, so the "
-        "rotation belongs on the left."
+        "from both with from_axis_angle, and multiply it by q. The axis is in world axes, so the "
+        "rotation belongs on the left of q."
     )
     for size in (0.3, 1.0, 9.0):
         q, a = draw_quad(rng), tuple(size * component for component in components(rng))
@@ -92,8 +92,8 @@ def test_a_quaternion_is_turned_on_by_a_vector(rng: Random) -> None:
 def test_a_steady_turn_is_exact_in_any_parts() -> None:
     about.read = BY_VECTOR
     about.cause = (
-        "Each of the parts must be an exact rotation by the length of its vector. Then all parts "
-        "together give the same result, no matter how many there are."
+        "Each of the parts must be an exact rotation by the length of its vector, so that all "
+        "parts together give the same result, no matter how many there are."
     )
     for parts in (1, 7, 100):
         about.call = f"{parts} times q.rotate_by(Vector3(0.3, -0.5, 0.8) * 2 / {parts}), from "
@@ -126,7 +126,10 @@ def test_turned_on_by_next_to_nothing(rng: Random) -> None:
     q = draw_quad(rng)
     quaternion = Quaternion(*q)
     about.call = f"q = Quaternion{q}; q.rotate_by(Vector3(0, 0, 0)); q"
-    about.cause = "A zero vector has no direction, so it must not rotate anything."
+    about.cause = (
+        "The vector is zero, so it has no direction and the angle is 0. The quaternion must not "
+        "change."
+    )
     quaternion.rotate_by(Vector3(0.0, 0.0, 0.0))
     # Normalizing at the end causes a rounding error here.
     expect_close(rijk(quaternion), q, tolerance=TIGHT)
@@ -147,11 +150,12 @@ def add_slips(q: Quad, a: Components, scale: float) -> dict[str, Quad]:
         in_turn[place] += 0.5 * scale * hamilton((0.0, *a), in_turn)[place]
     return {
         "The factor 1/2 of Eq. 9.5 is missing from this step.": stepped(q, left, scale),
-        "The scale is missing from this step.": stepped(q, left, 0.5),
+        "The vector has not been multiplied by the scale in this step.": stepped(q, left, 0.5),
         "The factors are in the wrong order, so the step rotates about an axis of the object and "
         "not of the world.": stepped(q, right, 0.5 * scale),
         "The result has been normalized. The step of Eq. 9.5 changes the length a little (E-31), "
-        "but add_scaled must not correct this.": unit(stepped(q, left, 0.5 * scale)),
+        "but the exercises measure this error, so add_scaled must not correct "
+        "it.": unit(stepped(q, left, 0.5 * scale)),
         "This is the exact rotation that rotate_by makes. Here you must make the first-order step "
         "of Eq. 9.5, which adds scale/2 times (0, vector) q to q.": hamilton(
             quad(a, scale * math.hypot(*a)), q
@@ -160,7 +164,9 @@ def add_slips(q: Quad, a: Components, scale: float) -> dict[str, Quad]:
         "the old q before you assign them.": in_turn,
         "The old q is missing from the result. Add the change to the components of q instead of "
         "replacing them.": stepped((0.0, 0.0, 0.0, 0.0), left, 0.5 * scale),
-        "(0, vector) has not been multiplied by q.": stepped(q, (0.0, *a), 0.5 * scale),
+        "The change consists of (0, vector) alone, which has not been multiplied by q.": stepped(
+            q, (0.0, *a), 0.5 * scale
+        ),
         "The quaternion has not changed. Change its components in place, because a new quaternion "
         "would be lost.": q,
     }
@@ -196,8 +202,8 @@ def test_turned_by_what_is_no_vector(rng: Random, method: str) -> None:
     about.read = f"the docstring of {method}"
     q, scale = draw_quad(rng), positive_number(rng)
     about.cause = (
-        "Check the arguments before you change anything. Use finite_vector and finite from "
-        "arguments.py."
+        "The vector and the scale must be finite. Check them with finite_vector and finite from "
+        "arguments.py before you change anything."
     )
     good = (0.0, 1.0, 1.0)
     bad = [((0.0, n, 1.0), scale, ValueError) for n in (math.nan, math.inf)]
@@ -225,6 +231,6 @@ def test_turned_by_what_is_no_vector(rng: Random, method: str) -> None:
         TypeError,
         call=f"Quaternion{q}.{method}({shown})",
         allowed=lambda: use(Quaternion(*q), Vector3(*good), scale),
-        cause="The vector must be a Vector3, and a tuple is not one. Raise TypeError.",
+        cause="The argument was a tuple. Raise TypeError for anything but a Vector3.",
         read=FIRST_LINES,
     )

@@ -25,9 +25,9 @@ from autograder.message import ExpectationError, Message
 # 1e-16 of the numbers involved. A limit a thousand times as large still catches a wrong formula.
 ROUNDING = 1e-13
 NAN = (
-    "A NaN passed the check of the argument. Every comparison with NaN is False, so x <= 0 does "
-    "not catch NaN. Test for the valid range, such as 0.0 < x < math.inf, or use the functions in "
-    "arguments.py."
+    "Your check of the argument let a NaN pass. Every comparison with NaN is False, so a test such "
+    "as x <= 0 does not catch it. Test for the valid range instead, such as 0.0 < x < math.inf, or "
+    "use the functions in arguments.py."
 )
 UNCHANGED = "The call changed a value that it should only read. Work on a copy or on plain numbers."
 LOST = (
@@ -193,8 +193,8 @@ def expect_finite_numbers(
     """
     __tracebackhide__ = True
     cause = (
-        "The function must refuse this value with ValueError. Each function in arguments.py checks "
-        "one argument."
+        "This value is not valid, so the function must raise ValueError. The functions in "
+        "arguments.py check an argument and raise this error for you."
     )
     numbers = [(i, n) for i in range(len(good)) for n in (math.nan, math.inf, -math.inf)]
     refused = [(place, n, ValueError) for place, n in (*numbers, *bad)]
@@ -202,7 +202,7 @@ def expect_finite_numbers(
     for place, value, error in refused:
         if error is TypeError:
             cause = (
-                "A string is not a number, even if it contains digits. The function must raise "
+                "A string is not a number, even if it contains digits, so the function must raise "
                 "TypeError for it."
             )
         arguments = [*good]
@@ -223,7 +223,7 @@ def expect_same_object(made: str, step: str, v: Any, before: Any) -> None:
     before.x = 99.0
     about(
         f"{made}; w = v; {step}; w.x = 99.0; v.x",
-        cause="v and w were the same vector, and now they are two. Change self.x, self.y and "
+        cause="v and w were the same vector, but now v is a new one. Change self.x, self.y and "
         "self.z, and end with return self, instead of creating a new vector.",
     )
     expect_close(v.x, 99.0)

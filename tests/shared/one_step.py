@@ -74,8 +74,8 @@ def wrong_steps(
                 x + (v + new) * h,
                 new,
             ),
-            "Your position moves with the mean of v and v'. Semi-implicit Euler moves it with the "
-            "new velocity v' alone.": (
+            "Your position moves with the mean of v and v', but semi-implicit Euler moves it with "
+            "the new velocity v' alone.": (
                 x + 0.5 * (v + new) * h,
                 new,
             ),
@@ -110,17 +110,18 @@ def wrong_steps(
         half, whole = x + v * h + 0.5 * first * h * h, x + v * h + first * h * h
         second, later = force(half, v + first * h), force(whole, v + first * h)
         return {
-            "Your position contains a h^2 instead of a h^2 / 2. Halve that term.": (
+            "Your position contains the term a h^2. The velocity reaches v + a h only at the end "
+            "of the step, so on average just half of it counts, and the term must be a h^2 / 2.": (
                 whole,
                 (v + 0.5 * (first + later) * h) * keep,
             ),
-            "Your velocity is v' = v + b h, which uses only the acceleration at the end. Use the "
-            "mean of a and b.": (
+            "Your velocity is v' = v + b h, which uses only the acceleration at the end of the "
+            "step. Use the mean of both accelerations, a and b, instead.": (
                 half,
                 (v + second * h) * keep,
             ),
-            "Your velocity changes by the sum of the forces from both evaluations. Use their "
-            "mean.": (
+            "Your velocity changes by the sum of the forces from both evaluations, which is twice "
+            "as much as it should be. Use their mean instead.": (
                 half,
                 (v + (first + second - a) * h) * keep,
             ),
@@ -138,10 +139,9 @@ def wrong_steps(
     if method == "runge_kutta_4":
         parts = (0.0, 0.5, 0.5, 1.0)
         return {
-            "All rates count the same here. The two in the middle must count double.": mean_of(
-                (1.0, 1.0, 1.0, 1.0), parts
-            ),
-            "In your mean the first and the last rate count double. Only the two in the middle "
+            "All four rates count the same in your mean, but the two in the middle must count "
+            "double.": mean_of((1.0, 1.0, 1.0, 1.0), parts),
+            "In your mean the first and the last rate count double, but only the two in the middle "
             "should.": mean_of((2.0, 1.0, 1.0, 2.0), parts),
             "Your third rate is evaluated at the end of the step. Evaluate it in the middle, with "
             "the second rate.": mean_of((1.0, 2.0, 2.0, 1.0), (0.0, 0.5, 1.0, 1.0)),

@@ -220,8 +220,8 @@ def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
     found = {frozenset(pair) for pair in seen}
     if len(found) < len(seen):
         about.cause = "The same pair was returned twice, perhaps once for each of its particles or "
-        about.cause += "cells. Return each pair only once, because otherwise its impulse would "
-        about.cause += "act twice."
+        about.cause += "cells. Return each pair only once, because a second contact costs the "
+        about.cause += "resolver time and changes nothing."
     elif missing := [pair for pair in pairs if frozenset(pair) not in found]:
         about.cause = f"The contact of the pair {missing[0]} is missing. {about.cause}"
     elif len(seen) > len(pairs):

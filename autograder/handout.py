@@ -91,7 +91,8 @@ def make_handout(
     finally:
         shutil.rmtree(part, ignore_errors=True)
     print(f"as stubs: {', '.join(chapter.name for chapter in chapters)}")
-    print(f"given complete: {', '.join(chapter.name for chapter in given) or 'none'}")
+    if given:
+        print(f"given complete: {', '.join(chapter.name for chapter in given)}")
     there = [chapter.name for chapter in [*chapters, *given]]
     below = [other for chapter in chapters for other in chapters_below(chapter, root)]
     if missing := sorted({other.name for other in below if other.name not in there}):

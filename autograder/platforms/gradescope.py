@@ -63,8 +63,10 @@ def make_gradescope(
     contents["assignment.json"] = (json.dumps(settings) + "\n").encode()
     replace_bytes(out, _zipped(contents))
     print(f"graded: {_names(chapters)}")
-    print(f"given complete: {_names(given)}")
-    print(f"with the reference of: {_names(reference)}")
+    if given:
+        print(f"given complete: {_names(given)}")
+    if reference:
+        print(f"with the reference of: {_names(reference)}")
     print(f"points of the assignment, including written answers: {shown(possible(exercises))}")
     print(f"autograder: {out}, {len(contents)} files, {out.stat().st_size:,} bytes")
 

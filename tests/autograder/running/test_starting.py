@@ -22,8 +22,14 @@ def hang() -> NoReturn:
     raise TimeoutError("hangs")
 
 
+def state_of(process: int) -> list[str]:
+    """Return what Linux says about a process: its state, its parent and more."""
+    text = Path(f"/proc/{process}/stat").read_text(encoding="utf-8")
+    return text.rpartition(")")[2].split()
+
+
 def parent_of(process: int) -> int:
-    return int(Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[1])
+    return int(state_of(process)[1])
 
 
 def is_running(process: int) -> bool:
@@ -83,7 +89,7 @@ def test_the_waiting_process_ends_with_the_last_one_that_could_order(
     waiting.close()
     for _ in range(100):
         # This process was its parent, so what is left of it until we wait is a zombie.
-        if Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0] == "Z":
+        if state_of(process)[0] == "Z":
             break
         time.sleep(0.01)
     else:

@@ -255,7 +255,7 @@ def test_the_index_counts_who_passes_of_those_who_could_be_graded(tmp_path: Path
 def test_a_median_above_the_points_is_explained(tmp_path: Path) -> None:
     """Extra credit counts in a score, but not in the points that can be reached."""
     index = index_page(tmp_path, replace(report_of(), score=12.0))
-    assert "Median score 12 of 11 , with extra credit" in index.text
+    assert "Median score 12 of 11, with extra credit" in index.text
     assert "with extra credit" not in index_page(tmp_path, report_of()).text
 
 

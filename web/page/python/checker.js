@@ -3,19 +3,21 @@
 
 const MORE = 1; // s of grace after the limit of a check, for a loop that Python cannot interrupt
 const SILENCE = 10; // s of grace without a report between two checks
+const LONG = 700; // ms; a check that takes longer may have a loop that does not end
 const CRASHED = -11; // the exit code of a process that has overrun its stack
 const nothing = () => undefined;
 
 // Return the report on a request. `next` returns a promise of the interpreter to continue with.
 // `onProgress` is called with the number of finished checks and of all checks. `onTrouble` is called with
 // a failure that is known early: a check that did not end, or one found before earlier chapters are checked.
-export async function runChecks(asked, next, {onProgress = nothing, onTrouble = nothing}) {
+// `onLong` is called when a single check takes long, so that another interpreter will probably be needed.
+export async function runChecks(asked, next, {onProgress = nothing, onTrouble = nothing, onLong = nothing}) {
   const past = [];
   const first = (failure) => {
     onTrouble(failure);
     hear.onTrouble = nothing;
   };
-  const hear = {onProgress, onTrouble: first};
+  const hear = {onProgress, onTrouble: first, onLong};
   for (;;) {
     const interpreter = await next();
     const end = await attempt(interpreter, asked, past, hear);
@@ -35,8 +37,13 @@ function attempt(interpreter, asked, past, hear) {
   return new Promise((resolve) => {
     let process = null;
     let timer = null;
-    const close = (how) => {
+    let long = null;
+    const stopClocks = () => {
       clearTimeout(timer);
+      clearTimeout(long);
+    };
+    const close = (how) => {
+      stopClocks();
       if (!process) return;
       const {run, lines, left, begun} = process;
       const seconds = (performance.now() - begun) / 1000;
@@ -51,7 +58,7 @@ function attempt(interpreter, asked, past, hear) {
       resolve({...end, during});
     };
     const wait = (more) => {
-      clearTimeout(timer);
+      stopClocks();
       timer = setTimeout(() => finish({kind: "silent"}, {silent: true}), 1000 * (process.limit + more));
     };
     const takes = {
@@ -62,6 +69,7 @@ function attempt(interpreter, asked, past, hear) {
       event: ({line}) => {
         process.lines.push(line);
         wait(isBegun(line) ? MORE : SILENCE);
+        if (isBegun(line)) long = setTimeout(hear.onLong, LONG);
       },
       ended: () => close({}),
       progress: ({done, of}) => hear.onProgress(done, of),

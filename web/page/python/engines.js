@@ -1,6 +1,6 @@
 // The engines of a page: workers that run Python. One runs checks, one plays scenes when the reader opens
 // one, and one more is kept warm to replace a worker that has to be ended. That one starts when the page
-// has been quiet for a while, so that it does not slow down the first check, or when a check takes long.
+// has been quiet for a while, so that it does not slow down the first check, or when a single check takes long.
 //
 //   const engines = new Engines({base, worker});  the addresses of the site's folder and of worker.js
 //   engines.start();        start Python; the first call of check or lab does so as well
@@ -13,7 +13,6 @@ import {Interpreter} from "./interpreter.js";
 import {Scenes} from "./scenes.js";
 
 const QUIET = 5000; // ms
-const LONG = 700; // ms; a check with a loop that does not end is ended after three seconds
 
 export class Engines {
   constructor({base, worker = new URL("worker.js", base)}) {
@@ -32,12 +31,13 @@ export class Engines {
 
   check({files, chapter, exercise = null, given = [], seed = "1", ...hear}) {
     const asked = {files, chapter, exercise, given, seed};
+    const onLong = () => this.warmUpIn(0);
     const next = async () => {
       const interpreter = await this.forChecks();
-      this.warmUpIn(LONG);
+      clearTimeout(this.later); // the page is not quiet
       return interpreter;
     };
-    const report = this.turn.then(() => runChecks(asked, next, hear));
+    const report = this.turn.then(() => runChecks(asked, next, {...hear, onLong}));
     this.turn = report.catch(() => undefined).then(() => this.warmUpIn(QUIET));
     return report;
   }

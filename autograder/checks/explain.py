@@ -1,4 +1,4 @@
-"""Explain an error in a student's code, and suggest what to do about it."""
+"""Explain an error in a student's code, and suggest how to fix it."""
 
 from __future__ import annotations
 
@@ -156,13 +156,12 @@ def explain_exception(
     """Build the message for a check that ended with an exception.
 
     If an expectation was not met, the exception already carries its message. For any other
-    exception, the message shows the call that the check made, the exception, the student's line,
-    and a likely mistake. If we recognize Python's error, we know which mistake this is. Otherwise
-    we show the one that the check suggests.
+    exception, the message shows the call that the check made, the exception, the student's line and
+    a likely mistake: the one behind Python's error if we recognize it, and otherwise the one that
+    the check suggests.
 
     ``complete`` lists modules that the student calls but did not write, such as
-    ch02_vectors/arguments.py. An exception that was raised in a worker process has the attribute
-    ``fault``.
+    ch02_vectors/arguments.py. An exception from a worker process has the attribute ``fault``.
     """
     fault = getattr(error, "fault", None) or fault_of(error, engine_folders)
     written = [frame for frame in fault.frames if not _is_given(frame, complete)]
@@ -198,7 +197,7 @@ def explain_import(
     """Build the message that tells a student why a module cannot be imported.
 
     ``complete`` lists the modules that the student did not write. The message never points to a
-    line in one of these.
+    line in one of them.
     """
     file = file_of(module)
     if fault.missing_module == module:
@@ -223,7 +222,7 @@ def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> M
     """Build the message for a check that ran out of time.
 
     ``stack`` is the stack trace that the process wrote to a file. The student's code can write to
-    the same file, so we must be prepared to find anything in it.
+    that file too, so the trace may contain anything.
     """
     hung = Message(
         f"{Kind.HUNG.value} within {time_limit:g} seconds. Is there an endless loop?",
@@ -241,7 +240,7 @@ def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> M
 
 
 def _unescaped(text: str) -> str:
-    """Decode the escapes that Python uses for special characters when it writes a stack trace."""
+    """Decode the escape sequences that Python puts in a stack trace for special characters."""
     return ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), text)
 
 
@@ -255,24 +254,24 @@ def _likely(text: str, cause: str, fault: Fault) -> tuple[str, str]:
 
 
 def slip_of(text: str) -> str:
-    """Explain a common mistake in Python, which we recognize by the text of the exception.
+    """Explain a common Python mistake, recognized by the text of its exception.
 
-    If we do not know the mistake, return an empty string.
+    Return an empty string if the mistake is unknown.
     """
     return next((slip for sign, slip in SLIPS if sign in text), "")
 
 
 def _is_given(place: Place, complete: Sequence[str]) -> bool:
-    """Return whether the student did not write the code at ``place``.
+    """Return whether the code at ``place`` is not the student's own.
 
-    If such code raises an error, the mistake must be in the code that called it. Students never
-    write a constructor, so a constructor that rejects its arguments counts as given code too.
+    If such code raises an error, the mistake is in whatever called it. Students never write
+    constructors, so a constructor that rejects its arguments also counts as given.
     """
     return place.function in ("__init__", "__setattr__") or place.file in complete
 
 
 def _with_source(place: Place, engine_folders: list[Path]) -> Place:
-    """Add the source line to ``place``, which we read from the first folder that has the file."""
+    """Add the source line to ``place``, read from the first folder that has the file."""
     for folder in engine_folders:
         file = folder / place.file
         if file.is_file():

@@ -1,4 +1,4 @@
-"""Start a template, by forking a process that waits for orders or as a new Python process.
+"""Start a template, either as a fork of a waiting process or as a new Python process.
 
 A new Python process needs 70 ms to start and to import what a template needs. A grader starts one
 template for each chapter and submission, so it keeps a process that has already imported these

@@ -1,4 +1,4 @@
-"""Show a written exercise: first the question and, once it is answered, the model answer too."""
+"""Show a written exercise: the question and, once it is answered, the model answer too."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ def print_written(
 ) -> None:
     """Print the question of a written exercise and, once it is answered, the model answer.
 
-    The rubric follows, so that students can judge their own answer. A hand-out contains neither the
-    model answer nor the rubric, since both are meant for the instructor only.
+    The rubric follows, so that students can judge their own answers. A hand-out contains neither
+    the model answer nor the rubric, which are for the instructor only.
     """
     question = next(q for q in questions_of(chapter, engine) if q.exercise == exercise)
     points = "1 point" if exercise.points == 1 else f"{shown(exercise.points)} points"
@@ -49,7 +49,7 @@ def print_written(
 
 
 def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
-    """Say which questions are open and where to answer them. Without any, return ""."""
+    """Say which questions are open and where to answer them, or return "" if there are none."""
     groups = [
         open_ones
         for chapter in chapters
@@ -63,7 +63,7 @@ def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
 
 
 def all_pass(chapters: list[Chapter], engine: list[Path], on_given: str = "") -> str:
-    """Return the sentence that says that all checks pass, and which questions are still open."""
+    """Return the sentence that says that all checks pass, with the questions still open."""
     still = open_questions(chapters, engine)
     optional = any(exercise.optional for chapter in chapters for exercise in chapter.exercises)
     which = "All checks of the assigned exercises" if optional else "All checks"
@@ -84,10 +84,10 @@ def _ids(questions: list[Question]) -> list[str]:
 
 
 def flowing(text: str) -> str:
-    """Join the lines of each paragraph and list item, so that the text fits a screen of any width.
+    """Join the lines of each paragraph and list item, so that the text fits any screen width.
 
-    Markdown's marks for quotations are removed. Indented lines, such as formulas, stay as they are,
-    and a text that contains blocks of code does not change at all.
+    Markdown's quotation marks (>) are removed. Indented lines, such as formulas, stay as they are,
+    and a text with code blocks does not change at all.
     """
     text = re.sub(r"(?m)^> ?", "", text)
     if "```" in text:

@@ -67,7 +67,9 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
             "--engine", default="chapters", help="folder that contains the chapters to check"
         )
         command.add_argument("--given", default="", help="chapters to take from the reference")
-        command.add_argument("--seed", default="1", help="seed of the random numbers in the checks")
+        command.add_argument(
+            "--seed", default="1", help="seed for the random numbers in the checks"
+        )
 
     command = commands.add_parser("hint", help="show hints for an exercise")
     command.add_argument("exercise", help="the exercise, such as 2.5 or B2.3")
@@ -129,7 +131,8 @@ def run_hint(arguments: argparse.Namespace) -> int:
         print(f"  {number}. {text}")
     if left := len(exercise.hints) - len(shown):
         following = line_of("hint", EX=exercise.id, N=str(len(shown) + 1))
-        print(f"  {left} more. For the next one: {following}")
+        more = "1 more hint" if left == 1 else f"{left} more hints"
+        print(f"  {more}. For the next one: {following}")
     return 0
 
 

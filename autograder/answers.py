@@ -193,17 +193,17 @@ def _problems(
     if not file.is_file():
         return [f"{file} is missing. Create it again, with the line '{heading}' above your answer."]
     if not own:
-        words = f"In {file} no heading begins with '{heading}'. Put that line above your answer."
+        words = f"No heading in {file} begins with '{heading}'. Put that line above your answer."
         if strangers:
             there = ", ".join(repr(section.heading) for section in strangers)
             words += f" Did you change it to {there}?"
         return [words]
     if len(own) > 1:
         lines = " and ".join(str(section.line) for section in own)
-        return [f"In {file} the heading '{heading}' appears twice (lines {lines}). Keep one."]
+        return [f"The heading '{heading}' appears twice in {file} (lines {lines}). Keep only one."]
     if own[0].has_words and own[0].places:
-        return [f"In {file} the line '{own[0].places[0]}' is still there. Delete it."]
+        return [f"The line '{own[0].places[0]}' is still in {file}. Delete it."]
     if strangers and not own[0].has_words:
         there = strangers[0].heading
-        return [f"In {file} '{there}' is not a question. Begin your own headings with ###."]
+        return [f"'{there}' in {file} is not a question. Start headings of your own with ###."]
     return []

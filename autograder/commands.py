@@ -26,7 +26,11 @@ OPTIONS = {
 }
 ADVICE = {
     (errno.ENOSPC, errno.EDQUOT): "Free some space on that disk, and run the same command again",
-    (errno.EROFS, errno.EACCES, errno.EPERM): "Check who may write there, or use another folder",
+    (
+        errno.EROFS,
+        errno.EACCES,
+        errno.EPERM,
+    ): "Make sure that you can write there, or use another folder",
     (errno.EFBIG,): "A limit on the size of files is too low here (see ulimit -f)",
 }
 MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of other packages

@@ -32,7 +32,7 @@ STUDENT_TOOLS = {
 README = """\
 # Game physics: {titles}
 
-In this assignment you write a part of a game physics engine. Your files are under `chapters/`, and
+In this assignment you write part of a game physics engine. Your files are under `chapters/`, and
 you can check your work as often as you like. You need Python 3.11 or newer. If you have make, the
 first command sets up everything else. If you have no make, as on most Windows computers, use the
 Python commands in [chapters/README.md](chapters/README.md).
@@ -49,7 +49,7 @@ Python commands in [chapters/README.md](chapters/README.md).
 The README of each chapter is the lesson. The page `reference.md` beside it lists the exercises, and
 shows which functions belong to which section of the book. Write your answers to written questions
 into `answers.md`. When you are done, hand in the folders under `chapters/` that you have edited.
-Only the files that the table of exercises names are graded, so put helper functions into them, too.
+Only the files named in the table of exercises are graded, so put your helper functions there too.
 """
 PAGE_LINK = re.compile(r"(?<!!)\[([^\[\]]*)\]\(([^)#:\s]+\.(?:md|py))(?:#[^)]*)?\)")
 CHARTS = "ch08_charts.py"  # these scenes draw charts of the reference, so students don't need them

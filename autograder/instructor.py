@@ -25,7 +25,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command = commands.add_parser("grade", help="grade a folder of submissions")
     command.add_argument("folder", type=Path, help="folder of submissions, or a zip of all of them")
     command.add_argument("--out", type=Path, required=True, help="folder for the results")
-    command.add_argument("--seed", help="seed of the random numbers (default: a new one)")
+    command.add_argument("--seed", help="seed for the random numbers (default: a new one)")
     command.add_argument("--chapters", default="", help="chapters, such as 2,3 (default: all)")
     command.add_argument("--given", default="", help="chapters that were handed out complete")
     command.add_argument(

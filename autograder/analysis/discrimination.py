@@ -46,13 +46,17 @@ def discrimination(own: Sequence[float], rest: Sequence[float]) -> Discriminatio
     """
     count = len(own)
     if count < FEWEST:
-        return Discrimination(count, reason=f"{count} students: fewer than {FEWEST} are too few")
+        return Discrimination(
+            count, reason=f"{count} students, which is fewer than the {FEWEST} needed"
+        )
     apart = count - Counter(own).most_common(1)[0][1]
     if apart < FEWEST_APART:
         have = "student has" if apart == 1 else "students have"
         return Discrimination(count, reason=f"{apart or 'no'} {have} a different score than most")
     if len({*rest}) == 1:
-        return Discrimination(count, reason="all students have the same score for the rest")
+        return Discrimination(
+            count, reason="all students have the same score on the other exercises"
+        )
     value = max(-1.0, min(1.0, statistics.correlation(own, rest)))
     return Discrimination(count, value, _interval(value, count))
 

@@ -76,7 +76,7 @@ def explain_unknown(unknown: Unknown) -> str:
     name, near = unknown.name, unknown.nearest
     if unknown.slots:
         held = ", ".join(unknown.slots)
-        hint = f" The most similar to {name} is {near}." if near else ""
+        hint = f" The closest to {name} is {near}." if near else ""
         return (
             f"The class {unknown.of} has __slots__, so its objects can hold only these attributes: "
             f"{held}.{hint} Store the value in one of them, in the form that its name suggests."

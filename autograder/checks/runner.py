@@ -253,7 +253,7 @@ class Run:
             raise GraderError(f"no check began within {seconds}:\n{self.stderr}")
         for name in self.checks:
             if name not in self.verdicts:
-                why = Message(f"not run: the time limit for all checks, {seconds}, was used up")
+                why = Message(f"not run: the time limit of {seconds} for all checks was used up")
                 self._decide(events.Decided(name, "failed", why))
         self.finished = True
 

@@ -56,7 +56,7 @@ def read_time(
         time = value.replace(tzinfo=zone, fold=1)  # if clocks show it twice, use the later time
         if time.astimezone(UTC).astimezone(zone).replace(tzinfo=None) == value:
             return time
-        mistakes.add(path, f"{key} {value} does not exist: the clocks of {zone} go forward then")
+        mistakes.add(path, f"{key} {value} does not exist: the clocks in {zone} go forward then")
     return None
 
 

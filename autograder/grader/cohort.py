@@ -143,8 +143,8 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
     print_class(console, graded)
     if any(report.penalty or report.by_hand or report.waiting for report in graded):
         console.print(
-            "The points in this table are from checks. The totals, with answers marked by hand and "
-            f"late penalties, are in {out / 'gradebook.csv'}.",
+            "The points in this table are from checks alone. The totals, which include answers "
+            f"marked by hand and late penalties, are in {out / 'gradebook.csv'}.",
             markup=False,
         )
     for report in graded:
@@ -166,7 +166,7 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
     for place in places:
         console.print(str(place), markup=False, soft_wrap=True)
     for place in uploads:
-        only_you = ": keep this private, because it has names" if options.anonymous else ""
+        only_you = ": keep this private, because it contains names" if options.anonymous else ""
         console.print(f"{place}{only_you}", markup=False, soft_wrap=True)
     return int(any(report.status != "graded" for report in graded))
 

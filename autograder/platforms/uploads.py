@@ -87,7 +87,7 @@ def write_uploads(
         )
     if waiting := sum(r.waiting > 0 for r in reports):
         lines.append(
-            f"Students with answers that are not marked yet: {waiting}. These answers earn no "
-            "points in the grades for the platforms."
+            f"Students with answers that are not marked yet: {waiting}. Until then, those answers "
+            "earn no points in the grades for the platforms."
         )
     return paths, lines

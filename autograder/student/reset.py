@@ -83,7 +83,9 @@ def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = 
     names = ", ".join(name for change in changes for name in change.names)
     files = " and ".join(str(_short(change.file)) for change in changes)
     if any(change.gone for change in changes):
-        does = f"This restores the missing stub of {names} in {files}. Your other code stays."
+        does = (
+            f"This restores the missing stub of {names} in {files}. Your other code stays as it is."
+        )
     else:
         does = f"This replaces your code for {names} in {files} with the stub."
     return (

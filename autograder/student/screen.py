@@ -148,8 +148,8 @@ def passed_words(
 def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
     """Return a note on each file that the student has edited but should not have."""
     return [
-        f"{file} has been edited. It is not handed in, and grading uses the original, so code "
-        "that needs your change fails there. Keep your own code in the files that the "
+        f"You have edited {file}. It isn't handed in, and grading uses the original, so code that "
+        "relies on your changes will fail there. Keep your own code in the files that the "
         f"exercises name, and restore the original, for example with: git checkout -- {file}"
         for file in changed_files(chapter, engine)
     ]
@@ -180,7 +180,9 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
     console.print(table)
     console.print()
     if WORKS in states:
-        console.print(f'"{WORKS}" means that the physics passes and robust checks are open.\n')
+        console.print(
+            f'"{WORKS}" means that the physics passes, but robust checks are still open.\n'
+        )
     earned, points = total(results)
     answers = shown(possible(r.exercise for r in results if r.exercise.kind == "written"))
     more = f", and {answers} for written answers, which a person marks" if answers != "0" else ""
@@ -253,7 +255,7 @@ def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path
         )
     for other in report.suspects:
         notes.append(
-            f"Chapter {other.number} fails checks of its own, which may be the reason for some "
+            f"Chapter {other.number} fails some of its own checks, which may explain some of the "
             f"failures here: {check_command(engine, CH=str(other.number))}"
         )
     return notes

@@ -32,7 +32,7 @@ def print_written(
             _say(console, problem, "red", soft_wrap=True)
         if not question.problems and question.section and question.section.words:
             _say(console, "Your answer is too short. Give the reason in a sentence.", "red")
-        waits = f"{exercise.id} waits for your answer. Write it here: {question.place}"
+        waits = f"{exercise.id} is waiting for your answer. Write it here: {question.place}"
         _say(console, waits, soft_wrap=True)
         return
     _say(console, "Your answer", "bold")
@@ -45,7 +45,7 @@ def print_written(
     _say(console, f"{flowing(model.answer)}\n")
     _say(console, "Rubric", "bold")
     _say(console, f"{flowing(model.rubric)}\n")
-    _say(console, "Compare the two, and improve your answer if you like. A person marks it.")
+    _say(console, "Compare the two, and improve your answer if you like. A person will mark it.")
 
 
 def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:

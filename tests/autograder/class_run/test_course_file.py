@@ -131,7 +131,7 @@ def test_the_example_has_every_key() -> None:
         (
             f'time_zone = "Europe/Berlin"\n{LAB}chapters = [2]\ndue = 2027-03-28 02:30:00',
             5,
-            "due 2027-03-28 02:30:00 does not exist: the clocks of Europe/Berlin go forward",
+            "due 2027-03-28 02:30:00 does not exist: the clocks in Europe/Berlin go forward",
         ),
         # lateness
         (

@@ -87,7 +87,10 @@ def main() -> None:
     The file .venv/ready is written last and marks it as complete.
     """
     check_python()
-    print(f"Setting up .venv with {sys.executable}, once; this takes about a minute.", flush=True)
+    print(
+        f"Setting up .venv with {sys.executable}; this one-time step takes about a minute.",
+        flush=True,
+    )
     made = subprocess.run(
         [sys.executable, "-m", "venv", "--clear", str(VENV)],
         stdout=subprocess.PIPE,

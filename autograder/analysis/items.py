@@ -1,7 +1,7 @@
 """Compute how well a class did on each exercise and each of its checks.
 
-All scores come from runs on the reference's earlier chapters. Otherwise a single mistake in chapter
-2 would resurface in every chapter that uses vectors.
+All scores come from runs with the earlier chapters of the reference. Otherwise a single mistake in
+chapter 2 would resurface in every chapter that uses vectors.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Find out which failures in a chapter come from mistakes in earlier chapters.
 
-To do so, run the chapter's checks a second time on the reference's earlier chapters. If a check
-passes this time, an earlier chapter was to blame, and the check is marked as inherited.
+To do so, run the chapter's checks a second time, with the earlier chapters of the reference. If a
+check passes this time, an earlier chapter was to blame, and the check is marked as inherited.
 """
 
 from __future__ import annotations

@@ -112,7 +112,7 @@ class Chooser:
             chapter = self.home[name]
             missing = [e for e in chapter.exercise(name).needs if e not in ids | self.before]
             if missing and chapter not in given:
-                words = f"{name} needs {', '.join(missing)}, which no assignment so far contains"
+                words = f"{name} needs {', '.join(missing)}, which is not in any assignment so far"
                 self._wrong(*self._where(name), word=name, words=words)
             earlier |= (needs_of(chapter, name) - ids) & self.before
         for chapter in {self.home[name].number: self.home[name] for name in ids}.values():
@@ -153,7 +153,7 @@ class Chooser:
             if name not in chosen:
                 wanted = nearest(name, chosen)
                 words = (
-                    f"points has {name!r}, which is not an exercise of this assignment. {wanted}"
+                    f"points lists {name!r}, which is not an exercise of this assignment. {wanted}"
                 )
                 self.mistakes.add((*at, name), words.strip(), name)
             elif value is not None:

@@ -154,7 +154,7 @@ class Reader:
             return None
         unit = "percent" if given[0] == "percent_per_day" else "points"
         if cap is not None and cap < per_day:
-            words = f"cap is less than {given[0]}: it must be the {unit} of several days"
+            words = f"cap must be at least {given[0]}, since it limits the {unit} for all days"
             mistakes.add((*at, "cap"), words)
         if unit == "percent" and max(per_day, cap or 0) > 100:
             key = "cap" if (cap or 0) > 100 else given[0]

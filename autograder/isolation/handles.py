@@ -233,7 +233,7 @@ def _refused(name: str) -> Callable[..., Any]:
             raise WorkerFailure(Message(got="NotImplemented", likely=NOT_IMPLEMENTED))
         raise WorkerFailure(
             Message(
-                f"the code returned an object where a plain value is wanted: {self!r} (checks "
+                f"the code returned an object where a plain value is expected: {self!r} (checks "
                 f"compare numbers that they read from an object, and never call its {name})"
             )
         )

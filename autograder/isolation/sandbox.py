@@ -3,8 +3,8 @@
 Several Linux mechanisms work together. Landlock lets the worker read a few folders and write
 nothing. A seccomp filter allows only the system calls that a computation needs, so the worker
 cannot create processes, open sockets, or send signals to other processes. Where bubblewrap is
-available, it walls off the whole process. Resource limits cap memory, processor time and file
-sizes. All of this is in place before any student code is loaded.
+available, it walls off the whole process. Resource limits cap memory, processor time, and the
+number and size of files. All of this is in place before any student code is loaded.
 """
 
 from __future__ import annotations

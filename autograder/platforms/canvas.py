@@ -47,7 +47,9 @@ def check_title(title: str) -> str:
             f"--title must be one line of text, and not begin like a formula, got {title!r}"
         )
     if title in OTHER_COLUMNS or NOT_IMPORTED.search(title):
-        raise ValueError(f"--title must not be the name of a column of Canvas's, got {title!r}")
+        raise ValueError(
+            f"--title must not be the name of one of Canvas's own columns, got {title!r}"
+        )
     return title
 
 

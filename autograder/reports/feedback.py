@@ -37,11 +37,11 @@ SYMBOLS = {  # these stand beside the words, so that nobody has to tell a status
 MEANINGS = {
     "passed": "every check passes",
     "failed": "a check found a mistake in it",
-    "blocked": "an exercise that it builds on fails: fix that one first",
-    "inherited": "the mistake is in an earlier chapter: on given chapters it passes",
+    "blocked": "it builds on an exercise that fails: fix that one first",
+    "inherited": "the mistake is in an earlier chapter: with given chapters it passes",
     "error": "the grader failed: this does not count as zero and will be graded again",
-    "waiting": "a person will read it",
-    "marked": "a person has given the points",
+    "waiting": "a person still has to mark it",
+    "marked": "a person has marked it",
 }
 TO_FIX = ("failed", "inherited", "blocked")  # students should fix these first to last
 
@@ -65,7 +65,7 @@ class LostChecks:
 class ShownExercise(ExerciseReport):
     """An exercise as a student's page shows it, with only its failed checks in full.
 
-    ``gains`` is true if the exercise earns more points on the reference's earlier chapters.
+    ``gains`` is true if the exercise earns more points with the reference's earlier chapters.
     ``uneven`` is true if some of its physics or robust checks weigh more than others.
     """
 

@@ -14,7 +14,7 @@ from autograder.reports.texts import check_title, clean_all, number, replace_fil
 from autograder.scores import place_on_chart
 from autograder.submissions.find import file_name
 
-OURS = "error of the grader, retry: this is not the submission's fault and does not count as zero"
+OURS = "grader error, please retry: this is not the submission's fault and does not count as zero"
 
 
 @dataclass(frozen=True)
@@ -139,7 +139,7 @@ def _output(exercise: ExerciseReport) -> str:
     """Return what the student reads about an exercise: mainly why its checks failed."""
     status, checks = exercise.status, exercise.checks
     if status == "waiting":
-        return f"waits for a person, who can give up to {number(exercise.points)} points"
+        return f"waiting for a person to mark it: up to {number(exercise.points)} points"
     if status == "marked":
         return f"marked by a person\n{exercise.comment}".strip()
     lost = [check for check in checks if check.status != "passed"]
@@ -147,7 +147,7 @@ def _output(exercise: ExerciseReport) -> str:
     passing = ", ".join(f"{tier} {passed} of {of}" for tier, passed, of in tiers(checks))
     blocks.append(f"{status}: {passing} checks pass")
     if status == "inherited":
-        blocks.append("the mistake is in an earlier chapter: on given chapters this passes")
+        blocks.append("the mistake is in an earlier chapter: with given chapters this passes")
     if chart := exercise.chart:
         blocks.append(f"your work: {place_on_chart(chart.axes, chart.own)}")
     for check in lost:

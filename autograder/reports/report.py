@@ -42,7 +42,7 @@ class Chart:
 class ExerciseReport:
     """How a student did on one exercise. A score is None as long as it is unknown.
 
-    ``score_on_given`` is the student's score on the reference's earlier chapters. An ``extra``
+    ``score_on_given`` is the student's score with the reference's earlier chapters. An ``extra``
     credit exercise does not add to the points possible.
     """
 
@@ -98,7 +98,7 @@ class StudentReport:
 
     Attributes:
         score: The points from checks. It is None if the grader failed.
-        score_on_given: The points from checks, on the reference's earlier chapters.
+        score_on_given: The points from checks, with the reference's earlier chapters.
         points: The points that the checks are worth.
         by_hand: The points that people gave for written answers.
         waiting: The points that people can still give.

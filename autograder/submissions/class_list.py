@@ -114,7 +114,7 @@ def match(
             lines = " and ".join(str(student.line) for student in students)
             raise ValueError(
                 f"{path}, lines {lines}: both match the submission {submission.path.name!r}. "
-                "Name it after the id of its student"
+                "Rename it to its student's id"
             )
         if not students:
             members.append(Member(submission.student, None, submission))

@@ -91,8 +91,8 @@ def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
         first, last = sorted((old, new), key=_order)
         found[file_name(new.student)] = last
         notes.append(
-            f"{printable(first.path.name)} was left out: {printable(last.path.name)} of the same "
-            f"student was taken. If they belong together, put both into a folder with the name "
+            f"{printable(first.path.name)} was left out: {printable(last.path.name)} by the same "
+            f"student was used instead. If they belong together, put both in a folder named "
             f"{printable(last.path.stem)}"
         )
     if not found:

@@ -70,8 +70,7 @@ def read_roster(path: Path) -> list[Student]:
             # Platforms identify students by these cells, so a formula must not get a prefix.
             if FORMULA.search(value):
                 raise ValueError(
-                    f"{where}: the {name} must not begin like a formula of a spreadsheet, "
-                    f"got {value!r}"
+                    f"{where}: the {name} must not begin like a spreadsheet formula, got {value!r}"
                 )
             before = lines.setdefault((name, key(value)), line) if value else line
             if before != line:

@@ -64,7 +64,7 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
                 content = _text(files[name].read(LARGEST_FILE))
                 _write(target / name, content)
             except NotTakenError as error:
-                reason = f"{chapter.name}/{name} was not taken: {error}"
+                reason = f"{chapter.name}/{name} was rejected: {error}"
                 missing[f"{chapter.name}.{name.removesuffix('.py')}"] = reason
             digest.update(f"{chapter.name}/{name}\0{reason}\0{len(content)}\0".encode() + content)
     return Staged(missing, [printable(note) for note in notes], digest.hexdigest())
@@ -106,7 +106,7 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
     notes = []
     if (several := sum(not doubtful and not kept for doubtful, kept, _, _ in places)) > 1:
         path = "/".join(place)
-        notes.append(f"there are {several} folders called {chapter.name}: '{path}' was taken")
+        notes.append(f"there are {several} folders called {chapter.name}: '{path}' was used")
     chosen = [file for file in mine if (file.doubtful, file.place) == (doubtful, place)]
     return {file.file: file for file in chosen}, notes
 

@@ -93,7 +93,7 @@ def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Co
         there = [*folder.iterdir()]
         for one in there:
             if one.name in names and one.name not in before.names:
-                raise ValueError(f"{one} is not from {path.name}: move it away")
+                raise ValueError(f"{one} did not come from {path.name}: move it elsewhere")
         # If a run is killed, the next one starts over, even if the earlier zip is back by then.
         _write_marker(folder, Unpacked("", before.names, []))
         for one in there:
@@ -167,7 +167,7 @@ def _read_marker(folder: Path) -> Unpacked:
     except (OSError, ValueError) as error:
         raise ValueError(
             f"{folder} already exists, but was not unpacked from {folder.name}.zip: grade that "
-            "folder instead, or move it away"
+            "folder instead, or move it elsewhere"
         ) from error
 
 

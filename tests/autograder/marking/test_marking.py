@@ -60,7 +60,7 @@ def test_answers_are_collected_as_they_were_handed_in(folder: Path) -> None:
     assert (by["eve"].text, by["eve"].note) == ("", "")
     assert by["fay"].text.startswith(SHOUT + "\\x1b[31m")
     assert len(by["fay"].text) < LONGEST + 200
-    assert "answers.md was not taken: it is not UTF-8" in by["gus"].note
+    assert "answers.md was rejected: it is not UTF-8" in by["gus"].note
     assert [answer.text == "" for answer in first.answers] == [False] * 4 + [True] * 3
 
 

@@ -21,7 +21,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     Each command imports the modules it needs only when it runs, so a student's `check` does not
     have to wait for the grader's imports.
     """
-    unsafe = "grade without a sandbox if this machine has none; only for a class that you trust"
+    unsafe = "grade without a sandbox if this machine has none; only for a class you trust"
     command = commands.add_parser("grade", help="grade a folder of submissions")
     command.add_argument("folder", type=Path, help="folder of submissions, or a zip of all of them")
     command.add_argument("--out", type=Path, required=True, help="folder for the results")
@@ -62,9 +62,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
         add_options(command)
         command.set_defaults(run=run)
 
-    command = commands.add_parser(
-        "gradescope", help="make the zip with the autograder for Gradescope"
-    )
+    command = commands.add_parser("gradescope", help="make the autograder zip for Gradescope")
     command.add_argument(
         "chapters", nargs="?", default="", help="chapters, such as 2-3 (default: all)"
     )
@@ -82,7 +80,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command.add_argument("--chapters", default="", help="chapters, such as 2,3 (default: all)")
     command.set_defaults(run=run_similarity)
 
-    command = commands.add_parser("mark", help="mark the written answers of a class on a page")
+    command = commands.add_parser("mark", help="mark a class's written answers on a web page")
     command.add_argument(
         "folder", type=Path, help="folder of submissions, one folder or .zip per student"
     )

@@ -17,8 +17,8 @@ PHYSICS_SHARE = 0.85  # the physics checks' part of the points, if there are rob
 class Result:
     """How a student did on one exercise, with the verdict on each of its checks.
 
-    The score is None as long as it is unknown: for a written answer until somebody marks it, and
-    for any exercise on which the grader itself failed.
+    The score is None for a written answer that nobody has marked yet, and for any exercise on which
+    the grader itself failed.
     """
 
     exercise: Exercise

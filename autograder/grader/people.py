@@ -16,7 +16,7 @@ from autograder.submissions.roster import read_roster
 def people_of(
     submissions: list[Submission], out: Path, roster: Path | None, *, anonymous: bool
 ) -> ClassList:
-    """Return the students of a class, with the names that the reports show.
+    """Return the students of a class, under the names that the reports use.
 
     Raises:
         ValueError: The roster or the key file contains a mistake, or ``out`` contains reports with

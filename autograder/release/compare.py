@@ -29,7 +29,7 @@ class Code:
 
 @dataclass(frozen=True)
 class Pair:
-    """A student's function and ours. Whichever of them does not exist is None."""
+    """A student's function and ours. Either one is None if it does not exist."""
 
     name: str
     own: Code | None

@@ -40,7 +40,7 @@ class Chart:
 
 @dataclass(frozen=True)
 class ExerciseReport:
-    """How a student did on one exercise. A score is None as long as it is unknown.
+    """How a student did on one exercise. A score is None until it is known.
 
     ``score_on_given`` is the student's score with the reference's earlier chapters. An ``extra``
     credit exercise does not add to the points possible.

@@ -114,7 +114,7 @@ def play_words(report: Report, result: Result, engine: list[Path], given: list[C
 
 
 def _is_extra(exercise: Exercise) -> bool:
-    """Return whether a chapter can be finished without this exercise, as with a project."""
+    """Return whether a chapter counts as finished without this exercise, such as a project."""
     return exercise.kind == "project" or exercise.id.startswith("G")
 
 

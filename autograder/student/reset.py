@@ -77,7 +77,7 @@ def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = 
     """Return the question that a student must answer before a reset.
 
     Raises:
-        ValueError: ``reset`` would raise ValueError too.
+        ValueError: ``reset`` would raise one as well.
     """
     changes = planned(chapter, exercise, engine)
     names = ", ".join(name for change in changes for name in change.names)
@@ -100,7 +100,7 @@ def planned(
     """Return the changes that a reset would make, without making them.
 
     Raises:
-        ValueError: ``reset`` would raise ValueError too.
+        ValueError: ``reset`` would raise one as well.
     """
     if not exercise.edit:
         raise ValueError(f"{exercise.id} is answered in answers.md, so it has no stub to restore")

@@ -137,7 +137,7 @@ def run_hint(arguments: argparse.Namespace) -> int:
 
 
 def find_exercise(wanted: str, chapters: list[Chapter]) -> tuple[Chapter, Exercise]:
-    """Look up an exercise by its id, such as B2.3, and return its chapter and the exercise.
+    """Look up an exercise by its id, such as B2.3, and return it with its chapter.
 
     Case is ignored.
 

@@ -237,7 +237,7 @@ def _private_constant(statement: cst.CSTNode) -> str | None:
 
 
 def without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
-    """Replace the body of each function in ``messages`` with a raise statement."""
+    """Replace the body of each function named in ``messages`` with a raise statement."""
     bodies = {
         name: f"raise NotImplementedError({json.dumps(message)})"
         for name, message in messages.items()

@@ -41,7 +41,7 @@ WITHOUT = (
 
 
 def limit_acts(code: StudentsCode) -> None:
-    """From now on, block whatever the student's code attempts that the grader would not allow."""
+    """From now on, block everything that the student's code may not do in the grader."""
     refusals: dict[str, Callable[..., None]] = {
         "open": lambda *arguments: _open(code, *arguments),
         "os.listdir": lambda path: _list(code, path),

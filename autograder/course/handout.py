@@ -18,7 +18,7 @@ POINTS = re.compile(r"(?m)^points = .*$")
 
 
 def for_students(whole: Chapter, assigned: Chapter) -> Chapter:
-    """Return a chapter as the students of an assignment get it, with all of its exercises.
+    """Return a chapter as an assignment's students receive it, with all of its exercises.
 
     The exercises in ``assigned`` have the assignment's points, and all others become optional.
     """

@@ -162,7 +162,7 @@ class Reader:
         return LatePolicy(per_day, "percent" if unit == "percent" else "points", cap)
 
     def _path(self, table: Mapping[str, Any], path: tuple[str | int, ...], key: str) -> Path | None:
-        """Return the path under a key. If nothing exists there, record a mistake."""
+        """Return the path stored under a key, recording a mistake if nothing exists there."""
         name = self.mistakes.value(table, path, key, str)
         if name is None:
             return None

@@ -117,7 +117,7 @@ class InWorker:
         return code
 
     def _compile(self, module: str, file: Path) -> bytes | None:
-        """Compile a file once for all workers, in a worker that has run no student code yet."""
+        """Compile a file once for all workers, in a worker that has not run any student code."""
         if module in self.modules:
             self.send(Importing(module))
         code = None

@@ -81,8 +81,8 @@ class Server:
     def refer(self, value: Any) -> dict[str, Any]:
         """Return a reference to an object, under a new number if the object is new.
 
-        The list of objects also keeps them alive. Otherwise Python could later give the same id to
-        another object.
+        Numbered objects stay in a list, which also keeps them alive. Otherwise Python could later
+        give the same id to another object.
         """
         number = self.numbers.setdefault(id(value), len(self.objects))
         if number == len(self.objects):

@@ -185,7 +185,7 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
         )
     earned, points = total(results)
     answers = shown(possible(r.exercise for r in results if r.exercise.kind == "written"))
-    more = f", and {answers} for written answers, which a person marks" if answers != "0" else ""
+    more = f", plus {answers} for written answers, marked by a person" if answers != "0" else ""
     console.print(
         f"{bar(earned or 0.0, points)} {shown(earned)} of {shown(points)} points{more}\n",
         markup=False,

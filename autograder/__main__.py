@@ -1,7 +1,4 @@
-"""Run one command of the autograder, as in `python -m autograder check`.
-
-`make check` does the same.
-"""
+"""Run one of the autograder's commands, as in `python -m autograder check` or `make check`."""
 
 from __future__ import annotations
 
@@ -70,7 +67,9 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
             "--engine", default="chapters", help="folder that contains the chapters to check"
         )
         command.add_argument("--given", default="", help="chapters to take from the reference")
-        command.add_argument("--seed", default="1", help="seed of the random numbers in the checks")
+        command.add_argument(
+            "--seed", default="1", help="seed for the random numbers in the checks"
+        )
 
     command = commands.add_parser("hint", help="show hints for an exercise")
     command.add_argument("exercise", help="the exercise, such as 2.5 or B2.3")
@@ -89,7 +88,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_check(arguments: argparse.Namespace) -> bool:
-    """Check all the chapters that were asked for, or a single exercise of one chapter."""
+    """Check every requested chapter, or just one exercise."""
     chapters = select_chapters(arguments.chapter)
     exercise = None
     if arguments.exercise:
@@ -103,7 +102,7 @@ def run_check(arguments: argparse.Namespace) -> bool:
 
 
 def run_watch(arguments: argparse.Namespace) -> int:
-    """Check the student's current exercise again each time a file is saved."""
+    """Recheck the student's current exercise every time a file is saved."""
     from autograder.student.watch import watch  # imported only here, so that check starts quickly
 
     engine = find_engine(arguments.engine)
@@ -123,7 +122,7 @@ def run_reset(arguments: argparse.Namespace) -> int:
 
 
 def run_hint(arguments: argparse.Namespace) -> int:
-    """Print the first hints of an exercise, and say how to get the next one."""
+    """Print the first hints for an exercise, and say how to get the next one."""
     chapter, exercise = find_exercise(arguments.exercise, load_chapters())
     refuse_given(chapter, exercise, arguments.given)
     shown = exercise.hints[: max(1, arguments.count)]
@@ -132,17 +131,18 @@ def run_hint(arguments: argparse.Namespace) -> int:
         print(f"  {number}. {text}")
     if left := len(exercise.hints) - len(shown):
         following = line_of("hint", EX=exercise.id, N=str(len(shown) + 1))
-        print(f"  {left} more. For the next one: {following}")
+        more = "1 more hint" if left == 1 else f"{left} more hints"
+        print(f"  {more}. For the next one: {following}")
     return 0
 
 
 def find_exercise(wanted: str, chapters: list[Chapter]) -> tuple[Chapter, Exercise]:
-    """Look up an exercise by its id, such as B2.3, and return it together with its chapter.
+    """Look up an exercise by its id, such as B2.3, and return it with its chapter.
 
-    Upper and lower case make no difference.
+    Case is ignored.
 
     Raises:
-        ValueError: No exercise has this id. The message suggests similar ids if there are any.
+        ValueError: No exercise has that id. The message suggests similar ones if there are any.
     """
     known = {e.id.lower(): (chapter, e) for chapter in chapters for e in chapter.exercises}
     if wanted.lower() in known:

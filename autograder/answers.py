@@ -1,8 +1,8 @@
 """Read a student's written answers from answers.md, and our model answers from solutions/.
 
-Every question has a section in answers.md, with a heading, the quoted question and the answer. Our
-own copies in solutions/ hold the model answer instead, followed by a rubric, which lists what an
-answer must contain to earn its points.
+Every question has a section in answers.md: a heading, the question as a quotation, and the answer.
+In our own copies in solutions/, the answer is the model answer, followed by a rubric that lists
+what an answer must contain to earn points.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ ENOUGH = 2  # a text with fewer words does not count as an answer
 
 @dataclass(frozen=True)
 class Section:
-    """One section of answers.md, which holds a question and its answer.
+    """One section of answers.md: a question and its answer.
 
-    In the copies in solutions/, ``rubric`` says how to mark the answer. In a student's file it is
-    empty. ``line`` is the line number at which the answer begins, or should begin if it is missing.
+    ``rubric`` says how to mark the answer; it is empty in a student's file. ``line`` is the number
+    of the line where the answer begins, or where it belongs if it is missing.
     """
 
     id: str
@@ -39,12 +39,12 @@ class Section:
 
     @property
     def places(self) -> list[str]:
-        """The lines that are still the placeholder, perhaps with a few letters changed."""
+        """The placeholder lines that are still there, perhaps with a few letters changed."""
         return [line.strip() for line in self.answer.splitlines() if _is_place(line)]
 
     @property
     def has_words(self) -> bool:
-        """Whether the student has written an answer, even if the placeholder is still above it."""
+        """Whether the student has written an answer, even if the placeholder is still there."""
         return self.words >= ENOUGH
 
     @property
@@ -59,8 +59,8 @@ class Section:
 class Question:
     """A written exercise, together with the student's answer to it.
 
-    ``section`` is the student's section in answers.md. ``problems`` describes what is wrong with
-    this section, such as a heading that appears twice.
+    ``section`` is the student's section in answers.md, and ``problems`` says what is wrong with it,
+    such as a duplicate heading.
     """
 
     exercise: Exercise
@@ -70,17 +70,17 @@ class Question:
 
     @property
     def answered(self) -> bool:
-        """Whether the student has written an answer and there is nothing to fix in its section."""
+        """Whether the student has written an answer and its section has no problems."""
         return self.section is not None and self.section.has_words and not self.problems
 
     @property
     def place(self) -> str:
-        """The file and line where the answer belongs, or only the file if it has no section yet."""
+        """The file and line where the answer belongs, or just the file if it has no section yet."""
         return f"{self.file}:{self.section.line}" if self.section else str(self.file)
 
 
 def blank_answers(text: str) -> str:
-    """Turn our answers.md into the one for students, with a placeholder instead of each answer."""
+    """Turn our answers.md into the students' version, with a placeholder for each answer."""
     title = text.partition("\n")[0]
     parts = [title]
     for section in sections_of(text):
@@ -91,9 +91,9 @@ def blank_answers(text: str) -> str:
 def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
     """Split the text of an answers.md file into its sections.
 
-    A section begins at a heading with two # signs. Students sometimes delete a # or the space after
-    it by accident. So a heading of any other level begins a section too, as long as its first word
-    is one of the exercise ids in ``ids``.
+    A section begins at a level-two heading (##). Students sometimes delete a # or the space after
+    it by accident, so a heading of any other level also begins a section if its first word is one
+    of the exercise ids in ``ids``.
     """
     known = {*ids}
     lines = text.splitlines()
@@ -105,7 +105,7 @@ def sections_of(text: str, ids: Iterable[str] = ()) -> list[Section]:
 def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
     """Find the written exercises of a chapter, and read the student's answers to them.
 
-    The answers come from the first folder of ``engine`` that contains the chapter's answers.md.
+    The answers come from the first folder of ``engine`` that has the chapter's answers.md.
     """
     exercises = [exercise for exercise in chapter.exercises if exercise.kind == "written"]
     if not exercises:
@@ -137,7 +137,7 @@ def questions_of(chapter: Chapter, engine: list[Path]) -> list[Question]:
 def model_answer(chapter: Chapter, exercise: Exercise, root: Path = ROOT) -> Section | None:
     """Return our model answer to a written exercise, with its rubric.
 
-    The result is None in a hand-out, because students do not receive the model answers.
+    In a hand-out there are no model answers, so the result is None.
     """
     file = root / "solutions" / chapter.name / FILE
     if not file.is_file():
@@ -147,9 +147,9 @@ def model_answer(chapter: Chapter, exercise: Exercise, root: Path = ROOT) -> Sec
 
 
 def _section(lines: list[str], start: int, end: int) -> Section:
-    """Read one section, whose heading is in line ``start``.
+    """Read the section whose heading is on line ``start``.
 
-    ``end`` is the line in which the next section begins.
+    The next section begins on line ``end``.
     """
     heading = lines[start]
     first = start + 1
@@ -175,7 +175,7 @@ def _first_word(heading: str) -> str:
 
 
 def _is_place(line: str) -> bool:
-    """Return whether a line is still the placeholder, even with a few letters changed."""
+    """Return whether a line is the placeholder, give or take a few letters."""
     words, wanted = (" ".join(re.findall(r"\w+", text)) for text in (line.lower(), PLACE.lower()))
     return SequenceMatcher(None, words.strip("_"), wanted.strip("_")).ratio() > 0.8
 
@@ -183,27 +183,27 @@ def _is_place(line: str) -> bool:
 def _problems(
     exercise: Exercise, own: list[Section], strangers: list[Section], file: Path
 ) -> list[str]:
-    """Describe what the student must correct in answers.md before this answer can count.
+    """Say what the student must fix in answers.md before this answer can count.
 
-    Each problem is a sentence that we can show to the student. ``own`` holds the sections for this
-    exercise, of which there should be exactly one. ``strangers`` holds sections that belong to no
-    exercise, which may be ones whose heading the student has changed.
+    Each problem is a sentence for the student to read. ``own`` holds the sections for this
+    exercise; there should be exactly one. ``strangers`` holds sections that belong to no exercise,
+    perhaps because the student has changed a heading.
     """
     heading = f"## {exercise.id}"
     if not file.is_file():
         return [f"{file} is missing. Create it again, with the line '{heading}' above your answer."]
     if not own:
-        words = f"In {file} no heading begins with '{heading}'. Put that line above your answer."
+        words = f"No heading in {file} begins with '{heading}'. Put that line above your answer."
         if strangers:
             there = ", ".join(repr(section.heading) for section in strangers)
             words += f" Did you change it to {there}?"
         return [words]
     if len(own) > 1:
         lines = " and ".join(str(section.line) for section in own)
-        return [f"In {file} the heading '{heading}' appears twice (lines {lines}). Keep one."]
+        return [f"The heading '{heading}' appears twice in {file} (lines {lines}). Keep only one."]
     if own[0].has_words and own[0].places:
-        return [f"In {file} the line '{own[0].places[0]}' is still there. Delete it."]
+        return [f"The line '{own[0].places[0]}' is still in {file}. Delete it."]
     if strangers and not own[0].has_words:
         there = strangers[0].heading
-        return [f"In {file} '{there}' is not a question. Begin your own headings with ###."]
+        return [f"'{there}' in {file} is not a question. Start headings of your own with ###."]
     return []

@@ -1,7 +1,7 @@
 """Make untrusted text safe to show on a terminal, on a web page, in a spreadsheet or in JSON.
 
-A student's file or name can contain characters that do harm when somebody looks at them. All
-decisions about which characters may be shown are in this module.
+A student's file or name can contain characters that do harm when somebody displays them. This
+module alone decides which characters may be shown.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ LINE_ENDS = re.compile("\r\n?|[\x0b\x0c\x85\u2028\u2029]")
 def clean(text: str) -> str:
     """Return the text with every unprintable character replaced by an escape sequence.
 
-    Such a character could repaint the screen, reverse the direction of reading, or fail to encode.
-    Line endings of all kinds become newlines, and unusual spaces become ordinary ones. Tabs stay.
+    Such a character could repaint the screen, reverse the reading direction, or fail to encode. All
+    line endings become newlines, and unusual spaces become ordinary ones. Tabs stay.
     """
     if text.isprintable():
         return text
@@ -23,12 +23,12 @@ def clean(text: str) -> str:
 
 
 def clean_line(text: str) -> str:
-    """Clean a text like ``clean`` does, and put all of it on a single line."""
+    """Clean a text the way ``clean`` does, and put it on a single line."""
     return clean(text).replace("\n", " ").replace("\t", " ")
 
 
 def visible(character: str) -> str:
-    """Return a printable character as it is, and any other as an escape sequence."""
+    """Return a printable character as is, and any other as an escape sequence."""
     return character if character.isprintable() else character.encode("unicode_escape").decode()
 
 

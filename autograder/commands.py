@@ -1,4 +1,4 @@
-"""Helpers that all commands share, such as the one that suggests what to type next."""
+"""Helpers that all commands share, such as the one that says what to type next."""
 
 from __future__ import annotations
 
@@ -26,7 +26,11 @@ OPTIONS = {
 }
 ADVICE = {
     (errno.ENOSPC, errno.EDQUOT): "Free some space on that disk, and run the same command again",
-    (errno.EROFS, errno.EACCES, errno.EPERM): "Check who may write there, or use another folder",
+    (
+        errno.EROFS,
+        errno.EACCES,
+        errno.EPERM,
+    ): "Make sure that you can write there, or use another folder",
     (errno.EFBIG,): "A limit on the size of files is too low here (see ulimit -f)",
 }
 MODULES = {"plot": "studies plot", "demo": "lab play", "lab": "lab serve"}  # of other packages
@@ -36,8 +40,8 @@ def prepare() -> bool:
     """Set up the output streams, and return whether the required packages are installed.
 
     If a package is missing, we tell the user how to install it. We also make sure that Python
-    encodes file names in UTF-8. If it does not, as under LC_ALL=C with PYTHONUTF8=0, the program
-    starts itself again in UTF-8 mode.
+    encodes file names in UTF-8: where it does not, as under LC_ALL=C with PYTHONUTF8=0, the program
+    restarts itself in UTF-8 mode.
     """
     if sys.getfilesystemencoding() != "utf-8" and os.environ.get("PYTHONUTF8") != "1":
         os.environ["PYTHONUTF8"] = "1"  # also affects the processes that are started later
@@ -58,23 +62,22 @@ def prepare() -> bool:
 def advice(error: BaseException) -> str:
     """Say what to do about a full or read-only disk.
 
-    For any other error, return an empty string.
+    Return an empty string for any other error.
     """
     number = error.errno if isinstance(error, OSError) else None
     return next((words for numbers, words in ADVICE.items() if number in numbers), "")
 
 
 def sentence(error: Exception) -> str:
-    """Return the text of an error for the user and, if we know what to do about it, our advice."""
+    """Return the text of an error for the user, followed by our advice if we have any."""
     what, words = clean(str(error)), advice(error)
     return f"{what}. {words}" if words else what
 
 
 def find_engine(folder: str) -> list[Path]:
-    """Return the engine that begins with ``folder``, as a list of folders to search in this order.
+    """Return the engine that begins with ``folder``: a list of folders to search, in order.
 
-    The second folder is always chapters/, because only it contains the files that students do not
-    edit.
+    The second folder is always chapters/, the only place with the files that students do not edit.
 
     Raises:
         ValueError: The folder does not exist.
@@ -88,9 +91,8 @@ def find_engine(folder: str) -> list[Path]:
 def command(name: str, **variables: str) -> str:
     """Return what a user should type to run the command ``name``, such as "make check EX=2.5".
 
-    On a machine without make, this is a line that calls Python directly. In the browser a student
-    cannot type commands at all, but the buttons on the page have the same names as the commands of
-    make.
+    On a machine without make, that is a line that calls Python directly. In the browser, students
+    cannot type commands, but the buttons on the page have the same names as the make commands.
     """
     if sys.platform == "emscripten" or shutil.which("make"):
         return " ".join(["make", name, *(f"{key}={value}" for key, value in variables.items())])
@@ -106,7 +108,7 @@ def command(name: str, **variables: str) -> str:
 def engine_variables(engine: list[Path]) -> dict[str, str]:
     """Return the make variables that select an engine, such as {"ENGINE": "solutions"}.
 
-    The student's own engine in chapters/ is the default, so it needs no variables.
+    The student's own engine in chapters/ is the default and needs no variables.
     """
     if engine[0] == ROOT / "chapters":
         return {}
@@ -115,5 +117,5 @@ def engine_variables(engine: list[Path]) -> dict[str, str]:
 
 
 def check_command(engine: list[Path], **arguments: str) -> str:
-    """Return the line that checks this engine again, which we print as the user's next step."""
+    """Return the command that rechecks this engine, for us to print as the user's next step."""
     return command("check", **arguments, **engine_variables(engine))

@@ -1,4 +1,4 @@
-"""Find the functions that a module defines, and name them the way the manifests do."""
+"""Find the functions that a module defines, and name them as the manifests do."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def read_definitions(file: Path) -> set[str] | None:
 def bound_names(tree: ast.Module) -> set[str]:
     """Return every name that a module or one of its classes defines with def, class, = or import.
 
-    The names look like those of ``functions``. We cannot see whether a name that is assigned with =
+    The names look like those of ``functions``. There is no telling whether a name assigned with =
     is a property, so the result contains its setter as well.
     """
     found = set(_bound(tree))
@@ -44,7 +44,7 @@ def bound_names(tree: ast.Module) -> set[str]:
 
 
 def _bound(scope: ast.AST) -> Iterator[str]:
-    """Yield the names that a module or class defines itself, without those of nested functions."""
+    """Yield the names that a module or class itself defines, ignoring nested functions."""
     for node in ast.iter_child_nodes(scope):
         match node:
             case ast.FunctionDef():
@@ -60,7 +60,7 @@ def _bound(scope: ast.AST) -> Iterator[str]:
 
 
 def own_name(edited: str) -> str:
-    """Return the bare name of a function, such as dot for vector.Vector3.dot in the manifest."""
+    """Return the bare name of a function, such as dot for vector.Vector3.dot."""
     return edited.split(".", 2)[-1]
 
 

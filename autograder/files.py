@@ -9,11 +9,11 @@ LITTLE = 1_000_000  # bytes
 
 
 def replace_bytes(path: Path, content: bytes) -> None:
-    """Replace the content of a file, or leave the file as it was if anything goes wrong.
+    """Replace the contents of a file, or leave them untouched if anything goes wrong.
 
-    We write the new content to a temporary file first and then move that file into place. If the
-    disk is full or the program is killed in between, the old content is still there. If ``path`` is
-    a link, we replace the file that it points to.
+    We first write to a temporary file and then move it into place, so the old contents survive if
+    the disk is full or the program is killed in between. If ``path`` is a link, the file that it
+    points to is replaced.
     """
     path = path.resolve()
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -31,20 +31,20 @@ def replace_bytes(path: Path, content: bytes) -> None:
 
 
 def is_full(folder: Path) -> bool:
-    """Return whether the disk has so little space left (under 1 MB) that programs may fail."""
+    """Return whether the disk is so full (under 1 MB free) that programs may fail."""
     return shutil.disk_usage(folder).free < LITTLE
 
 
 def temporary_of(path: Path) -> Path:
-    """Return the path at which ``replace_bytes`` first writes the new content of a file."""
+    """Return the path where ``replace_bytes`` first writes the new contents of a file."""
     return path.with_name(path.name + ".tmp")
 
 
 def is_new(folder: Path, first: Path) -> bool:
     """Return whether a folder for results is missing or empty, so that a run can start there.
 
-    Every run writes the file ``first`` before any other. If the folder contains only an unfinished
-    copy of this file, an earlier run was killed right at its beginning, and the folder counts as
-    empty.
+    Every run writes the file ``first`` before any other. A folder that holds nothing but an
+    unfinished copy of that file also counts as empty: an earlier run was killed right after it
+    started.
     """
     return not folder.exists() or {*folder.iterdir()} <= {temporary_of(first)}

@@ -1,4 +1,4 @@
-"""Make a hand-out: the folder with stubs, checks and tools that an instructor gives to students."""
+"""Make a hand-out: the folder of stubs, checks and tools that instructors give to students."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ STUDENT_TOOLS = {
 README = """\
 # Game physics: {titles}
 
-In this assignment you write a part of a game physics engine. Your files are under `chapters/`, and
+In this assignment you write part of a game physics engine. Your files are under `chapters/`, and
 you can check your work as often as you like. You need Python 3.11 or newer. If you have make, the
 first command sets up everything else. If you have no make, as on most Windows computers, use the
 Python commands in [chapters/README.md](chapters/README.md).
@@ -49,7 +49,7 @@ Python commands in [chapters/README.md](chapters/README.md).
 The README of each chapter is the lesson. The page `reference.md` beside it lists the exercises, and
 shows which functions belong to which section of the book. Write your answers to written questions
 into `answers.md`. When you are done, hand in the folders under `chapters/` that you have edited.
-Only the files that the table of exercises names are graded, so put helper functions into them, too.
+Only the files named in the table of exercises are graded, so put your helper functions there too.
 """
 PAGE_LINK = re.compile(r"(?<!!)\[([^\[\]]*)\]\(([^)#:\s]+\.(?:md|py))(?:#[^)]*)?\)")
 CHARTS = "ch08_charts.py"  # these scenes draw charts of the reference, so students don't need them
@@ -59,7 +59,7 @@ This folder has the original stubs, which `make reset` restores. Do not edit or 
 
 
 def student_tools(root: Path = ROOT) -> Iterator[Path]:
-    """Yield the files of our own programs that students receive with their hand-out."""
+    """Yield the files of our own programs that come with the students' hand-out."""
     for folder, names in STUDENT_TOOLS.items():
         for name in names.split():
             yield from sorted((root / folder).glob(name))
@@ -70,9 +70,9 @@ def make_handout(
 ) -> None:
     """Write a hand-out into the new folder ``out``, and print a summary of its contents.
 
-    Students receive ``chapters`` as stubs together with their checks, and the ``given`` chapters as
-    finished code without checks. ``chapters`` may contain only some of the exercises in a manifest,
-    and the rest are then marked as optional. ``about`` is the README section about the assignment.
+    Students receive ``chapters`` as stubs with their checks, and the ``given`` chapters as finished
+    code without checks. If ``chapters`` contain only some of the exercises in a manifest, the
+    others are marked as optional. ``about`` is the README section about the assignment.
 
     Raises:
         ValueError: A chapter is in both lists, or the folder is not empty.
@@ -140,7 +140,7 @@ def _fill(chapters: list[Chapter], given: list[Chapter], out: Path, root: Path, 
 def _remove_dead_links(out: Path) -> None:
     """Turn a link into plain text if it leads to a file that students did not receive.
 
-    An example is a link to the lesson of a later chapter.
+    The lesson of a later chapter is an example.
     """
     for page in out.rglob("*.md"):
         text = page.read_text(encoding="utf-8")
@@ -152,7 +152,7 @@ def _remove_dead_links(out: Path) -> None:
 
 
 def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:
-    """Write the chapter's manifest and its exercise table, with the points of this assignment."""
+    """Write the chapter's manifest and exercise table, with the points of this assignment."""
     whole = for_students(load_chapter(source), chapter)
     text = (source / "chapter.toml").read_text(encoding="utf-8")
     if whole != load_chapter(source):
@@ -165,7 +165,7 @@ def _write_manifest(chapter: Chapter, source: Path, target: Path) -> None:
 
 
 def _copy_lab(root: Path, out: Path, chapters: Collection[str]) -> None:
-    """Copy the lab, but leave out the scenes of chapters that students do not receive."""
+    """Copy the lab, without the scenes of chapters that students do not receive."""
     for file in (root / "lab").rglob("*"):
         numbered = re.match(r"ch\d\d_", file.name)
         wanted = not numbered or any(name.startswith(numbered[0]) for name in chapters)

@@ -1,4 +1,4 @@
-"""The commands that only instructors have, such as grade.
+"""The commands for instructors only, such as grade.
 
 A hand-out does not contain this module.
 """
@@ -18,14 +18,14 @@ from autograder.release import commands as release
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Define the commands that an instructor can type, such as grade and handout.
 
-    Each command imports the modules it needs when it runs. That way a student's `check` does not
-    have to wait for the imports of the grader.
+    Each command imports the modules it needs only when it runs, so a student's `check` does not
+    have to wait for the grader's imports.
     """
-    unsafe = "grade without a sandbox if this machine has none; only for a class that you trust"
+    unsafe = "grade without a sandbox if this machine has none; only for a class you trust"
     command = commands.add_parser("grade", help="grade a folder of submissions")
     command.add_argument("folder", type=Path, help="folder of submissions, or a zip of all of them")
     command.add_argument("--out", type=Path, required=True, help="folder for the results")
-    command.add_argument("--seed", help="seed of the random numbers (default: a new one)")
+    command.add_argument("--seed", help="seed for the random numbers (default: a new one)")
     command.add_argument("--chapters", default="", help="chapters, such as 2,3 (default: all)")
     command.add_argument("--given", default="", help="chapters that were handed out complete")
     command.add_argument(
@@ -62,9 +62,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
         add_options(command)
         command.set_defaults(run=run)
 
-    command = commands.add_parser(
-        "gradescope", help="make the zip with the autograder for Gradescope"
-    )
+    command = commands.add_parser("gradescope", help="make the autograder zip for Gradescope")
     command.add_argument(
         "chapters", nargs="?", default="", help="chapters, such as 2-3 (default: all)"
     )
@@ -82,7 +80,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
     command.add_argument("--chapters", default="", help="chapters, such as 2,3 (default: all)")
     command.set_defaults(run=run_similarity)
 
-    command = commands.add_parser("mark", help="mark the written answers of a class on a page")
+    command = commands.add_parser("mark", help="mark a class's written answers on a web page")
     command.add_argument(
         "folder", type=Path, help="folder of submissions, one folder or .zip per student"
     )
@@ -163,7 +161,7 @@ def run_gradescope(arguments: argparse.Namespace) -> int:
 
 
 def run_similarity(arguments: argparse.Namespace) -> int:
-    """Compare all submissions of a class, and report how many pairs are unusually similar."""
+    """Compare all submissions of a class, and print how many pairs are unusually similar."""
     from autograder.similarity.run import similarity
     from autograder.submissions.unpack import class_folder
 
@@ -172,7 +170,7 @@ def run_similarity(arguments: argparse.Namespace) -> int:
 
 
 def run_mark(arguments: argparse.Namespace) -> int:
-    """Serve the page on which an instructor marks written answers, until Ctrl-C is pressed."""
+    """Serve the page for marking written answers until Ctrl-C is pressed."""
     if sys.platform == "win32":
         raise ValueError("mark needs Linux or macOS; on Windows, run it under WSL")
     from autograder.marking.server import mark
@@ -185,7 +183,7 @@ def run_mark(arguments: argparse.Namespace) -> int:
 def run_stubs(arguments: argparse.Namespace) -> int:
     """Generate the stubs and the exercise tables.
 
-    With --check, only list the stubs that are outdated.
+    With --check, only list the stubs that are out of date.
     """
     from autograder.stubs import stale_stubs, write_stubs
     from autograder.tables import write_tables

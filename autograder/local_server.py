@@ -1,8 +1,8 @@
 """A base for the small web servers that run on the user's own machine, such as the marking page.
 
 Such a server listens only on 127.0.0.1. Its addresses begin with a random token, so that other web
-pages and other users of the machine cannot guess them. It refuses every request that is meant for
-another host name or that comes from a page of another origin.
+pages and other users of the machine cannot guess them. It refuses every request that is addressed
+to another host name or comes from a page of another origin.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ HEADERS = {
 
 
 class Site:
-    """A page that we serve on this machine. It knows its address and the token in it."""
+    """A page that we serve on this machine, with its address and the token in it."""
 
     def __init__(self) -> None:
         self.token = secrets.token_urlsafe(16)
@@ -37,26 +37,26 @@ class Site:
         return f"http://127.0.0.1:{self.port}/{self.token}/"
 
     def listen(self, application: Application, port: int = 0) -> None:
-        """Start to listen on ``port``, or on any free port if it is 0.
+        """Start listening on ``port``, or on any free port if it is 0.
 
-        The caller must already have a running event loop.
+        The caller must already be running an event loop.
         """
         sockets = bind_sockets(port, "127.0.0.1")
         self.port = sockets[0].getsockname()[1]
         HTTPServer(application).add_sockets(sockets)
 
     def check_host(self, request: HTTPServerRequest) -> None:
-        """Refuse a request whose host name is not that of this machine.
+        """Refuse a request addressed to any host name but this machine's.
 
-        A malicious site can make its own host name point to this server. Without this check, it
-        could then act as if it were our page.
+        A malicious site can point its own host name at this server. Without this check, it could
+        then pose as our page.
         """
         if request.host not in (f"127.0.0.1:{self.port}", f"localhost:{self.port}"):
             raise HTTPError(403)
 
 
 def is_own_page(request: HTTPServerRequest, origin: str) -> bool:
-    """Return whether a request comes from our own page. No other page may change data."""
+    """Return whether a request comes from our own page, since no other may change data."""
     try:
         return urlsplit(origin).netloc == request.host
     except ValueError:  # no address at all, such as http://[
@@ -64,7 +64,7 @@ def is_own_page(request: HTTPServerRequest, origin: str) -> bool:
 
 
 class Handler(RequestHandler):
-    """A request handler that refuses requests for any host name other than that of its site."""
+    """A request handler that refuses requests for any host name but its site's."""
 
     site: Site
 

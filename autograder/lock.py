@@ -1,6 +1,6 @@
 """Read stubs.lock, which stores a hash of every file that students start from.
 
-A stub whose hash still matches has not been edited.
+As long as its hash matches, a stub has not been edited.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ def stub_hash(text: str) -> str:
 
 
 def read_lock(root: Path = ROOT) -> dict[str, str]:
-    """Read stubs.lock, and return the hash of each file. Without a lock, return an empty dict."""
+    """Return the hash of each file in stubs.lock, or an empty dict if there is no lock."""
     path = root / LOCK_NAME
     if not path.exists():
         return {}

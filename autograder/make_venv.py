@@ -1,8 +1,8 @@
-"""Create .venv, and install the exact packages that requirements.lock lists.
+"""Create .venv, and install the exact packages listed in requirements.lock.
 
-`make` runs this script before its first command. If you have no make, run it yourself with python3
-autograder/make_venv.py. The script sticks to the syntax of Python 3.6, because a Python that is too
-old for the rest of the project should print a helpful message instead of a syntax error.
+`make` runs this script before its first command. If you do not have make, run it yourself: python3
+autograder/make_venv.py. The script sticks to the syntax of Python 3.6, so that a Python too old for
+the rest of the project prints a helpful message instead of a syntax error.
 """
 
 import os
@@ -20,13 +20,13 @@ NETWORK_WORDS = ("connection broken", "name resolution", "read timed out", "is u
 def stop(sentence: str) -> None:
     """Print why the setup failed, and exit.
 
-    The next run starts from scratch, since it finds no .venv/ready.
+    The next run starts from scratch, because it finds no .venv/ready.
     """
     sys.exit(f"Cannot set up: {sentence}")
 
 
 def python_of_venv() -> Path:
-    """Return the path of the Python in .venv. This needs Python 3.11 or later."""
+    """Return the path of the Python in .venv, for Python 3.11 or later."""
     return Path(sysconfig.get_path("scripts", "venv", {"base": str(VENV)})) / "python"
 
 
@@ -59,9 +59,9 @@ def check_python() -> None:
 
 
 def install(python: str) -> str:
-    """Install the locked packages with pip, and show its progress.
+    """Install the locked packages with pip, showing its progress.
 
-    If pip fails, return its output. If it succeeds, return an empty string.
+    Return pip's output if it fails, and an empty string if it succeeds.
     """
     lock = LOCK.read_text(encoding="utf-8").splitlines()
     total = sum("==" in line and line[0].isalpha() for line in lock)
@@ -84,10 +84,13 @@ def install(python: str) -> str:
 def main() -> None:
     """Create .venv from scratch.
 
-    The file .venv/ready, which is written last, marks it as complete.
+    The file .venv/ready is written last and marks it as complete.
     """
     check_python()
-    print(f"Setting up .venv with {sys.executable}, once; this takes about a minute.", flush=True)
+    print(
+        f"Setting up .venv with {sys.executable}; this one-time step takes about a minute.",
+        flush=True,
+    )
     made = subprocess.run(
         [sys.executable, "-m", "venv", "--clear", str(VENV)],
         stdout=subprocess.PIPE,

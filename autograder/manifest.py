@@ -18,9 +18,9 @@ FOLDER_NAME = re.compile(r"ch(\d\d)_[a-z0-9_]+")
 class Exercise:
     """An exercise of a chapter, as its manifest describes it.
 
-    In an assignment an exercise can be ``extra`` credit, which means that its points come on top of
-    the total. An exercise that is not part of the assignment is ``optional``. Students may still do
-    it, but it does not count.
+    In an assignment, an exercise can be ``extra`` credit: its points come on top of the total. An
+    exercise that is not part of the assignment is ``optional``: students may do it, but it does not
+    count.
     """
 
     id: str
@@ -45,13 +45,13 @@ class Chapter:
     """A chapter, as its manifest describes it.
 
     Attributes:
-        name: The name of the chapter's folder, which is also its package.
+        name: The name of the chapter's folder and package.
         complete: The modules that students use without changing them, such as cloth.py.
-        builds_on: The numbers of the earlier chapters whose code this one imports. None stands for
-            all earlier chapters.
+        builds_on: The numbers of the earlier chapters whose code this one imports. None means all
+            of them.
         summary: What the chapter is about, in one sentence.
         you_can: What students are able to do after the chapter.
-        picture: The plot that shows best what the chapter is about.
+        picture: The plot that best shows what the chapter is about.
     """
 
     name: str
@@ -66,22 +66,22 @@ class Chapter:
 
     @property
     def edited_files(self) -> list[str]:
-        """The modules that students edit, such as vector.py, in the manifest's order."""
+        """The modules that students edit, such as vector.py, in manifest order."""
         modules = [name.split(".")[0] for exercise in self.exercises for name in exercise.edit]
         return [f"{module}.py" for module in dict.fromkeys(modules)]
 
     @property
     def data_files(self) -> list[str]:
-        """The files into which students enter data of their own, such as drops.csv."""
+        """The files in which students enter data of their own, such as drops.csv."""
         return [name for exercise in self.exercises for name in exercise.files]
 
     @property
     def handed_in(self) -> list[str]:
-        """All files that we copy from a submission: the edited modules and the data files."""
+        """All files that are copied from a submission: the edited modules and the data files."""
         return [*self.edited_files, *self.data_files]
 
     def exercise(self, exercise_id: str) -> Exercise:
-        """Return the exercise of this chapter that has the id ``exercise_id``.
+        """Return the exercise of this chapter with the id ``exercise_id``.
 
         Raises:
             ValueError: The chapter has no such exercise.
@@ -94,10 +94,10 @@ class Chapter:
 
 
 def load_chapter(folder: Path) -> Chapter:
-    """Read the manifest in a chapter's folder, and check that everything in it is valid.
+    """Read and validate the manifest in a chapter's folder.
 
     Raises:
-        ValueError: Something in the manifest is not valid. The message says what.
+        ValueError: Something in the manifest is invalid. The message says what.
     """
     path = folder / "chapter.toml"
     return _read_chapter(path, path.read_text(encoding="utf-8"))
@@ -131,15 +131,15 @@ def _read_chapter(path: Path, text: str) -> Chapter:
 
 
 def load_chapters(root: Path = ROOT) -> list[Chapter]:
-    """Read the manifests of all chapters in ``root``/chapters, in the order of their numbers."""
+    """Read the manifests of all chapters in ``root``/chapters, in chapter order."""
     return [load_chapter(path.parent) for path in sorted(root.glob("chapters/*/chapter.toml"))]
 
 
 def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], list[Chapter]]:
-    """Split some chapters into the given ones and those that the student writes.
+    """Split some chapters into the given ones and the ones that the student writes.
 
     The code of a given chapter comes from the reference. ``numbers`` says which chapters are given,
-    as in "2,4-6". If it is empty, the student writes all of them.
+    as in "2,4-6"; if it is empty, the student writes all of them.
 
     Raises:
         ValueError: No chapter is left for the student, or ``numbers`` is malformed.
@@ -154,8 +154,8 @@ def split_given(chapters: list[Chapter], numbers: str) -> tuple[list[Chapter], l
 def refuse_given(chapter: Chapter, exercise: Exercise, numbers: str) -> None:
     """Raise ValueError if a student asks about an exercise of a given chapter.
 
-    Such a chapter comes from the reference, so there is nothing for the student to write.
-    ``numbers`` says which chapters are given, as in "2-5".
+    Such a chapter comes from the reference, so there is nothing to write in it. ``numbers`` says
+    which chapters are given, as in "2-5".
     """
     if numbers and chapter in select_chapters(numbers):
         raise ValueError(
@@ -173,9 +173,9 @@ def chapters_below(chapter: Chapter, root: Path = ROOT) -> list[Chapter]:
 
 
 def select_chapters(numbers: str) -> list[Chapter]:
-    """Return the chapters that a user has asked for with a text such as "2,4-6".
+    """Return the chapters that a user has requested with a text such as "2,4-6".
 
-    An empty text stands for all chapters.
+    An empty text means all chapters.
 
     Raises:
         ValueError: The text is malformed, or it names a chapter that does not exist.
@@ -198,7 +198,7 @@ def select_chapters(numbers: str) -> list[Chapter]:
 
 
 def numbers_of(chapters: list[Chapter]) -> str:
-    """Format consecutive chapter numbers the way our commands accept them, such as "2-5"."""
+    """Format consecutive chapter numbers as our commands accept them, such as "2-5"."""
     first, last = chapters[0].number, chapters[-1].number
     return str(first) if first == last else f"{first}-{last}"
 
@@ -230,10 +230,10 @@ def _are_words(value: object) -> bool:
 
 
 def _check_needs(path: Path, chapter: Chapter) -> None:
-    """Check that every id is unique, and that an exercise comes after the ones it builds on.
+    """Check that ids are unique and that every exercise comes after its prerequisites.
 
     Raises:
-        ValueError: An id appears twice, or an exercise is listed before one of its prerequisites.
+        ValueError: An id is used twice, or an exercise is listed before one of its prerequisites.
     """
     seen: set[str] = set()
     for exercise in chapter.exercises:

@@ -1,4 +1,4 @@
-"""The message that a check sends to a student, stored as data instead of text.
+"""The message that a check sends to a student, stored as data rather than text.
 
 The terminal, the web pages and the result files each lay it out in their own way.
 """
@@ -46,19 +46,19 @@ class Place:
 
 @dataclass(frozen=True)
 class Message:
-    """What a check has to say to a student. Parts that are empty are not shown.
+    """What a check has to say to a student. Empty parts are not shown.
 
     Attributes:
         title: A sentence that is shown without a label.
-        called: The call that the check has made.
-        got: What the student's code returned, or the exception that it raised.
-        wanted: The value that ``got`` must match, to within ``tolerance``. A tolerance of 0 means
-            that the two must be equal.
+        called: The call that the check made.
+        got: What the student's code returned or raised.
+        wanted: The value that ``got`` must match, to within ``tolerance``. A tolerance of 0
+            requires the two to be equal.
         where: A line of the student's code.
-        likely: The most likely mistake, while ``other`` names a second possibility.
+        likely: The most likely mistake; ``other`` is a second possibility.
         read: The section of the book or lesson that helps.
-        printed: What the student's code has printed.
-        exercise: If the function is not written yet, the exercise in which to write it.
+        printed: What the student's code printed.
+        exercise: If the function is not written yet, the exercise that asks for it.
         blocked_by: The exercises that must pass first.
     """
 
@@ -95,7 +95,7 @@ class Message:
         return replace(self, **values)
 
     def rows(self, *, printed: bool = True) -> list[Row]:
-        """Return the texts of the message with their labels, in the order in which we show them."""
+        """Return the texts of the message with their labels, in display order."""
         rows = [("", self.blocked), ("", self.title)]
         rows += [("called", one_per_line(self.called)), ("got", self.got)]
         rows += [("wanted", self.wanted + self._how_close), ("where", str(self.where or ""))]
@@ -111,9 +111,9 @@ class Message:
 
     @property
     def in_short(self) -> str:
-        """The part of the message that helps most when there is room for only one.
+        """The most helpful part of the message, for use where there is room for only one.
 
-        For a wrong value this is the likely mistake, and otherwise the exception.
+        For a wrong value that is the likely mistake, and otherwise the exception.
         """
         return (self.likely if self.wanted else self.got) or (
             self.blocked or self.title or self.called
@@ -130,7 +130,7 @@ class Message:
 
 
 def one_per_line(call: str) -> str:
-    """Put each statement of a long call on a line of its own, without splitting inside brackets."""
+    """Put each statement of a long call on its own line, without splitting inside brackets."""
     if len(call) <= LONG_CALL:
         return call
     lines, depth = [""], 0
@@ -144,10 +144,9 @@ def one_per_line(call: str) -> str:
 
 
 def laid_out(rows: list[Row]) -> str:
-    """Lay out the rows of a message as text, with labels on the left and the texts in column 10.
+    """Lay out the rows of a message as text, with labels on the left and texts in column 10.
 
-    Every further line of a text is indented as well, so that nobody mistakes its beginning for a
-    label.
+    Continuation lines are indented as well, so that none can be mistaken for a label.
     """
     lines = []
     for label, words in rows:

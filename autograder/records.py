@@ -1,8 +1,7 @@
 """Convert frozen dataclasses to JSON and back.
 
-When we read JSON, it may come from another process or from an older version of this program. We
-therefore compare every value with the type of its field, and if they do not match, the error says
-which value is wrong.
+The JSON may come from another process or from an older version of this program, so every value is
+compared with the type of its field. If the two do not match, the error says which value is wrong.
 """
 
 from __future__ import annotations
@@ -19,13 +18,13 @@ Record = TypeVar("Record")
 
 
 class RecordError(ValueError):
-    """Raised when a value in JSON data does not have the type that its field declares."""
+    """Raised when a value in JSON data does not have the type declared for its field."""
 
 
 def to_json(value: Any) -> Any:
-    """Convert a dataclass to plain lists and dictionaries, which json.dumps accepts.
+    """Convert a dataclass to plain lists and dictionaries for json.dumps.
 
-    Fields that still have their default value are left out, which keeps the data short.
+    Fields with their default value are left out, to keep the data short.
     """
     if is_dataclass(value) and not isinstance(value, type):
         data = {}
@@ -45,7 +44,7 @@ def to_json(value: Any) -> Any:
 def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
     """Create a dataclass of the type ``kind`` from JSON data.
 
-    ``what`` is a name for the data, such as "the report", that appears in error messages.
+    ``what`` names the data in error messages, as in "the report".
 
     Raises:
         RecordError: A value is missing, unknown or of the wrong type.
@@ -56,7 +55,7 @@ def from_json(kind: type[Record], data: Any, what: str = "") -> Record:
 
 @cache
 def _fields(kind: type) -> list[tuple[str, Any]]:
-    """Return the fields of a dataclass with their defaults, or MISSING for required fields."""
+    """Return a dataclass's fields with their defaults, or MISSING for required ones."""
     found = []
     for field in fields(kind):
         made = field.default_factory
@@ -68,7 +67,8 @@ def _fields(kind: type) -> list[tuple[str, Any]]:
 def _reader(kind: Any) -> Callable[[Any, str], Any]:
     """Return a function that reads a value of type ``kind`` from JSON data.
 
-    It takes the data and a name for them, so that an error message can say which value is wrong.
+    That function takes the data and a name for it, so that an error message can say which value is
+    wrong.
     """
     origin, arguments = typing.get_origin(kind), typing.get_args(kind)
     if is_dataclass(kind):
@@ -109,7 +109,7 @@ def _record_reader(kind: type) -> Callable[[Any, str], Any]:
 
 
 def _union_reader(kinds: tuple[Any, ...]) -> Callable[[Any, str], Any]:
-    """Return a function that reads a value which may have any of the types in ``kinds``.
+    """Return a function that reads a value of any of the types in ``kinds``.
 
     If the value fits none of them, the error is the one for the first type.
     """

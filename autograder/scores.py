@@ -15,10 +15,10 @@ PHYSICS_SHARE = 0.85  # the physics checks' part of the points, if there are rob
 
 @dataclass(frozen=True)
 class Result:
-    """How a student did in one exercise, with the verdict on each of its checks.
+    """How a student did on one exercise, with the verdict on each of its checks.
 
-    The score is None while we do not know it. That happens to a written answer until somebody marks
-    it, and to any exercise on which the grader itself failed.
+    The score is None for a written answer that nobody has marked yet, and for any exercise on which
+    the grader itself failed.
     """
 
     exercise: Exercise
@@ -43,12 +43,12 @@ class Result:
 
     @property
     def on_chart(self) -> Point | None:
-        """The cost and error of this student's solution, if a check has measured them."""
+        """The cost and error of this student's solution, if a check measured them."""
         return next((check.on_chart for check in self.checks if check.on_chart), None)
 
 
 def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
-    """Sort the verdicts by exercise, and return the result of each exercise in the chapter."""
+    """Group the verdicts by exercise, and return the result of each exercise in the chapter."""
     by_exercise: dict[str, list[Verdict]] = {}
     for verdict in verdicts:
         by_exercise.setdefault(verdict.exercise, []).append(verdict)
@@ -56,13 +56,12 @@ def results_of(chapter: Chapter, verdicts: Iterable[Verdict]) -> list[Result]:
 
 
 def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
-    """Compute the status and the points of an exercise from the verdicts on its checks.
+    """Compute the status and points of an exercise from the verdicts on its checks.
 
     Each check has a weight, and the student earns the weights of the checks that pass. If the
     exercise has both kinds of checks, the physics checks are worth PHYSICS_SHARE of the points, and
-    the robust checks are worth the rest. The robust checks affect the status only once all physics
-    checks pass. An exercise without any checks is our mistake, so its score is None instead of
-    zero.
+    the robust checks the remainder. Robust checks affect the status only once all physics checks
+    pass. An exercise without checks is our own mistake, so its score is None rather than zero.
     """
     if exercise.kind == "written":
         return Result(exercise, "waiting", None, [])
@@ -83,17 +82,16 @@ def result_of(exercise: Exercise, checks: list[Verdict]) -> Result:
 
 
 def _passing(checks: Sequence[Verdict]) -> float:
-    """Return how much of the total weight belongs to checks that pass, from 0 to 1."""
+    """Return the fraction, from 0 to 1, of the total weight that belongs to passing checks."""
     passed = sum(check.weight for check in checks if check.status == "passed")
     return passed / sum(check.weight for check in checks)
 
 
 def total(results: Iterable[Result]) -> tuple[float | None, float]:
-    """Return the points a student has earned, and how many there are to earn.
+    """Return the points that a student has earned, and the points possible.
 
-    Written answers and optional exercises do not count here, and extra credit adds only to the
-    points earned. If the grader failed on an exercise, we cannot know the sum, so the points earned
-    are None.
+    Written answers and optional exercises do not count, and extra credit adds only to the points
+    earned. If the grader failed on an exercise, the sum is unknown, so the points earned are None.
     """
     checked = [r for r in results if not (r.exercise.kind == "written" or r.exercise.optional)]
     points = possible(result.exercise for result in checked)
@@ -102,13 +100,13 @@ def total(results: Iterable[Result]) -> tuple[float | None, float]:
 
 
 def possible(exercises: Iterable[Exercise]) -> float:
-    """Add up the points of these exercises, leaving out extra credit and optional exercises."""
+    """Add up what these exercises are worth, leaving out extra credit and optional ones."""
     counted = [e.points for e in exercises if not (e.extra or e.optional)]
     return round(sum(counted), 2)
 
 
 def shown(score: float | None) -> str:
-    """Format a score for people to read, such as 2.5. If it is unknown, return a dash."""
+    """Format a score for people to read, such as 2.5, or as a dash if it is unknown."""
     return "-" if score is None else f"{score:.2f}".rstrip("0").rstrip(".")
 
 

@@ -1,9 +1,8 @@
-"""Turn our solutions into the stubs in chapters/, from which students start.
+"""Turn our solutions into the stubs in chapters/, which students start from.
 
-The manifest lists the functions that students write. In a stub each of these functions keeps its
-signature and docstring, but its body becomes ``raise NotImplementedError``. stubs.lock stores a
-hash of every stub. From this hash we see whether somebody has edited the stub since, and we never
-overwrite one that has been edited.
+The manifest lists the functions that students write. In a stub, each of them keeps its signature
+and docstring, but its body becomes ``raise NotImplementedError``. stubs.lock stores a hash of every
+stub, which reveals whether somebody has edited the stub since. Edited stubs are never overwritten.
 """
 
 from __future__ import annotations
@@ -67,8 +66,8 @@ def _stub_of_text(source: str, messages: tuple[tuple[str, str], ...]) -> str:
 def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
     """Return the stub of a module as it was before the student edited it.
 
-    Where the reference is available, we generate the stub from it. A hand-out has no reference, so
-    it keeps a copy of each original stub in a separate folder. If there is no such copy either, the
+    Where the reference is available, the stub is generated from it. A hand-out has no reference and
+    keeps a copy of each original stub in a separate folder instead. If there is no copy either, the
     result is None.
     """
     if (root / "solutions" / chapter.name / file).is_file():
@@ -78,7 +77,7 @@ def pristine_stub(chapter: Chapter, file: str, root: Path = ROOT) -> str | None:
 
 
 def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
-    """Write all stubs and stubs.lock, but leave alone every stub that somebody has edited.
+    """Write all stubs and stubs.lock, leaving alone any stub that somebody has edited.
 
     Return two lists of paths: the stubs that were written, and the edited ones that were not.
     """
@@ -104,9 +103,9 @@ def write_stubs(root: Path = ROOT) -> tuple[list[str], list[str]]:
 
 
 def stale_stubs(root: Path = ROOT) -> list[str]:
-    """Return the paths of all files in chapters/ that no longer match what we would generate.
+    """Return the paths of all files in chapters/ that differ from what would be generated.
 
-    These are stubs that differ from their solutions, and complete modules that differ from
+    These are stubs that no longer match their solutions, and complete modules that no longer match
     stubs.lock.
     """
     stale = [path for path, text in make_stubs(root).items() if _read(root / path) != text]
@@ -115,7 +114,7 @@ def stale_stubs(root: Path = ROOT) -> list[str]:
 
 
 def complete_hashes(root: Path = ROOT) -> dict[str, str]:
-    """Return the hash of every module that students use without changing it, keyed by its path."""
+    """Return the hash of every module that students use unchanged, keyed by its path."""
     files = [
         root / "chapters" / chapter.name / name
         for chapter in load_chapters(root)
@@ -130,19 +129,19 @@ def complete_hashes(root: Path = ROOT) -> dict[str, str]:
 def _read(file: Path) -> str | None:
     """Return the text of a file, or None if there is no such file.
 
-    Bytes that are not valid UTF-8 are replaced, so a file that contains some counts as edited.
+    Bytes that are not valid UTF-8 are replaced, so a file with such bytes counts as edited.
     """
     return file.read_text(encoding="utf-8", errors="replace") if file.exists() else None
 
 
 def stub_module(source: str, messages: dict[str, str], kept: Collection[str] = ()) -> str:
-    """Turn the source of a solution into a stub, by removing the bodies of the functions to write.
+    """Turn the source of a solution into a stub by removing the bodies that students write.
 
     ``messages`` maps the name of each such function, such as ``Vector3.dot``, to the message that
-    its stub raises. Once the bodies are gone, some helpers are no longer used, and they would give
-    the solution away. So we also remove private helpers, constants and imports that only these
-    bodies used. A public helper stays but loses its body. Public constants stay, because docstrings
-    mention them. The functions in ``kept`` always keep their bodies.
+    its stub raises. Once the bodies are gone, some helpers are no longer used and would give the
+    solution away. So private helpers, constants and imports that only those bodies used are removed
+    too. A public helper stays but loses its body. Public constants stay, because docstrings mention
+    them. The functions in ``kept`` always keep their bodies.
 
     Raises:
         ValueError: The module does not define one of the names.
@@ -184,9 +183,9 @@ def _helpers_of(
 ) -> dict[str, str]:
     """Find the helper functions that nothing uses any more, now that some bodies are gone.
 
-    Each helper comes with the message of a function that used it. Sometimes several functions share
-    a short name, such as the methods of a Protocol. Then we cannot tell which of them a body has
-    used, so we leave all of them alone.
+    Each helper comes with the message of a function that used it. If several functions share a
+    short name, such as the methods of a Protocol, there is no telling which of them a body used, so
+    all of them are left alone.
     """
     short_names = [_short(name) for name in defined]
     return {
@@ -228,7 +227,7 @@ def _used_names(source: str) -> set[str]:
 
 
 def _private_constant(statement: cst.CSTNode) -> str | None:
-    """Return the name _NAME if a statement has the form ``_NAME = value``, and otherwise None."""
+    """Return _NAME if a statement has the form ``_NAME = value``, and None otherwise."""
     match statement:
         case cst.SimpleStatementLine(
             body=[cst.Assign(targets=[cst.AssignTarget(target=cst.Name(value=name))])]
@@ -238,7 +237,7 @@ def _private_constant(statement: cst.CSTNode) -> str | None:
 
 
 def without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
-    """Replace the body of each function in ``messages`` with a raise statement."""
+    """Replace the body of each function named in ``messages`` with a raise statement."""
     bodies = {
         name: f"raise NotImplementedError({json.dumps(message)})"
         for name, message in messages.items()
@@ -247,7 +246,7 @@ def without_bodies(module: cst.Module, messages: dict[str, str]) -> cst.Module:
 
 
 def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
-    """Replace the bodies of some functions with other code, and keep their docstrings.
+    """Replace the bodies of some functions with other code, keeping their docstrings.
 
     ``bodies`` maps the name of a function to the source of its new body.
     """
@@ -273,7 +272,7 @@ def with_bodies(module: cst.Module, bodies: dict[str, str]) -> cst.Module:
 
 
 def _tidied(source: str) -> str:
-    """Let ruff remove the imports and blank lines that are no longer needed."""
+    """Have ruff remove the imports and blank lines that are no longer needed."""
     one_line = "lint.isort.split-on-trailing-comma=false"  # if the remaining names fit
     unused = ["check", "--fix", "--select", "F401,I", "--config", one_line, "--quiet", "-"]
     for arguments in (unused, ["format", "-"]):

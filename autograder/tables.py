@@ -1,4 +1,4 @@
-"""Write the exercise table in each chapter's reference.md, using the data of the manifest."""
+"""Write the exercise table in each chapter's reference.md from the data in the manifest."""
 
 from __future__ import annotations
 
@@ -32,9 +32,9 @@ def _extra(exercise: Exercise) -> str:
 
 
 def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
-    """List the functions that students write for an exercise, by file, and then its data files.
+    """List the functions that students write for an exercise, by file, then its data files.
 
-    If several classes in a file have a method of this name, the list names the class as well.
+    If several classes in a file have a method of that name, the class is named as well.
     """
     files: dict[str, list[str]] = {}
     edited = [name.partition(".") for other in chapter.exercises for name in other.edit]
@@ -48,7 +48,7 @@ def _places(exercise: Exercise, chapter: Chapter) -> list[str]:
 
 
 def with_table(page: str, chapter: Chapter) -> str:
-    """Return the text of reference.md with an up-to-date exercise table.
+    """Return the text of reference.md with its exercise table brought up to date.
 
     Raises:
         ValueError: The page lacks the two comment lines between which the table belongs.
@@ -61,7 +61,7 @@ def with_table(page: str, chapter: Chapter) -> str:
 
 
 def write_tables(chapters: list[Chapter], root: Path) -> list[str]:
-    """Update the exercise table of every chapter, and return the paths of the changed files."""
+    """Update every chapter's exercise table, and return the paths of the changed files."""
     changed = []
     for chapter in chapters:
         path = root / "chapters" / chapter.name / "reference.md"

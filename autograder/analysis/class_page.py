@@ -1,7 +1,7 @@
 """Write class.html, the page that shows an instructor how a whole class did.
 
-The page contains the distribution of the scores, the most common mistakes and statistics on every
-exercise. No student is named on it, so an instructor can show it in a lecture.
+The page shows the distribution of scores, the most common mistakes, and statistics for every
+exercise. It names no students, so it is safe to show in a lecture.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ TEMPLATES = Path(__file__).parent / "templates"
 class ShownMistake:
     """A mistake on class.html, with the number of students who made it.
 
-    ``places`` says where to read about the topic, such as a lesson or the glossary.
+    ``places`` says where to read up on the topic, such as in a lesson or the glossary.
     """
 
     mistake: Mistake

@@ -15,7 +15,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_progress(arguments: argparse.Namespace) -> int:
-    """Write the page about a class's progress, and print where it is."""
+    """Write the progress page of a class, and print its path."""
     from autograder.analysis.progress import write_progress
 
     page = write_progress(arguments.runs, arguments.out)

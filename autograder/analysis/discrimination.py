@@ -1,8 +1,8 @@
 """Measure how well an exercise separates stronger students from weaker ones.
 
-The usual measure for this is the item-rest correlation: Pearson's correlation between the scores
-for one exercise and the scores for all the others. If every student earns either all points of the
-exercise or none, this is the same as the point-biserial correlation.
+The usual measure is the item-rest correlation: Pearson's correlation between the scores on one
+exercise and the total scores on all the others. When an exercise is all or nothing, that equals the
+point-biserial correlation.
 """
 
 from __future__ import annotations
@@ -41,18 +41,22 @@ class Discrimination:
 def discrimination(own: Sequence[float], rest: Sequence[float]) -> Discrimination:
     """Compute the item-rest correlation of an exercise.
 
-    ``own`` holds the score of each student for this exercise. ``rest`` holds the same student's
-    score for all the other exercises, so both must list the students in the same order.
+    ``own`` holds each student's score on this exercise, and ``rest`` the same student's total on
+    all the others. Both must list the students in the same order.
     """
     count = len(own)
     if count < FEWEST:
-        return Discrimination(count, reason=f"{count} students: fewer than {FEWEST} are too few")
+        return Discrimination(
+            count, reason=f"{count} students, which is fewer than the {FEWEST} needed"
+        )
     apart = count - Counter(own).most_common(1)[0][1]
     if apart < FEWEST_APART:
         have = "student has" if apart == 1 else "students have"
         return Discrimination(count, reason=f"{apart or 'no'} {have} a different score than most")
     if len({*rest}) == 1:
-        return Discrimination(count, reason="all students have the same score for the rest")
+        return Discrimination(
+            count, reason="all students have the same score on the other exercises"
+        )
     value = max(-1.0, min(1.0, statistics.correlation(own, rest)))
     return Discrimination(count, value, _interval(value, count))
 

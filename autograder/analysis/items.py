@@ -1,7 +1,7 @@
-"""Compute how well a class did in each exercise and in each of its checks.
+"""Compute how well a class did on each exercise and each of its checks.
 
-All scores come from runs in which the reference replaces the earlier chapters. Otherwise a single
-mistake in chapter 2 would show up again in every chapter that uses vectors.
+All scores come from runs with the earlier chapters of the reference. Otherwise a single mistake in
+chapter 2 would resurface in every chapter that uses vectors.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ HIDDEN = "a hidden check"
 
 @dataclass(frozen=True)
 class CheckItem:
-    """How a class did in one check: how many students passed it, how many failed it, and so on."""
+    """How a class did on one check: how many students passed it, how many failed it, and so on."""
 
     name: str
     robust: bool
@@ -33,9 +33,9 @@ class CheckItem:
 
 @dataclass(frozen=True)
 class ExerciseItem:
-    """How a class did in one exercise: how many students earned all, some or none of its points.
+    """How a class did on one exercise: how many students earned all, some or none of its points.
 
-    ``mean`` is the mean score as a fraction of the points, or None if nobody has a score.
+    ``mean`` is the average fraction of the points earned, or None if nobody has a score.
     """
 
     exercise: Exercise
@@ -53,7 +53,7 @@ class ExerciseItem:
 
 
 def items_of(chapter: Chapter, reports: Sequence[StudentReport]) -> list[ExerciseItem]:
-    """Compute the statistics of each exercise in a chapter, in the order of the manifest."""
+    """Compute the statistics of each exercise in a chapter, in manifest order."""
     return [_item(exercise, reports) for exercise in chapter.exercises]
 
 
@@ -85,7 +85,7 @@ def _item(exercise: Exercise, reports: Sequence[StudentReport]) -> ExerciseItem:
 
 
 def _checks(results: Sequence[ExerciseReport]) -> list[CheckItem]:
-    """Compute the statistics of an exercise's checks, with the physics checks first."""
+    """Compute the statistics of an exercise's checks, physics checks first."""
     items: dict[tuple[str, bool], CheckItem] = {}
     for result in results:
         for check in result.checks:

@@ -1,4 +1,4 @@
-"""Find out which mistakes a class has made, using the messages of the checks that failed."""
+"""Find the mistakes a class has made, based on the messages of its failed checks."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 
 @dataclass
 class Mistake:
-    """A mistake that students have made, as the messages of their failed checks describe it.
+    """A mistake that students made, as described in the messages of their failed checks.
 
     Attributes:
-        words: The message about the mistake.
+        words: The message that describes the mistake.
         students: Who has made it.
-        exercises: In which exercises it was made.
-        read: The sections of the book and the lessons that explain the topic.
-        robust: Whether only robust checks have found it.
-        in_values: Whether the code runs but computes a wrong value. If this is false, the code is
-            incomplete or raises an error.
+        exercises: The exercises in which they made it.
+        read: The lessons and sections of the book that explain the topic.
+        robust: Whether only robust checks caught it.
+        in_values: Whether the code runs but computes a wrong value. Otherwise it is incomplete or
+            raises an error.
     """
 
     words: str
@@ -39,10 +39,10 @@ class Mistake:
 
 @dataclass(frozen=True)
 class Mistakes:
-    """All mistakes of a class, starting with the one that most students made.
+    """All mistakes of a class, the most widespread first.
 
-    ``unexplained`` counts the failed checks whose messages do not name a likely mistake. Hidden
-    checks are always among them, because their messages must not reveal what they test.
+    ``unexplained`` counts the failed checks whose messages name no likely mistake. That includes
+    every hidden check, because its message must not reveal what it tests.
     """
 
     found: list[Mistake]
@@ -50,17 +50,17 @@ class Mistakes:
 
     @property
     def misconceptions(self) -> list[Mistake]:
-        """The most common mistakes in the physics, which deserve a few minutes of a lecture."""
+        """The most common physics mistakes, which are worth a few minutes in a lecture."""
         physics = [one for one in self.found if one.in_values and not one.robust]
         return [one for one in physics if len(one.students) >= SHARED_BY][:MOST]
 
 
 def mistakes_of(reports: Sequence[StudentReport]) -> Mistakes:
-    """Collect the mistakes that the reports of a class describe.
+    """Collect the mistakes described in the reports of a class.
 
-    We count only checks with the status "failed". If a check is blocked or inherited, the mistake
-    is in another exercise or chapter, and it is counted there. The numbers in a message depend on
-    the random seed, so we treat two messages that differ only in their numbers as the same mistake.
+    Only checks with the status "failed" count. For a blocked or inherited check, the mistake lies
+    in another exercise or chapter and is counted there. Messages that differ only in their numbers
+    count as the same mistake, because those numbers depend on the random seed.
     """
     found: dict[str, Mistake] = {}
     wordings: dict[str, Counter[str]] = {}

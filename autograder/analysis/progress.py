@@ -1,6 +1,6 @@
-"""Show how a class has developed from one graded assignment to the next.
+"""Show how a class progresses from one graded assignment to the next.
 
-The page compares the scores, lists each student, and shows which mistakes came up again.
+The page compares the scores, lists every student, and shows which mistakes keep coming back.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ FEWEST = 2  # assignments
 
 @dataclass(frozen=True)
 class Run:
-    """A graded assignment, with what each student earned in percent of the points for checks.
+    """A graded assignment, with the percentage of the check points that each student earned.
 
-    If the grader failed on a student's submission, the percentage is None.
+    The percentage is None if the grader failed on the submission.
     """
 
     name: str
@@ -39,9 +39,9 @@ class Run:
 
     @property
     def five(self) -> list[float]:
-        """The minimum, the three quartiles and the maximum, from which the page draws a box plot.
+        """The five numbers of the box plot: the minimum, the three quartiles and the maximum.
 
-        The list is empty if we do not know any percentage.
+        The list is empty if no percentage is known.
         """
         values = self.known
         if len(values) < 2:
@@ -54,8 +54,8 @@ class Run:
 class Returning:
     """A mistake that students made in more than one assignment.
 
-    ``counts`` says how many students made it in each assignment, and ``again`` how many of them
-    made it more than once.
+    ``counts`` says how many students made it in each assignment, and ``again`` how many made it in
+    more than one.
     """
 
     words: str
@@ -66,10 +66,10 @@ class Returning:
 def write_progress(folders: Sequence[Path], out: Path) -> Path:
     """Write progress.html, which compares several graded assignments, and return its path.
 
-    ``folders`` holds the results of one assignment each, and the page shows them in the same order.
+    Each of the ``folders`` holds the results of one assignment. The page keeps their order.
 
     Raises:
-        ValueError: There are fewer than two folders, or one of them contains no results.
+        ValueError: There are fewer than two folders, or one of them has no results.
     """
     if len(folders) < FEWEST:
         raise ValueError(f"progress needs at least {FEWEST} graded folders, got {len(folders)}")
@@ -91,8 +91,8 @@ def write_progress(folders: Sequence[Path], out: Path) -> Path:
 def _run(folder: Path, folders: Sequence[Path]) -> Run:
     """Read the results of one graded assignment.
 
-    On the page the assignment has the name of its folder. If two of the folders have the same name,
-    the page shows their full paths instead.
+    The page names each assignment after its folder, or shows its full path if two folders share a
+    name.
     """
     reports = [clean_all(report) for report in read_results(folder)]
     same = [other for other in folders if other.resolve().name == folder.resolve().name]
@@ -105,10 +105,7 @@ def _run(folder: Path, folders: Sequence[Path]) -> Run:
 
 
 def returning(runs: Sequence[Run]) -> list[Returning]:
-    """Find the mistakes that came up in several assignments.
-
-    The list begins with the mistake that most students have repeated.
-    """
+    """Find the mistakes that came up in several assignments, the most often repeated first."""
     words: dict[str, str] = {}
     students: dict[str, list[list[str]]] = {}
     for number, run in enumerate(runs):

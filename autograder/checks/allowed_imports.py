@@ -1,8 +1,8 @@
 """Let a student's code import only Python's standard library and the chapters.
 
 The grader has no other packages, and of the chapters it has only the files that students hand in or
-that we give them. An import that will fail there should fail at home as well, so that the student
-finds out in time. It fails on the same line and with the same message from Python.
+receive from us. An import that will fail there should also fail at home, on the same line and with
+the same message, so that the student finds out in time.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ CHAPTER = re.compile(r"ch\d\d_\w+")
 
 
 def limit_imports(code: StudentsCode) -> None:
-    """From now on, refuse every import by the student's code that would fail in the grader."""
+    """From now on, block every import by the student's code that would fail in the grader."""
     real_import, real_import_module = builtins.__import__, importlib.import_module
 
     def guarded_import(
@@ -48,7 +48,7 @@ def limit_imports(code: StudentsCode) -> None:
 
 
 def _refuse(code: StudentsCode, name: str, package: str | None, fromlist: Sequence[str]) -> None:
-    """If importing ``name`` would fail in the grader, raise the same error here."""
+    """Raise Python's own import error here if importing ``name`` would fail in the grader."""
     if name.startswith("."):
         try:
             name = importlib.util.resolve_name(name, package)

@@ -1,9 +1,9 @@
-"""Run checks in a forked copy of this process, so that one exercise cannot affect another.
+"""Run checks in a forked copy of this process, so that exercises cannot affect each other.
 
-A student's module may contain a counter or a cache, and what one check leaves in it would change
-the result of the next. The grader prevents this by starting a new process for each check. On a
-student's machine that would take too long, because even a copy per check doubles the time of a run.
-So there all checks of one exercise share a copy.
+A student's module may contain a counter or a cache, and whatever one check leaves in it could
+change the result of the next. The grader prevents that with a new process for each check. On a
+student's machine that would take too long (even forking once per check doubles the run time), so
+all checks of an exercise share one copy.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ DONE = 87  # exit code of a copy that has finished its work
 def run_in_a_copy(work: Callable[[], object]) -> None:
     """Fork this process, and call ``work`` in the copy.
 
-    If the copy crashes, this process deliberately ends in the same way. The runner notices that,
-    and starts a new process for the checks that are left.
+    If the copy crashes, this process deliberately ends the same way. The runner notices, and starts
+    a new process for the remaining checks.
     """
     if sys.platform == "win32":
         raise OSError("Windows cannot copy a process")
@@ -47,7 +47,7 @@ def run_in_a_copy(work: Callable[[], object]) -> None:
 
 
 def how_it_ended(code: int) -> str:
-    """Explain to a student how the process that ran the code ended. ``code`` is its exit code."""
+    """Tell a student how the process that ran the code ended. ``code`` is its exit code."""
     if code < 0:
         name = signal.strsignal(-code) or f"signal {-code}"
         return f"the process ended early: Python crashed ({name})"

@@ -1,6 +1,6 @@
-"""Put together the files and settings that a check process needs.
+"""Assemble the files and settings that a check process needs.
 
-A check process is the program that runs the checks of one chapter on one student's code.
+A check process is the program that runs one chapter's checks on one student's code.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ class Behind:
     """How to run a student's code in worker processes inside a sandbox.
 
     Attributes:
-        level: The layers of the sandbox, which is a sandbox.Level turned into a dict.
+        level: The layers of the sandbox: a sandbox.Level as a dict.
         fresh: Whether every check gets a new interpreter.
-        missing: The modules of the submission that we have rejected, each with the reason.
-        hidden: A folder of additional checks, of which students see only a short rationale.
-        for_instructor: Whether the result contains the full messages of hidden checks. Set this
-            only if students will not read the result.
-        compiled: A folder that keeps the compiled code of a submission from one run to the next.
+        missing: The rejected modules of the submission, each with the reason.
+        hidden: A folder of hidden checks, of which students see only a short rationale.
+        for_instructor: Whether to include the full messages of hidden checks. Set this only if no
+            student will see the result.
+        compiled: A folder that caches the compiled code of a submission between runs.
     """
 
     level: dict[str, bool]
@@ -38,10 +38,10 @@ class Behind:
 
 @dataclass(frozen=True)
 class Workers:
-    """What a check process needs to know in order to start its workers.
+    """What a check process needs in order to start its workers.
 
-    A worker is the process in the sandbox that runs the student's code. ``probes`` and ``compiled``
-    are the folders for the probes and for the compiled code.
+    A worker is the sandboxed process that runs the student's code. ``probes`` and ``compiled`` are
+    the folders for the probes and for the compiled code.
     """
 
     level: dict[str, bool]
@@ -53,13 +53,13 @@ class Workers:
 
 @dataclass(frozen=True)
 class Arranged:
-    """The files and names that a check process works with, in a form that fits into JSON.
+    """The files and names that a check process works with, in JSON-compatible form.
 
     Attributes:
         known: The exercises of the chapter.
         edits: For each exercise, the functions that students write.
         modules: The modules to import before the checks.
-        complete: The files that students call but did not write.
+        complete: The files that students use but did not write.
         graded: For each chapter's folder, the files that the grader has too.
     """
 
@@ -77,12 +77,12 @@ class Arranged:
 
 @dataclass(frozen=True)
 class Config:
-    """Everything a check process has to know: its files, its settings and which checks to run.
+    """Everything a check process needs to know: files, settings, and the checks to run.
 
     Attributes:
-        apart: Whether the checks of each exercise run in a forked copy of the process.
+        apart: Whether each exercise's checks run in a forked copy of the process.
         broken: The modules that cannot be imported, each with the reason.
-        done: The checks that already have a verdict, and therefore need not run again.
+        done: The checks that already have a verdict and need not run again.
     """
 
     arranged: Arranged
@@ -98,7 +98,7 @@ class Config:
 def arrange(
     folder: Path, chapter: Chapter, engine: list[Path], root: Path, behind: Behind | None
 ) -> Arranged:
-    """Put the files for a check process into ``folder``, and return their paths and names."""
+    """Put a check process's files into ``folder``, and return their paths and names."""
     chapters = [*chapters_below(chapter, root), chapter]
     hidden = _put_hidden_checks(folder, chapter, root, behind)
     return Arranged(
@@ -119,24 +119,24 @@ def arrange(
 def root_of_checks(folder: Path, root: Path, behind: Behind | None) -> Path:
     """Return the folder that contains the checks.
 
-    Without hidden checks this is the project itself. Otherwise it is a copy to which the hidden
-    checks have been added.
+    Without hidden checks, that is the project itself. Otherwise it is a copy of the project with
+    the hidden checks added.
     """
     return folder / "root" if behind and behind.hidden else root
 
 
 def shared_by_checks(root: Path) -> list[Path]:
-    """Return the helper files in tests/ that the checks of all chapters share."""
+    """Return the helper files in tests/ that every chapter's checks share."""
     return [root / "tests/conftest.py", *sorted((root / "tests/shared").glob("*.py"))]
 
 
 def _put_hidden_checks(
     folder: Path, chapter: Chapter, root: Path, behind: Behind | None
 ) -> list[str]:
-    """Copy a chapter's public and hidden checks into the folder of the check process.
+    """Copy a chapter's public and hidden checks into the check process's folder.
 
-    Return the path of the hidden checks relative to the root. The list is empty if the chapter has
-    no hidden checks.
+    Return a list with the folder of the hidden checks, relative to the root. The list is empty if
+    the chapter has none.
     """
     if not behind or not behind.hidden:
         return []
@@ -179,10 +179,10 @@ def _workers(folder: Path, chapter: Chapter, root: Path, behind: Behind | None) 
 def _modules(
     chapter: Chapter, chapters: list[Chapter], engine: list[Path], root: Path
 ) -> list[str]:
-    """Return the names of the modules to import before the checks, so that we see which ones fail.
+    """Return the names of the modules to import before the checks, to see which ones fail.
 
-    A module that cannot be imported does not stop us from importing the others. In some hand-outs
-    an earlier chapter has no manifest, and then we import all of its files.
+    One broken module does not keep the others from being imported. In some hand-outs an earlier
+    chapter has no manifest; all of its files are then imported.
     """
     files = {c.name: c.edited_files for c in chapters}
     listed = {c.name for c in load_chapters(root)}

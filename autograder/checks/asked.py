@@ -1,8 +1,8 @@
-"""Remember what the running check is testing, so that a message about a failure can say so.
+"""Remember what the running check is testing, so that a failure message can say so.
 
 Before a check calls the student's code, it stores three things: the call, the likely mistake if the
-result is wrong, and the section to read. If the result is wrong, or if the student's code raises an
-exception, the message shows all three.
+result is wrong, and the section to read. The message shows all three if the result is wrong or the
+student's code raises an exception.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ Returned = TypeVar("Returned")
 
 
 class Words(TypedDict, total=False):
-    """Words for a single expectation, which replace those that its check has stored in ``about``.
+    """Words for a single expectation, overriding those that its check has stored in ``about``.
 
-    ``then`` is appended to the call instead of replacing it.
+    ``then`` is appended to the call rather than replacing it.
     """
 
     call: str
@@ -28,10 +28,10 @@ class Words(TypedDict, total=False):
 
 
 class About:
-    """What a message about a failure will show: the call, the likely mistake, and what to read.
+    """What a failure message will show: the call, the likely mistake, and what to read.
 
-    To change some of these and keep the rest, call the object with the new ones. You can also
-    assign to one of them, as in ``about.call += "; v.x"``.
+    To change some of these and keep the rest, call the object with the new values, or assign to one
+    of them, as in ``about.call += "; v.x"``.
     """
 
     def __init__(self) -> None:
@@ -45,12 +45,12 @@ class About:
         self.read = self.read if read is None else read
 
     def but(self, words: Words) -> tuple[str, str, str]:
-        """Return the call, the mistake and what to read, with those in ``words`` replaced."""
+        """Return the call, the mistake and what to read, with the overrides of ``words``."""
         call = words.get("call", self.call) + words.get("then", "")
         return call, words.get("cause", self.cause), words.get("read", self.read)
 
     def forget(self) -> None:
-        """Clear everything, so that a check does not inherit the words of the check before it."""
+        """Clear everything, so that the next check starts without this one's words."""
         self("", cause="", read="")
 
 
@@ -58,10 +58,9 @@ about = About()
 
 
 def scoped(helper: Callable[Parameters, Returned]) -> Callable[Parameters, Returned]:
-    """Wrap a helper of the checks, so that what it stores in ``about`` is undone when it returns.
+    """Wrap a helper of the checks, so that its changes to ``about`` are undone when it returns.
 
-    If the helper raises an exception, nothing is undone, because the message about the failure
-    needs what the helper has stored.
+    If the helper raises an exception, its changes stay, because the failure message needs them.
     """
 
     @wraps(helper)

@@ -1,4 +1,4 @@
-"""Find out which of the student's functions the expression in a check calls."""
+"""Find out which of the student's functions a check's expression calls."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def calls(expression: str, name: str) -> bool:
 
 
 def names_class(expression: str, name: str) -> bool:
-    """Return whether an expression creates an object of the class to which a method belongs.
+    """Return whether an expression creates an object of the class that a method belongs to.
 
     ``name`` is the method's name in the manifest. For a plain function, the answer is always True.
     """

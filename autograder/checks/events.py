@@ -12,9 +12,9 @@ from autograder.records import from_json, to_json
 
 @dataclass(frozen=True)
 class Check:
-    """A check that is going to run.
+    """A check that is about to run.
 
-    If it is hidden, students see nothing of it but ``rationale``.
+    Of a hidden check, students see only ``rationale``.
     """
 
     name: str
@@ -26,7 +26,7 @@ class Check:
 
 @dataclass(frozen=True)
 class Checks:
-    """Sent once at the beginning. It lists all checks in the order in which they run."""
+    """Sent once, at the start: all checks, in the order in which they will run."""
 
     checks: list[Check]
 
@@ -85,10 +85,10 @@ def write_event(event: Event) -> str:
 
 
 def read_event(line: str) -> Event:
-    """Turn a line of JSON back into an event.
+    """Parse a line of JSON into an event.
 
     Raises:
-        ValueError: The line does not contain an event.
+        ValueError: The line is not an event.
     """
     event = json.loads(line)
     if not isinstance(event, dict) or len(event) != 1:

@@ -1,4 +1,4 @@
-"""Explain an error in a student's code, and suggest what to do about it."""
+"""Explain an error in a student's code, and suggest how to fix it."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ from autograder.checks.nearest import explain_unknown
 from autograder.message import ExpectationError, Kind, Message, Place
 
 NOT_IMPLEMENTED = (
-    "The code returned NotImplemented. Only an operator with two operands, such as __add__, may "
-    "return it: Python then raises the TypeError. Any other method must raise the error itself."
+    "The code returned NotImplemented. Only a binary operator such as __add__ should do that: "
+    "Python then raises the TypeError for it. Any other method must raise the error itself."
 )
 NOT_HANDED_IN = (
-    "Only the files that the exercises name are handed in. Move this code into one of them, or "
-    "correct the name. Import a module with its folder: from ch02_vectors.vector import Vector3"
+    "Only the files named in the exercises are handed in. Move this code into one of them, or "
+    "correct the name. Imports must include the folder: from ch02_vectors.vector import Vector3"
 )
 ONLY_COMPUTES = (
-    "An engine only computes. Remove code that writes files, reads files outside the engine, "
-    "starts programs or threads, or uses the network. None of it works where your code is graded."
+    "Your engine should only compute. Remove any code that writes files, reads files outside the "
+    "engine, starts programs or threads, or uses the network. None of that works in the grader."
 )
 NO_KEYBOARD = (
     "Your code waits for keyboard input, but nobody can type anything during a check. Remove the "
@@ -44,19 +44,19 @@ SLIPS = (
     (
         "circular import",
         "Two files import each other, so neither can be loaded first. Remove one of the imports, "
-        "and move the code that both files need into the file that is still imported.",
+        "and move the code that both files need into the one that is still imported.",
     ),
     ("No module named 'ch0", NOT_HANDED_IN),
     ("(unknown location)", NOT_HANDED_IN),
     (
         "No module named",
-        "An engine may import only Python's standard library and the chapters. Import a chapter's "
-        "module with its folder: from ch02_vectors.vector import Vector3",
+        "Your engine may import only Python's standard library and the chapters. Imports of a "
+        "chapter must include its folder: from ch02_vectors.vector import Vector3",
     ),
     (
         "No such file or directory",
-        "Your code runs in another folder, so a relative path does not find the file. Use "
-        "Path(__file__).with_name(...) for a file beside your code, and use only files that an "
+        "Your code runs in a different folder, so a relative path won't find the file. Use "
+        "Path(__file__).with_name(...) for a file next to your code, and use only files that an "
         "exercise names.",
     ),
     ("Permission denied", ONLY_COMPUTES),
@@ -64,29 +64,29 @@ SLIPS = (
     ("start new thread", ONLY_COMPUTES),
     (
         "must be a Vector3, got None",
-        "A method that works in place changes its vector and returns None. Call it on a line of "
-        "its own, and do not assign its result.",
+        "A method that works in place changes its vector and returns None. Call it on its own "
+        "line, and don't assign the result.",
     ),
     ("has no setter", "This property has no setter, so it can be read but not assigned."),
     ("for ^", "Python writes powers with **. The operator ^ is bitwise exclusive or."),
     (
         "is not defined",
-        "Python does not know this name. Check its spelling, and check that the "
-        "file imports it at the top.",
+        "Python doesn't know this name. Check the spelling, and make sure that the file "
+        "imports it at the top.",
     ),
     (
         "local variable",
-        "Your code reads this variable before it assigns a value to it. Give it a "
-        "value first, on every path that leads to this line.",
+        "Your code reads this variable before assigning a value to it. Give it a value on every "
+        "path that leads to this line.",
     ),
     (
         "unexpected keyword",
-        "A parameter in the def line has a different name from the one in the docstring. Use the "
-        "names of the docstring, because callers pass arguments by name.",
+        "A parameter in the def line has a different name than in the docstring. Use the names "
+        "in the docstring, because callers pass arguments by name.",
     ),
     (
         "and 'method'",
-        "Your code uses a method as if it were its result. Add parentheses after its "
+        "Your code uses a method as if it were the method's result. Add parentheses after the "
         "name to call it.",
     ),
     ("can't decode", "Save the file as UTF-8 in your editor."),
@@ -97,34 +97,34 @@ SLIPS = (
 PERHAPS = (
     (
         "'tuple'",
-        "A function with several results returns them as a tuple. Unpack the tuple into separate "
-        "names before you use a result.",
+        "A function with several results returns them as a tuple. Unpack it into separate names "
+        "before you use any of them.",
     ),
     ("NoneType", "A value on this line is None. Is a return statement missing?"),
     (
         "maximum recursion",
-        "A function calls itself forever. Check whether an operator or a method uses itself, or "
-        "whether a setter assigns to its own name.",
+        "A function calls itself forever. Check whether an operator or method uses itself, or a "
+        "setter assigns to its own name.",
     ),
     (
         "positional argument",
-        "The number of arguments does not match the def line. Perhaps self is missing there, or "
+        "The number of arguments doesn't match the def line. Perhaps self is missing there, or "
         "the call passes one argument too many.",
     ),
     (
         "is not callable",
-        "Your code calls a value that is not a function. Perhaps it is a property, which needs no "
-        "parentheses, or its name is used for two things.",
+        "Your code calls a value that isn't a function. Perhaps it's a property, which needs no "
+        "parentheses, or you've used the same name for two things.",
     ),
     (
         "values to unpack",
-        "The number of returned values differs from the number of names that they are assigned "
-        "to. The docstring says what the function returns.",
+        "The number of values returned doesn't match the number of names on the left of the =. "
+        "Check in the docstring what the function returns.",
     ),
     (
         "cannot unpack",
-        "The number of returned values differs from the number of names that they are assigned "
-        "to. The docstring says what the function returns.",
+        "The number of values returned doesn't match the number of names on the left of the =. "
+        "Check in the docstring what the function returns.",
     ),
     (
         "has no attribute",
@@ -132,15 +132,15 @@ PERHAPS = (
     ),
     ("unterminated", "A quotation mark is missing here or further up. A docstring needs three."),
     ("TabError", "The indentation mixes tabs and spaces. Use four spaces for each level."),
-    ("unindent does not match", "Indent this line as far as the block that it belongs to."),
+    ("unindent does not match", "Indent this line to match the block that it belongs to."),
     ("unexpected indent", "This line is indented too far. Use four spaces for each level."),
     ("expected an indented block", "Write the body of this block, and indent it by four spaces."),
     ("MemoryError", "Your code needs more memory than a check may use. Is a list too long?"),
     ("is not subscriptable", "A Vector3 has no index. Read v.x, v.y and v.z instead."),
     (
         "TypeError",
-        "A value on this line has a different type than the code expects. Check the type of each "
-        "name there. Perhaps a method name lacks its parentheses, so the method is not called.",
+        "A value on this line isn't of the type that the code expects. Check the type of each name "
+        "on it. Perhaps a method is missing its parentheses, so it's never called.",
     ),
 )
 ESCAPED = re.compile(
@@ -156,13 +156,12 @@ def explain_exception(
     """Build the message for a check that ended with an exception.
 
     If an expectation was not met, the exception already carries its message. For any other
-    exception, the message shows the call that the check made, the exception, the student's line,
-    and a likely mistake. If we recognize Python's error, we know which mistake this is. Otherwise
-    we show the one that the check suggests.
+    exception, the message shows the call that the check made, the exception, the student's line and
+    a likely mistake: the one behind Python's error if we recognize it, and otherwise the one that
+    the check suggests.
 
     ``complete`` lists modules that the student calls but did not write, such as
-    ch02_vectors/arguments.py. An exception that was raised in a worker process has the attribute
-    ``fault``.
+    ch02_vectors/arguments.py. An exception from a worker process has the attribute ``fault``.
     """
     fault = getattr(error, "fault", None) or fault_of(error, engine_folders)
     written = [frame for frame in fault.frames if not _is_given(frame, complete)]
@@ -198,7 +197,7 @@ def explain_import(
     """Build the message that tells a student why a module cannot be imported.
 
     ``complete`` lists the modules that the student did not write. The message never points to a
-    line in one of these.
+    line in one of them.
     """
     file = file_of(module)
     if fault.missing_module == module:
@@ -223,7 +222,7 @@ def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> M
     """Build the message for a check that ran out of time.
 
     ``stack`` is the stack trace that the process wrote to a file. The student's code can write to
-    the same file, so we must be prepared to find anything in it.
+    that file too, so the trace may contain anything.
     """
     hung = Message(
         f"{Kind.HUNG.value} within {time_limit:g} seconds. Is there an endless loop?",
@@ -241,7 +240,7 @@ def explain_hang(stack: str, time_limit: float, engine_folders: list[Path]) -> M
 
 
 def _unescaped(text: str) -> str:
-    """Decode the escapes that Python uses for special characters when it writes a stack trace."""
+    """Decode the escape sequences that Python puts in a stack trace for special characters."""
     return ESCAPED.sub(lambda escaped: chr(int(escaped[escaped.lastindex or 0], 16)), text)
 
 
@@ -255,24 +254,24 @@ def _likely(text: str, cause: str, fault: Fault) -> tuple[str, str]:
 
 
 def slip_of(text: str) -> str:
-    """Explain a common mistake in Python, which we recognize by the text of the exception.
+    """Explain a common Python mistake, recognized by the text of its exception.
 
-    If we do not know the mistake, return an empty string.
+    Return an empty string if the mistake is unknown.
     """
     return next((slip for sign, slip in SLIPS if sign in text), "")
 
 
 def _is_given(place: Place, complete: Sequence[str]) -> bool:
-    """Return whether the student did not write the code at ``place``.
+    """Return whether the code at ``place`` is not the student's own.
 
-    If such code raises an error, the mistake must be in the code that called it. Students never
-    write a constructor, so a constructor that rejects its arguments counts as given code too.
+    If such code raises an error, the mistake is in whatever called it. Students never write
+    constructors, so a constructor that rejects its arguments also counts as given.
     """
     return place.function in ("__init__", "__setattr__") or place.file in complete
 
 
 def _with_source(place: Place, engine_folders: list[Path]) -> Place:
-    """Add the source line to ``place``, which we read from the first folder that has the file."""
+    """Add the source line to ``place``, read from the first folder that has the file."""
     for folder in engine_folders:
         file = folder / place.file
         if file.is_file():

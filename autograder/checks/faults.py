@@ -1,7 +1,7 @@
 """Describe an exception in a student's code as plain data.
 
-The code may run in this process or in a worker process, and for the rest of the program it should
-make no difference which.
+The code may run in this process or in a worker process, and the rest of the program need not care
+which.
 """
 
 from __future__ import annotations
@@ -21,8 +21,7 @@ MOST_FRAMES = 50
 class CheckEnded(BaseException):
     """Raised to end a check with a message for the student.
 
-    It derives from BaseException, so that an ``except Exception`` in the student's code cannot
-    catch it.
+    It derives from BaseException, so an ``except Exception`` in the student's code cannot catch it.
     """
 
     def __init__(self, message: Message) -> None:
@@ -34,21 +33,21 @@ class CheckEnded(BaseException):
 
 
 class GraderFault(BaseException):
-    """Raised to end a check because of an error in the grader, not in the student's code."""
+    """Raised to end a check because of an error in the grader rather than the student's code."""
 
 
 class StudentLeft(BaseException):
-    """Raised when a student's code raises something other than an Exception, such as SystemExit."""
+    """Raised when a student's code raises anything but an Exception, such as SystemExit."""
 
     fault: Fault
 
 
 @dataclass(frozen=True)
 class Fault:
-    """An exception as plain data: its type, its text, and the path it took through student code.
+    """An exception as plain data: its type, its text, and its path through the student's code.
 
-    For a syntax error, ``syntax`` holds the file, the line and the text that Python could not read.
-    If the exception is about a name that does not exist, ``unknown`` describes this name.
+    For a syntax error, ``syntax`` holds the file, the line and the text that Python could not
+    parse. If the exception is about a missing name, ``unknown`` describes that name.
     """
 
     type: str
@@ -60,18 +59,18 @@ class Fault:
 
     @property
     def first_line(self) -> str:
-        """The type and the text of the exception, as in the last line of a traceback.
+        """The type and text of the exception, as in the last line of a traceback.
 
-        If the text is very long, we show only the beginning of its first line.
+        A very long text is cut to the beginning of its first line.
         """
         first = (self.text.splitlines() or [""])[0][:500]
         return f"{self.type}: {first}" if first else self.type
 
 
 def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
-    """Describe an exception as plain data, which can be sent to another process.
+    """Describe an exception as plain data that can be sent to another process.
 
-    Of its stack we keep only the lines in files of ``folders``, with the innermost one last.
+    Of its stack, only the lines in files of ``folders`` are kept, innermost last.
     """
     syntax = None
     text = text_of(error)
@@ -92,7 +91,7 @@ def fault_of(error: BaseException, folders: Sequence[Path]) -> Fault:
 
 
 def text_of(error: BaseException) -> str:
-    """Return the text of an exception, even if the student's own __str__ method fails."""
+    """Return the text of an exception, even if the student's own __str__ fails."""
     try:
         return str(error).strip()
     except BaseException:
@@ -106,7 +105,7 @@ def is_inside(file: str, folders: Sequence[Path]) -> bool:
 
 
 def short(file: str) -> str:
-    """Return the last folder and the name of a file, such as ch02_vectors/vector.py."""
+    """Return a file's name with its folder, such as ch02_vectors/vector.py."""
     return f"{Path(file).parent.name}/{Path(file).name}"
 
 

@@ -1,8 +1,7 @@
 """Find out which failures in a chapter come from mistakes in earlier chapters.
 
-To do that, we run the chapter's checks a second time, with the earlier chapters taken from the
-reference. If a check passes this time, an earlier chapter was to blame, and we mark the check as
-inherited.
+To do so, run the chapter's checks a second time, with the earlier chapters of the reference. If a
+check passes this time, an earlier chapter was to blame, and the check is marked as inherited.
 """
 
 from __future__ import annotations
@@ -27,10 +26,10 @@ Run = Callable[[Chapter, list[Path]], list[Verdict]]  # runs a chapter's checks 
 def with_given(
     given: Sequence[Chapter], engine: list[Path], root: Path = ROOT
 ) -> Iterator[list[Path]]:
-    """Create an engine in which the given chapters come from the reference.
+    """Create an engine whose given chapters come from the reference.
 
     Raises:
-        ValueError: ``root`` does not contain the reference of a chapter. A hand-out never does.
+        ValueError: ``root`` lacks the reference of a chapter, as every hand-out does.
     """
     if not given:
         yield engine
@@ -61,11 +60,11 @@ def run_on_given(
     run: Run,
     root: Path = ROOT,
 ) -> list[Verdict]:
-    """Run the checks again, but with the reference in place of the chapters in ``below``.
+    """Run the checks again, with the reference in place of the chapters in ``below``.
 
-    Return the new verdicts. In three cases a second run would be of no use, so the result is empty:
-    the reference is not available, or the student has not written any of the functions that fail,
-    or a loop in this chapter never ends.
+    Return the new verdicts, or an empty list if a second run would be pointless: when the reference
+    is not available, when the student has not written any of the functions that fail, or when a
+    loop in this chapter never ends.
 
     Raises:
         GraderError: The checks cannot be run.
@@ -94,7 +93,7 @@ def mark_inherited(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdic
 
 
 def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Verdict]:
-    """For each check that failed in both runs, keep the verdict of the second run.
+    """For each check that failed in both runs, use the verdict of the second run.
 
     ``verdicts`` come from the first run, and ``again`` from the run on the reference. The second
     verdict explains the failure better, because only the student's own chapter can have caused it.
@@ -109,10 +108,10 @@ def explained_on_given(verdicts: list[Verdict], again: list[Verdict]) -> list[Ve
 def suspects(
     verdicts: list[Verdict], engine: list[Path], below: Sequence[Chapter], run: Run
 ) -> list[Chapter]:
-    """Return the earlier chapters that do not pass all of their own checks.
+    """Return the earlier chapters that fail some of their own checks.
 
-    This is for a folder without the reference. There we cannot find out which failures are
-    inherited, but we can at least warn the student that an earlier chapter may be the cause.
+    This is for a folder without the reference. There we cannot tell which failures are inherited,
+    but we can at least warn the student that an earlier chapter may be to blame.
     """
     lost = [verdict for verdict in verdicts if verdict.status in LOST]
     if all(_is_unwritten(verdict) for verdict in lost):
@@ -130,18 +129,18 @@ def suspects(
 def below_and_not_given(
     chapter: Chapter, given: Sequence[Chapter], root: Path = ROOT
 ) -> list[Chapter]:
-    """Return the earlier chapters that this chapter uses and that the student has written."""
+    """Return the earlier chapters that this one uses and that the student has written."""
     return [other for other in chapters_below(chapter, root) if other not in given]
 
 
 def _is_unwritten(verdict: Verdict) -> bool:
-    """Return whether a check fails only because a function of its chapter has not been written."""
+    """Return whether a check fails only because a function of its chapter is not written yet."""
     message = verdict.message
     return message.kind is Kind.UNWRITTEN and _number(message.exercise) == _number(verdict.exercise)
 
 
 def _number(exercise: str) -> str:
-    """Return the chapter number in the id of an exercise, such as 4 for B4.2."""
+    """Return the chapter number in an exercise id, such as 4 for B4.2."""
     return re.sub(r"^[A-Z]|\..*", "", exercise)
 
 

@@ -1,8 +1,7 @@
-"""Explain to students that a check fails because they have removed or renamed a function.
+"""Tell students when a check fails because they have deleted or renamed a function.
 
-The manifest lists the functions that students write. If a student deletes or renames one of them,
-Python reports only that some name is missing. We can do better: this module adds to the message
-that the stub is gone, and says how to restore it.
+When a function from the manifest is gone, Python reports only that some name is missing. This
+module adds to the message that the stub is gone, and says how to restore it.
 """
 
 from __future__ import annotations
@@ -27,7 +26,7 @@ def explain_gone(
 ) -> Message:
     """If a check failed because the student removed a function, say so in its message.
 
-    ``edits`` lists the functions that students write for each exercise, such as vector.Vector3.dot.
+    ``edits`` maps each exercise to the functions that students write, such as vector.Vector3.dot.
     """
     for owner, name in _candidates(message, exercise, edits):
         module, _, path = name.partition(".")
@@ -41,9 +40,9 @@ def explain_gone(
 def _candidates(
     message: Message, exercise: str, edits: Mapping[str, Sequence[str]]
 ) -> list[tuple[str, str]]:
-    """Return the functions that the student may have removed, together with their exercises.
+    """Return the functions that the student may have removed, with their exercises.
 
-    First come those that the message mentions, and then those that the check's expression calls.
+    Those that the message mentions come first, then those that the check's expression calls.
     """
     every = [(owner, name) for owner, names in edits.items() for name in names]
     own = [(exercise, name) for name in edits.get(exercise, ()) if calls(message.called, name)]
@@ -67,7 +66,7 @@ def _names(says: str, name: str) -> bool:
 def _words(
     module: str, path: str, exercise: str, there: set[str], edits: Mapping[str, Sequence[str]]
 ) -> str:
-    """Tell the student that a function was removed or renamed, and how to get it back."""
+    """Tell the student that a function is gone or renamed, and how to get it back."""
     prefix = path.removesuffix(own_name(f"{module}.{path}"))
     if prefix and not any(name.startswith(prefix) for name in there):
         short = own_name(f"{module}.{path}")

@@ -1,7 +1,7 @@
 """Run the checks and the student's code in one process, which is fast but not secure.
 
-The checks run like this on a student's own machine. The code can still import only those modules
-and perform only those operations that the grader allows, so that there are no surprises later.
+This is how checks run on a student's own machine. To avoid surprises later, the code can import
+only the modules and perform only the operations that the grader allows.
 """
 
 from __future__ import annotations
@@ -55,9 +55,9 @@ class InProcess:
         self.depth = Depth()
 
     def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
-        """Import the student's modules one by one, before the checks import them.
+        """Import the student's modules one by one, before the checks do.
 
-        If a module cannot be imported, only the checks that use it will fail.
+        If a module cannot be imported, only the checks that use it fail.
         """
         self.surround()
         for module, message in broken.items():
@@ -75,14 +75,14 @@ class InProcess:
             imported.__dict__.setdefault("__getattr__", answer_for_missing(imported))
 
     def surround(self) -> None:
-        """Restrict the student's code the way the grader does, and give it the same environment."""
+        """Set up the grader's restrictions and environment for the student's code."""
         leave_home()
         code = StudentsCode(self.engine, self.graded)
         limit_imports(code)
         limit_acts(code)
 
     def after_collection(self) -> None:
-        """Hide all objects so far from the garbage collector, so that forks share more memory."""
+        """Hide all existing objects from the garbage collector, so that forks share more memory."""
         gc.freeze()
 
     def _import(self, module: str) -> None:
@@ -101,7 +101,7 @@ class InProcess:
             sys.dont_write_bytecode = False
 
     def definitions(self, file: Path) -> set[str] | None:
-        """Return the names that the module in ``file`` defines, or None if we cannot find out."""
+        """Return the names that the module in ``file`` defines, or None if that is unknown."""
         return read_definitions(file)
 
     def start(self) -> None:
@@ -112,7 +112,7 @@ class InProcess:
         self.start_clock()
 
     def stop(self) -> str:
-        """Stop the time limit, and return what the student's code has printed."""
+        """Stop the clock, and return what the student's code has printed."""
         self.stop_clock()
         sys.stdin.close()
         sys.stdin, sys.stdout, sys.stderr = self.streams
@@ -121,9 +121,9 @@ class InProcess:
         return printed
 
     def start_clock(self) -> None:
-        """Start the time limit of a check.
+        """Start the clock for a check.
 
-        When the time is up, the process writes a stack trace and ends, even if it is stuck in a
+        When the time is up, the process writes a stack trace and exits, even if it is stuck in a
         loop.
         """
         faulthandler.dump_traceback_later(self.time_limit, exit=True, file=self.stack_file)

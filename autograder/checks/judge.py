@@ -38,9 +38,9 @@ _stopping = threading.Event()
 
 @contextlib.contextmanager
 def stopping() -> Iterator[None]:
-    """Stop the checks that are running in all threads, and start none until the context ends.
+    """Stop the checks running in all threads, and start no others until the context ends.
 
-    Each run that is stopped like this raises GraderError.
+    Every run that is stopped raises GraderError.
     """
     _stopping.set()
     for process in list(_processes):
@@ -52,7 +52,7 @@ def stopping() -> Iterator[None]:
 
 
 def is_stopped() -> bool:
-    """Return whether some thread has just told all runs to end, with ``stopping``."""
+    """Return whether a thread is currently using ``stopping`` to end all runs."""
     return _stopping.is_set()
 
 
@@ -61,7 +61,7 @@ class SilentError(Exception):
 
 
 class Judge:
-    """A process that runs checks, as a configuration file tells it to.
+    """A process that runs the checks described in a configuration file.
 
     Once it has ended, ``code`` is its exit code and ``stderr`` the end of its standard error.
     """
@@ -76,11 +76,10 @@ class Judge:
     def lines(self, silence: float, deadline: float) -> Generator[str]:
         """Run the process, and yield each line of its output until it ends.
 
-        If the caller stops reading early, the process is killed.
+        If the caller stops reading early, kill the process.
 
         Raises:
-            SilentError: No line arrived for ``silence`` seconds plus GRACE, or none before the
-                deadline.
+            SilentError: No line arrived for ``silence`` seconds plus GRACE, or by the deadline.
         """
         with (self.config.parent / "stderr.txt").open("w+b") as stderr:
             process = self._start(stderr)
@@ -119,11 +118,10 @@ class Judge:
 
 @dataclass(frozen=True)
 class Ending:
-    """How a check process ended, and what we know about the reason.
+    """How a check process ended, and what is known about the reason.
 
     If the process ran out of time, ``stack`` shows what it was doing at that moment. ``silent`` is
-    true if it stopped responding, so that we had to kill it. ``stderr`` is the end of its standard
-    error.
+    true if it stopped responding and had to be killed. ``stderr`` is the end of its standard error.
     """
 
     stack: str = ""
@@ -139,7 +137,7 @@ class Ending:
 
 
 def judge(run: Run) -> Ending:
-    """Run the checks that have no verdict yet in a new process, and wait until it ends."""
+    """Run the checks that have no verdict yet in a new process, and wait for it to end."""
     order, silent = run.order, False
     # On Windows the files of a process stay locked for a moment after its end.
     with tempfile.TemporaryDirectory(prefix="checks-", ignore_cleanup_errors=True) as name:
@@ -186,7 +184,7 @@ def _pass_on(stream: IO[str], lines: queue.Queue[str]) -> None:
 
 
 def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
-    """Kill a process and, where the system has process groups, the programs that it started."""
+    """Kill a process and, where process groups exist, every program that it started."""
     with contextlib.suppress(ProcessLookupError, PermissionError):
         if sys.platform == "win32":
             assert isinstance(process, subprocess.Popen)  # Windows cannot fork judges
@@ -196,7 +194,7 @@ def _kill(process: subprocess.Popen[str] | ForkedJudge) -> None:
 
 
 def environment() -> dict[str, str]:
-    """Return a check process's environment variables, which keep pytest from loading plugins."""
+    """Return the environment for a check process, which keeps pytest from loading plugins."""
     path = os.pathsep.join(filter(None, [str(ROOT), os.environ.get("PYTHONPATH", "")]))
     return os.environ | {
         "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",

@@ -1,7 +1,7 @@
 """Placeholders for modules that cannot be imported and for names that do not exist.
 
-Thanks to them the checks of a chapter can be imported even if the student's file lacks a name. Only
-a check that uses this name then fails, and its message says why.
+They let the checks of a chapter load even if the student's file lacks a name. Only a check that
+uses that name then fails, and its message says why.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ def file_of(module: str) -> str:
 def broken_module(name: str, why: Message) -> ModuleType:
     """Create a placeholder for a module that cannot be imported.
 
-    If a check uses any name in it, the check fails with the message ``why``.
+    Any check that uses a name from it fails with the message ``why``.
     """
     module = ModuleType(name)
     module.__dict__["__getattr__"] = lambda wanted: _placeholder(MissingName(name, wanted), why)
@@ -65,7 +65,7 @@ def broken_module(name: str, why: Message) -> ModuleType:
 
 
 def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
-    """Return a __getattr__ function that creates a placeholder for each name a module lacks."""
+    """Return a __getattr__ function that creates a placeholder for any name a module lacks."""
     is_empty = all(name.startswith("__") for name in vars(module))
 
     def answer(name: str) -> Any:
@@ -76,7 +76,7 @@ def answer_for_missing(module: ModuleType) -> Callable[[str], Any]:
 
 
 def while_imported(module: str, message: Message) -> Message:
-    """Build the message for a module whose import got stuck or ended the process."""
+    """Build the message for a module whose import hung or ended the process."""
     return Message(
         f"{file_of(module)} cannot be imported: {message.title}",
         where=message.where,
@@ -85,7 +85,7 @@ def while_imported(module: str, message: Message) -> Message:
 
 
 def _placeholder(missing: MissingName, message: Message) -> Any:
-    """Create a placeholder for a missing name: a class that raises an error when it is called."""
+    """Create a placeholder for a missing name: a class that raises an error when called."""
     if missing.name.startswith("__"):
         raise AttributeError(missing.name)
 

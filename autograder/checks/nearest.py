@@ -1,7 +1,7 @@
-"""Guess which name a student meant when the code uses a name or attribute that does not exist.
+"""Guess which name a student meant when the code uses one that does not exist.
 
 Python's error contains only the missing name. Only the process that ran the code knows which names
-do exist, so it searches for a similar one itself, and returns the result as plain data.
+exist, so it finds the nearest one itself and returns it as plain data.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ IMPORTED = re.compile(r"cannot import name '(\w+)'")
 
 @dataclass(frozen=True)
 class Unknown:
-    """A name that the student's code uses although it does not exist.
+    """A name or attribute that the student's code uses but that does not exist.
 
     Attributes:
-        of: The type or the file that lacks the name. It is empty for a plain variable.
-        nearest: The most similar name that does exist.
-        slots: If the code assigns to an attribute that the object cannot have, those it can have.
-        module: Whether the name is a module of Python's library that was not imported.
+        of: The type or file that lacks the name, or empty for a plain variable.
+        nearest: The most similar name that exists.
+        slots: After an assignment to an attribute that the object cannot have, those it can have.
+        module: Whether the name is a standard library module that was not imported.
     """
 
     name: str
@@ -44,7 +44,7 @@ class Unknown:
 
 
 def unknown_of(error: BaseException) -> Unknown | None:
-    """Return the missing name that an error reports, or None if the error has another reason."""
+    """Return the missing name behind an error, or None if the error has another cause."""
     try:
         if isinstance(error, UnboundLocalError):
             return None
@@ -60,9 +60,9 @@ def unknown_of(error: BaseException) -> Unknown | None:
 
 
 def nearest(name: str, there: Iterable[str], cutoff: float = 0.6) -> str:
-    """Return the name in ``there`` that is most similar to ``name``, to suggest it to the student.
+    """Return the name in ``there`` most similar to ``name``, as a suggestion for the student.
 
-    If none of them is similar enough, return an empty string. Names such as __init__ are never
+    Return an empty string if none is similar enough. Dunder names such as __init__ are never
     suggested.
     """
     names = [other for other in there if not (other.startswith("__") and other.endswith("__"))]
@@ -72,11 +72,11 @@ def nearest(name: str, there: Iterable[str], cutoff: float = 0.6) -> str:
 
 
 def explain_unknown(unknown: Unknown) -> str:
-    """Suggest a name in place of the missing one, or return an empty string if we have no idea."""
+    """Suggest a name in place of the missing one, or return "" if there is none to suggest."""
     name, near = unknown.name, unknown.nearest
     if unknown.slots:
         held = ", ".join(unknown.slots)
-        hint = f" The most similar to {name} is {near}." if near else ""
+        hint = f" The closest to {name} is {near}." if near else ""
         return (
             f"The class {unknown.of} has __slots__, so its objects can hold only these attributes: "
             f"{held}.{hint} Store the value in one of them, in the form that its name suggests."
@@ -138,7 +138,7 @@ def _innermost(traceback: TracebackType | None) -> FrameType | None:
 
 
 def _assigns(traceback: TracebackType | None) -> bool:
-    """Return whether an error was raised by an assignment to an attribute."""
+    """Return whether an error comes from an assignment to an attribute."""
     while traceback and traceback.tb_next:
         traceback = traceback.tb_next
     if traceback is None:
@@ -158,9 +158,9 @@ def _attributes(value: Any) -> set[str]:
 def _slots(kind: type) -> list[str]:
     """Return the attributes that a student may assign to, if a class limits them with __slots__.
 
-    If the class accepts any attribute, the list is empty. A private slot such as _damping is in the
-    list only if there is a property named damping, because other private slots are internal to the
-    class. If no slot is left after that, we return all of them.
+    If the class accepts any attribute, the list is empty. A private slot such as _damping is listed
+    only if there is a property named damping; other private slots are internal to the class. If
+    that leaves no slots, all of them are returned.
     """
     if kind.__dictoffset__:
         return []

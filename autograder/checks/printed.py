@@ -1,4 +1,4 @@
-"""Capture what a student's code prints, but keep only the first characters."""
+"""Capture what a student's code prints, up to a limit."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ LONGEST = 4000  # characters
 
 
 class CappedText(io.TextIOBase):
-    """A text stream that keeps the first LONGEST characters written to it and discards the rest."""
+    """A text stream that keeps the first LONGEST characters written to it and drops the rest."""
 
     def __init__(self, keep: Callable[[str], object]) -> None:
         self.left = LONGEST

@@ -1,7 +1,7 @@
-"""Run the checks of a chapter in a separate process, and return a verdict on each of them.
+"""Run a chapter's checks in a separate process, and return the verdict on each.
 
 Each check has a time limit. If a check hangs or its process dies, the remaining checks run in a new
-process. As long as no sandbox is needed, this also works on Windows.
+process. Without a sandbox, this works on Windows too.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")  # where an object is in memory diff
 class Limits:
     """How many seconds one check and a whole run may take.
 
-    The limit for a check is generous, since most checks finish within a few milliseconds.
+    The limit for a check is generous: most checks take a few milliseconds.
     """
 
     check: float = 3.0
@@ -43,17 +43,17 @@ Judging = Callable[["Run"], Ending]
 
 
 class GraderError(Exception):
-    """Raised when the checks could not run, although the student's code is not to blame."""
+    """Raised when the checks could not run, through no fault of the student's code."""
 
 
 @dataclass(frozen=True)
 class Order:
     """Which checks to run, and on which engine.
 
-    ``engine`` is a list of folders with chapters. If a module exists in several of them, the first
-    folder wins. ``behind`` describes the sandbox for the student's code. If it is None, the code
-    runs in the same process as the checks, and then ``apart`` says whether the checks of each
-    exercise run in a forked copy of this process.
+    ``engine`` is a list of folders with chapters; if several of them have a module, the first one
+    wins. ``behind`` describes the sandbox for the student's code. If it is None, the code runs in
+    the same process as the checks, and ``apart`` says whether each exercise's checks run in a
+    forked copy of it.
     """
 
     chapter: Chapter
@@ -78,12 +78,11 @@ def run_checks(
     root: Path = ROOT,
     judge: Judging = judge,
 ) -> list[Verdict]:
-    """Run the checks of a chapter on a student's engine, and return a verdict on each of them.
+    """Run a chapter's checks on a student's engine, and return the verdict on each.
 
-    If ``exercises`` is given, only the checks of these exercises and of their prerequisites run.
-    After each verdict we call ``on_verdict`` with the number of verdicts so far and the total
-    number of checks, so that the caller can show the progress. ``Order`` and ``Run`` explain the
-    other arguments.
+    If ``exercises`` is given, only the checks of those exercises and their prerequisites run. To
+    show the progress, ``on_verdict`` is called after each verdict with the number of verdicts so
+    far and the total number of checks. ``Order`` and ``Run`` explain the other arguments.
 
     Raises:
         GraderError: The checks could not be run.
@@ -104,9 +103,9 @@ def run_checks(
 
 
 class Run:
-    """Keeps track of a run of checks, which may take several processes to finish.
+    """Keeps track of one run of the checks, which may take several processes to finish.
 
-    ``judge`` is the function that starts such a process and passes its events on to the run. It
+    ``judge`` is the function that starts such a process and passes its events to the run. It
     returns an ``Ending``, which says how the process ended.
     """
 
@@ -143,27 +142,27 @@ class Run:
     def limit(self) -> float:
         """How many seconds the next check may take.
 
-        If one function has already hung twice, this is less than usual. The student then does not
-        have to wait so long for the same endless loop.
+        Once a function has hung twice, the limit is shorter than usual, so that the student does
+        not wait so long for the same endless loop.
         """
         hurried = len(set(self.loops)) < len(self.loops)
         return self.order.limits.check * (HURRIED if hurried else 1.0)
 
     @property
     def progress(self) -> tuple[int, int]:
-        """How many verdicts there are, and how many modules are known to be broken.
+        """The number of verdicts, and the number of modules known to be broken.
 
-        If neither number grows while a process runs, it would be useless to start another one.
+        If neither number grows while a process runs, starting another one is pointless.
         """
         return len(self.verdicts), len(self.broken)
 
     def outcome(self) -> list[Verdict]:
-        """Return the verdicts in the order of the checks, with blocked ones marked as such."""
+        """Return the verdicts in the order of the checks, with the blocked ones marked."""
         verdicts = [self.verdicts[name] for name in self.checks]
         return mark_blocked(self.order.chapter, verdicts)
 
     def one_process(self) -> None:
-        """Start a process for the checks that have no verdict yet, and wait until it ends."""
+        """Start a process for the checks that have no verdict yet, and wait for it to end."""
         self.current = None
         ending = self.judge(self)
         self.stderr = ending.stderr
@@ -172,7 +171,7 @@ class Run:
         self._break_off(self.current, ending.explain(self.limit, self.order.engine))
 
     def config(self, folder: Path) -> Config:
-        """Return the configuration for the next process, which says what is left to check."""
+        """Return the configuration for the next process, which lists the remaining checks."""
         order = self.order
         return Config(
             arranged=arrange(folder, order.chapter, order.engine, order.root, order.behind),
@@ -186,7 +185,7 @@ class Run:
         )
 
     def hear(self, line: str) -> None:
-        """Read the event in one line of the process's output, and handle it."""
+        """Parse one line of the process's output, and handle its event."""
         try:
             event = read_event(line)
         except ValueError as error:
@@ -194,10 +193,10 @@ class Run:
         self.take(event)
 
     def take(self, event: Event) -> None:
-        """Handle an event that the process has sent, such as a verdict.
+        """Handle an event from the process, such as a verdict.
 
         Raises:
-            GraderError: The event is about a check that does not belong to this run.
+            GraderError: The event is about a check that is not part of this run.
         """
         doing, self.current = self.current, None
         match event:
@@ -214,7 +213,7 @@ class Run:
                 self.finished, self.current = doing is None, doing
 
     def _break_off(self, doing: events.Importing | events.Started, why: Message) -> None:
-        """Record that the running check or import did not finish, and the message about it."""
+        """Record that the running check or import did not finish, with the message to show."""
         if isinstance(doing, events.Importing):
             self.broken[doing.module] = while_imported(doing.module, why)
             return
@@ -248,22 +247,21 @@ class Run:
         self.on_verdict(len(self.verdicts), len(self.checks))
 
     def give_up(self) -> None:
-        """Fail all remaining checks, because the run as a whole has taken too long."""
+        """Fail all remaining checks because the run as a whole has taken too long."""
         seconds = f"{self.order.limits.run:g} seconds"
         if not self.checks:
             raise GraderError(f"no check began within {seconds}:\n{self.stderr}")
         for name in self.checks:
             if name not in self.verdicts:
-                why = Message(f"not run: the time limit for all checks, {seconds}, was used up")
+                why = Message(f"not run: the time limit of {seconds} for all checks was used up")
                 self._decide(events.Decided(name, "failed", why))
         self.finished = True
 
     def _note_hang(self, exercise: str) -> None:
         """Record that a check of this exercise hung.
 
-        If a check of one of its prerequisites hung as well, the rest of this exercise fails without
-        being run. These checks would most likely end up in the same loop, and each would use its
-        whole time.
+        If a check of one of its prerequisites hung too, fail the rest of this exercise without
+        running it. Its checks would most likely end up in the same loop and use up their time.
         """
         if self.hung & needs_of(self.order.chapter, exercise):
             why = Message("not run: another check of this exercise did not finish")
@@ -274,7 +272,7 @@ class Run:
 
 
 def presentable(message: Message) -> Message:
-    """Make a message safe to show, by cleaning it, removing memory addresses and shortening it.
+    """Make a message safe to show: clean it, strip memory addresses, and shorten it.
 
     Everything that comes from a student's code passes through this function.
     """

@@ -1,4 +1,4 @@
-"""Tell the student's code from ours, and find out which of them made the current call."""
+"""Tell the student's code from ours, and find out which of the two made the current call."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ PACKAGES = ("site-packages", "dist-packages")  # these may be inside the library
 def graded_files(chapters: Iterable[Chapter]) -> dict[str, list[str]]:
     """For each chapter's folder, list the files that the grader will have.
 
-    These are the files that students hand in and the ones that we give them.
+    Those are the files that students hand in, plus the ones they receive from us.
     """
     return {chapter.name: [*chapter.handed_in, *chapter.complete] for chapter in chapters}
 
 
 class StudentsCode:
-    """Recognizes whether a file is the student's, by the folder it is in.
+    """Recognizes whether a file is the student's by the folder that it is in.
 
-    ``graded`` lists for each chapter's folder the files that the grader has too. If a folder is not
-    in ``graded``, all of its files count. ``ours`` lists files in these folders that the student
-    did not write, such as ch06_springs/cloth.py.
+    ``graded`` maps each chapter's folder to the files that the grader has too. In a folder that is
+    not in ``graded``, every file counts. ``ours`` lists files in these folders that the student did
+    not write, such as ch06_springs/cloth.py.
     """
 
     def __init__(
@@ -46,18 +46,17 @@ class StudentsCode:
         graded: Mapping[str, Collection[str]],
         ours: Collection[str] = (),
     ) -> None:
-        """Switch to the code of another engine, and leave all restrictions in place."""
+        """Switch to the code of another engine, leaving all restrictions in place."""
         self.folders = [folder.resolve() for folder in folders]
         self.graded = graded
         self.ours = ours
         self._known: dict[str, bool | None] = {}
 
     def is_calling(self) -> bool:
-        """Return whether it was the student's code that made the current call.
+        """Return whether the student's code made the current call.
 
-        We go up the stack until we find a function that is not part of Python's library, and the
-        answer depends on who wrote this function. The steps that Python itself takes during an
-        import do not count as the student's.
+        We walk up the stack to the first function outside Python's library, and the answer depends
+        on who wrote it. Python's own steps during an import do not count as the student's.
         """
         frame = sys._getframe(2)
         while frame is not None:
@@ -79,7 +78,7 @@ class StudentsCode:
         return None if library else False
 
     def is_graded(self, package: str, file: str) -> bool:
-        """Return whether the grader has a certain file of the chapter ``package``.
+        """Return whether the grader has this file of the chapter ``package``.
 
         Probes are always there.
         """

@@ -1,8 +1,8 @@
 """Give a student's code the same environment as in the grader.
 
-The code runs in the root folder, without command-line arguments and without the user's environment
-variables. The limits on memory and recursion are those of the grader, so that a program which needs
-too much fails at home as well.
+The code runs in the root folder, with no command-line arguments and none of the user's environment
+variables. The limits on memory and recursion are the grader's, so a program that needs too much of
+either also fails at home.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ FIRST_CALLS = 9  # how many of these calls the grader's own code uses up
 
 
 def leave_home() -> None:
-    """Remove the user's settings from this process for good, and limit its memory."""
+    """Strip this process of the user's settings for good, and limit its memory."""
     sys.argv[:], sys.orig_argv[:] = [""], []
     kept = {name: os.environ[name] for name in NEEDED if name in os.environ}
     os.environ.clear()
@@ -45,10 +45,10 @@ def leave_home() -> None:
 
 
 class Depth:
-    """Lets a student's code call itself as deeply as in the grader, but no deeper.
+    """Lets a student's code recurse exactly as deeply as it could in the grader.
 
-    Here the stack may already be deeper than in the grader when the student's code is called, so we
-    raise the limit by the difference.
+    The stack may already be deeper here than in the grader when the student's code is called, so
+    the limit is raised by the difference.
     """
 
     def __init__(self, deepest: int = DEPTH) -> None:
@@ -59,7 +59,7 @@ class Depth:
         """Set the recursion limit for the student's code.
 
         ``more`` is the number of calls between the caller of this method and the student's code. If
-        the student's code has changed the limit itself, we leave it alone.
+        the student's code has changed the limit itself, it is left alone.
         """
         if sys.getrecursionlimit() != self.limit:
             return

@@ -30,13 +30,13 @@ class Verdict:
 
 
 def needs_of(chapter: Chapter, exercise: str) -> set[str]:
-    """Return all exercises that must work before this one can, directly or indirectly."""
+    """Return every exercise that this one depends on, directly or indirectly."""
     needs = set(chapter.exercise(exercise).needs)
     return needs.union(*(needs_of(chapter, need) for need in needs))
 
 
 def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
-    """Return some exercises together with all that they build on, in the manifest's order.
+    """Return some exercises and their prerequisites, in manifest order.
 
     If ``exercises`` is None, return all exercises of the chapter.
     """
@@ -48,16 +48,15 @@ def with_needs(chapter: Chapter, exercises: list[str] | None) -> list[str]:
 
 
 def asked_for(chapter: Chapter) -> list[str]:
-    """Return the exercises that students have to do, together with all that they build on."""
+    """Return the exercises that students have to do, along with their prerequisites."""
     return with_needs(chapter, [e.id for e in chapter.exercises if not e.optional])
 
 
 def mark_blocked(chapter: Chapter, verdicts: list[Verdict]) -> list[Verdict]:
-    """Change a failed verdict to blocked if the exercise builds on another one that fails.
+    """Change a failed verdict to blocked if a prerequisite of its exercise fails.
 
-    Only the physics checks of an exercise can block the exercises that build on it. The robust
-    checks cannot. If a check passes although its exercise is blocked, it keeps its verdict and its
-    points.
+    Only the physics checks of a prerequisite can block an exercise; its robust checks cannot. A
+    check that passes although its exercise is blocked keeps its verdict and its points.
     """
     failing = {v.exercise for v in verdicts if v.status != "passed" and not v.robust}
     marked = []

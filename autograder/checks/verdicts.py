@@ -1,9 +1,9 @@
 """Run the checks with pytest, and report each verdict as soon as it is known.
 
-The runner starts this program as ``python -m autograder.checks.verdicts FILE`` and reads a JSON
-object from each line that it prints. The first object lists the checks, and the next ones say when
-a check starts and how it ends. We take the verdicts from pytest's own reports, since the student's
-code could print anything.
+The runner starts this program as ``python -m autograder.checks.verdicts FILE`` and reads one JSON
+object from each line of its output. The first object lists the checks, and the following ones say
+when each check starts and how it ends. The verdicts come from pytest's own reports, because the
+student's code could print anything.
 """
 
 from __future__ import annotations
@@ -49,8 +49,8 @@ MOST_KEPT = (40, 2000)  # how many lines and characters of the printed output we
 class Recorder:
     """A pytest plugin that selects the checks to run, limits their time and reports the verdicts.
 
-    ``engine`` is the object that runs the student's code. Unless a test passes its own, the
-    configuration decides which kind of engine we use.
+    ``engine`` is the object that runs the student's code. Its kind follows from the configuration,
+    unless a test passes its own.
     """
 
     def __init__(self, config: Config, send: Send, engine: InProcess | None = None) -> None:
@@ -60,7 +60,7 @@ class Recorder:
         self.definitions: dict[str, set[str] | None] = {}
 
     def pytest_sessionstart(self) -> None:
-        """Get the student's modules ready, so that the checks can import them."""
+        """Prepare the student's modules, so that the checks can import them."""
         self.engine.open(self.config.arranged.modules, self.config.broken, self.send)
 
     def pytest_collection_finish(self) -> None:
@@ -68,14 +68,14 @@ class Recorder:
         self.engine.after_collection()
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
-        """If the checks cannot be collected, say why on stderr, where the runner looks for it."""
+        """If the checks cannot be collected, say why on stderr, where the runner looks."""
         if report.failed:
             print(report.longreprtext, file=sys.stderr)
 
     def pytest_collection_modifyitems(
         self, config: pytest.Config, items: list[pytest.Item]
     ) -> None:
-        """Sort the checks as the manifest does, report them, and drop those already done."""
+        """Put the checks into manifest order, report them, and drop those that are done."""
         order = {exercise: place for place, exercise in enumerate(self.config.exercises)}
         for item in items:
             if exercise_of(item) not in self.config.arranged.known:
@@ -105,7 +105,7 @@ class Recorder:
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtestloop(self, session: pytest.Session) -> bool | None:
-        """Run each exercise in a forked copy, if the student's code runs in this process."""
+        """If the student's code runs in this process, run each exercise in a forked copy."""
         apart = isinstance(self.engine, InProcess) and self.engine.apart
         if session.testsfailed or not apart:  # if the collection failed, pytest reports that
             return None
@@ -115,7 +115,7 @@ class Recorder:
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self, item: pytest.Item) -> Generator[None, Any, Any]:
-        """Start the time limit of a check and, in a sandbox, the worker for it."""
+        """Start the clock for a check and, in a sandbox, its worker."""
         self.send(Started(item.name))
         about.forget()
         self.engine.start()  # stopped after the report, since an exception's str() may hang
@@ -132,7 +132,7 @@ class Recorder:
     ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
         """Report the verdict on a check.
 
-        An error outside the body of the check is the grader's fault and not the student's.
+        An error outside the body of the check is the grader's fault, not the student's.
         """
         # Nobody reads pytest's traceback, and formatting it would take four times as long as
         # everything else here.
@@ -167,13 +167,13 @@ class Recorder:
         return report
 
     def _without_folders(self, text: str) -> str:
-        """Remove the paths of the engine's folders from a text, since they differ in the grader."""
+        """Strip the engine's folders from a text, because they differ in the grader."""
         for folder in self.engine.engine:
             text = text.replace(f"{folder}{os.sep}", "")
         return text
 
     def _defined(self, module: str) -> set[str] | None:
-        """Return the names that a module defines, or None if we cannot find out."""
+        """Return the names that a module defines, or None if that is unknown."""
         if module not in self.definitions:
             arranged = self.config.arranged
             places = [Path(folder) / arranged.chapter for folder in arranged.engine]
@@ -188,7 +188,7 @@ class Recorder:
 
 
 def run_all(checks: list[pytest.Item]) -> None:
-    """Run some checks that pytest has already collected, one after the other."""
+    """Run checks that pytest has already collected, one after another."""
     for check in checks:
         runtestprotocol(check, log=False)
 
@@ -233,7 +233,7 @@ def _is_robust(item: pytest.Item) -> bool:
 
 
 def main() -> int:
-    """Run the checks described in the file that was named on the command line."""
+    """Run the checks described in the file named on the command line."""
     config = from_json(Config, json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")))
     wire = os.fdopen(os.dup(1), "w", encoding="utf-8")
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # student output must not mix with verdicts
@@ -256,7 +256,7 @@ def pytest_arguments(config: Config) -> list[str]:
 
 
 def run_and_exit() -> NoReturn:
-    """Run the checks, and end the process at once with pytest's exit code."""
+    """Run the checks, and exit at once with pytest's exit code."""
     # Threads or exit handlers of the student's code must not keep the process from ending.
     code = main()
     sys.stderr.flush()

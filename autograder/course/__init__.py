@@ -1,4 +1,4 @@
-"""Read course.toml, where an instructor writes down the assignments of a term.
+"""Read course.toml, in which an instructor describes the assignments of a term.
 
-Each assignment has its points, its due date and perhaps a policy for late work.
+Each assignment has points, a due date and perhaps a policy for late work.
 """

@@ -1,4 +1,4 @@
-"""Find out what a command should work on: an assignment of the course, or a list of chapters."""
+"""Find out what a command should work on: an assignment or a list of chapters."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ def add_options(command: argparse.ArgumentParser) -> None:
 
 
 def work_of(arguments: argparse.Namespace, *, handed_out: bool = False) -> Work:
-    """Return the assignment or the chapters that the options on the command line select.
+    """Return the assignment or the chapters selected by the command-line options.
 
-    If ``handed_out`` is set, the result is for a hand-out. It then does not include the given
-    chapters, because a hand-out adds those separately.
+    With ``handed_out``, the result is for a hand-out. It then leaves out the given chapters,
+    because a hand-out adds those separately.
 
     Raises:
         ValueError: The course file contains mistakes, or the options contradict each other.

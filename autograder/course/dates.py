@@ -1,4 +1,4 @@
-"""Read due dates and time zones, and write deadlines in a form that another machine can read."""
+"""Read due dates and time zones, and write deadlines in a machine-readable form."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ YEARS = range(1970, 3000)  # close to the years 1 and 9999, Python may fail to c
 def read_zone(name: Any, path: Path, mistakes: Mistakes) -> ZoneInfo | None:
     """Return the time zone with a name such as Europe/Berlin.
 
-    If there is no such zone, note this as a mistake in the course file.
+    If there is no such zone, record a mistake in the course file.
     """
     if isinstance(name, str) and name in available_timezones():
         return ZoneInfo(name)
@@ -31,8 +31,8 @@ def read_time(
 ) -> datetime | None:
     """Read a time from the course file, and give it a time zone.
 
-    If the time does not say how far it is from UTC, we assume that it is in ``zone``, the time zone
-    of the course. If anything is wrong with the time, we note this as a mistake in the course file.
+    A time without a UTC offset is taken to be in ``zone``, the time zone of the course. If anything
+    is wrong with the time, record a mistake in the course file.
     """
     key = path[-1]
     example = "2026-10-23T23:59:00+02:00"
@@ -56,12 +56,12 @@ def read_time(
         time = value.replace(tzinfo=zone, fold=1)  # if clocks show it twice, use the later time
         if time.astimezone(UTC).astimezone(zone).replace(tzinfo=None) == value:
             return time
-        mistakes.add(path, f"{key} {value} does not exist: the clocks of {zone} go forward then")
+        mistakes.add(path, f"{key} {value} does not exist: the clocks in {zone} go forward then")
     return None
 
 
 def parse_time(text: str, zone: tzinfo) -> datetime:
-    """Read a time in ISO 8601 format. If it names no time zone, we assume that it is in ``zone``.
+    """Read a time in ISO 8601 format, which is taken to be in ``zone`` unless it says otherwise.
 
     Raises:
         ValueError: The text is not a time.
@@ -73,7 +73,7 @@ def parse_time(text: str, zone: tzinfo) -> datetime:
 
 
 def deadline_to_json(deadline: Deadline) -> dict[str, Any]:
-    """Turn a deadline into plain data, so that it can be stored as JSON."""
+    """Turn a deadline into plain data that can be stored as JSON."""
     return {
         "due": _to_text(deadline.due),
         "policy": vars(deadline.policy) if deadline.policy else None,
@@ -89,7 +89,7 @@ def deadline_from_json(data: dict[str, Any]) -> Deadline:
 
 
 def _to_text(time: datetime) -> str:
-    """Format a time with its offset and the name of its time zone, as RFC 9557 describes.
+    """Format a time with its UTC offset and the name of its time zone, as in RFC 9557.
 
     An example is 2026-10-23T23:59:00+02:00[Europe/Berlin].
     """

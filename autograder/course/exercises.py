@@ -1,4 +1,4 @@
-"""Find out which exercises belong to an assignment, and how many points each of them is worth."""
+"""Find out which exercises belong to an assignment, and how many points each is worth."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from autograder.scores import possible, shown
 
 @dataclass(frozen=True)
 class Chosen:
-    """The exercises of an assignment, by chapter, together with the chapters that are given.
+    """The exercises of an assignment, by chapter, together with the given chapters.
 
-    ``earlier`` lists exercises of earlier assignments that these exercises build on.
+    ``earlier`` lists exercises from earlier assignments that these build on.
     """
 
     chapters: list[Chapter]
@@ -27,9 +27,9 @@ class Chosen:
 
 
 class Chooser:
-    """Finds the exercises of one assignment in the course file, and notes mistakes in its table.
+    """Finds the exercises of one assignment in the course file, and records mistakes in its table.
 
-    ``before`` contains the exercises of all earlier assignments, on which this one may build.
+    ``before`` contains the exercises of all earlier assignments, which this one may build on.
     """
 
     def __init__(
@@ -80,7 +80,7 @@ class Chooser:
         self.mistakes.add((*self.path, key), words, word)
 
     def _ids(self, key: str) -> list[str]:
-        """Return the exercises that are listed under a key, without those that do not exist."""
+        """Return the exercises listed under a key, skipping those that do not exist."""
         found: list[str] = []
         for name in self.mistakes.items(self.table, self.path, key, str):
             if name not in self.home:
@@ -93,7 +93,7 @@ class Chooser:
         return found
 
     def _chapters(self, key: str) -> list[Chapter]:
-        """Return the chapters that are listed under a key, without those that do not exist."""
+        """Return the chapters listed under a key, skipping those that do not exist."""
         known = {chapter.number: chapter for chapter in self.chapters}
         numbers = self.mistakes.items(self.table, self.path, key, int)
         for number in numbers:
@@ -103,16 +103,16 @@ class Chooser:
         return [chapter for number, chapter in known.items() if number in numbers]
 
     def _earlier(self, ids: set[str], given: list[Chapter]) -> list[str]:
-        """Return the exercises of earlier assignments that this assignment builds on.
+        """Return the exercises from earlier assignments that this one builds on.
 
-        If an exercise builds on one that was never assigned, this is a mistake in the course file.
+        Building on an exercise that was never assigned is a mistake in the course file.
         """
         earlier: set[str] = set()
         for name in (name for name in self.home if name in ids):
             chapter = self.home[name]
             missing = [e for e in chapter.exercise(name).needs if e not in ids | self.before]
             if missing and chapter not in given:
-                words = f"{name} needs {', '.join(missing)}, which no assignment so far contains"
+                words = f"{name} needs {', '.join(missing)}, which is not in any assignment so far"
                 self._wrong(*self._where(name), word=name, words=words)
             earlier |= (needs_of(chapter, name) - ids) & self.before
         for chapter in {self.home[name].number: self.home[name] for name in ids}.values():
@@ -133,14 +133,14 @@ class Chooser:
         return [other for other in earlier if numbers is None or other.number in numbers]
 
     def _where(self, name: str) -> tuple[str]:
-        """Return which key of the assignment, such as extra_credit, has added this exercise."""
+        """Return the key of the assignment, such as extra_credit, that added this exercise."""
         lists = {key: self.table.get(key) for key in ("exercises", "extra_credit")}
         return (
             next((k for k, v in lists.items() if isinstance(v, list) and name in v), "chapters"),
         )
 
     def _points(self, ids: set[str], extra: set[str]) -> dict[str, Exercise]:
-        """Return the exercises of the assignment, with the points they are worth in it."""
+        """Return the exercises of the assignment, with what each is worth in it."""
         chosen = {
             name: replace(home.exercise(name), extra=name in extra)
             for name, home in self.home.items()
@@ -153,7 +153,7 @@ class Chooser:
             if name not in chosen:
                 wanted = nearest(name, chosen)
                 words = (
-                    f"points has {name!r}, which is not an exercise of this assignment. {wanted}"
+                    f"points lists {name!r}, which is not an exercise of this assignment. {wanted}"
                 )
                 self.mistakes.add((*at, name), words.strip(), name)
             elif value is not None:
@@ -161,9 +161,9 @@ class Chooser:
         return self._rescaled(chosen)
 
     def _rescaled(self, chosen: dict[str, Exercise]) -> dict[str, Exercise]:
-        """Scale the points of the exercises, so that they add up to ``out_of`` in the course file.
+        """Scale the points of the exercises so that they add up to ``out_of`` in the course file.
 
-        If the course file has no ``out_of``, the points stay as they are.
+        Without an ``out_of``, the points stay as they are.
         """
         out_of = self.mistakes.number(self.table, self.path, "out_of")
         total = self.mistakes.number(self.table, self.path, "total")

@@ -15,7 +15,7 @@ from autograder.scores import shown
 class HandedIn:
     """What a platform such as Gradescope says about when a submission was handed in.
 
-    Canvas is an exception, because it says only whether the submission was ``late``.
+    Canvas only says whether the submission was ``late``.
     """
 
     source: str
@@ -24,10 +24,10 @@ class HandedIn:
 
 
 def days_late(due: datetime, submitted: datetime) -> int:
-    """Return how many days late a submission is. A day counts in full as soon as it has begun.
+    """Return how many days late a submission is, where any part of a day counts in full.
 
-    If the work was due at 18:00, each of these days ends at 18:00 in the time zone of ``due``. When
-    the clocks change in between, one of the days therefore has 23 or 25 hours.
+    If the work was due at 18:00, each of these days ends at 18:00 in the time zone of ``due``, so a
+    day on which the clocks change has 23 or 25 hours.
     """
     at = submitted.astimezone(UTC)
     if at <= due.astimezone(UTC):
@@ -41,14 +41,14 @@ def days_late(due: datetime, submitted: datetime) -> int:
 def _end(time: datetime) -> datetime:
     """Return the last moment at which a clock shows this local time.
 
-    In autumn a clock shows some times twice. In spring it skips some, and for such a time we return
-    the moment at which it would have shown it.
+    In the fall a clock shows some times twice. In spring it skips some, and for those we return the
+    moment at which it would have shown them.
     """
     return max(time.replace(fold=fold).astimezone(UTC) for fold in (0, 1))
 
 
 def deduction(policy: LatePolicy, days: int, possible: float) -> float:
-    """Return how many points a submission loses if it is ``days`` days late.
+    """Return how many points a submission loses for being ``days`` days late.
 
     ``possible`` is the number of points that the assignment is worth.
     """
@@ -61,10 +61,10 @@ def deduction(policy: LatePolicy, days: int, possible: float) -> float:
 def late_of(
     deadline: Deadline, names: Iterable[str], said: HandedIn | None, possible: float
 ) -> Late:
-    """Compute how late a submission is and how many points it loses, and explain that in words.
+    """Compute how late a submission is and what that costs, and explain it in words.
 
-    ``names`` are the students who have handed it in together. If some of them have an extension,
-    the latest of their due dates counts for all.
+    ``names`` are the students who handed it in together. If some of them have an extension, the
+    latest of their due dates applies to all.
     """
     granted = [deadline.extensions[name] for name in names if name in deadline.extensions]
     due = max([deadline.due, *granted], key=lambda time: time.astimezone(UTC))

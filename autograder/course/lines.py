@@ -1,4 +1,4 @@
-"""Find the line of a key in a TOML file, because Python's TOML parser does not report lines."""
+"""Find the line of a key in a TOML file, since Python's TOML parser does not report lines."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Path = tuple[str | int, ...]  # the keys on the way to a value, such as ("assign
 
 
 class Lines:
-    """The line number of each key and each table in a TOML file, counted from 1."""
+    """The line number of every key and table in a TOML file, counted from 1."""
 
     def __init__(self, text: str) -> None:
         self._text = text.splitlines()
@@ -39,8 +39,8 @@ class Lines:
     def of(self, path: Path, word: str = "") -> int:
         """Return the line of the value at ``path``, so that a message can point to it.
 
-        If there is no such value, return the line of its table, or 1 if that is missing as well. If
-        the value spans several lines, return the first one that contains ``word`` in quotes.
+        If there is no such value, return the line of its table, or 1 if there is no table either.
+        If the value spans several lines, return the first one that contains ``word`` in quotes.
         """
         while path and path not in self._first:
             path = path[:-1]
@@ -54,5 +54,5 @@ class Lines:
 
 
 def _parts(dotted: str) -> Path:
-    """Split a dotted key such as assignment.late into its parts, and remove quotes around them."""
+    """Split a dotted key such as assignment.late into its parts, without their quotes."""
     return tuple(part.strip("\"'") for part in PART.findall(dotted))

@@ -1,6 +1,6 @@
-"""Collect all mistakes in a course file, so that the instructor sees them at once.
+"""Collect every mistake in a course file, so that the instructor sees them all at once.
 
-Each mistake comes with the number of its line.
+Each mistake comes with its line number.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ NAMES = {str: "a string", int: "a whole number", list: "a list", dict: "a table"
 
 
 class Mistakes:
-    """The mistakes that we have found in a course file so far."""
+    """The mistakes found in a course file so far."""
 
     def __init__(self, file: str, text: str) -> None:
         self.file = file
@@ -27,11 +27,11 @@ class Mistakes:
         self._found: list[tuple[int, str]] = []
 
     def add(self, path: Path, words: str, word: str = "") -> None:
-        """Note a mistake in the value at ``path``, or in the item ``word`` of this value."""
+        """Record a mistake in the value at ``path``, or in the item ``word`` of that value."""
         self._found.append((self._lines.of(path, word), words))
 
     def raise_any(self) -> None:
-        """If there were mistakes, raise a ValueError that lists them in the order of the file."""
+        """If there were any mistakes, raise a ValueError that lists them in file order."""
         if not self._found:
             return
         found = sorted(dict.fromkeys(self._found), key=lambda mistake: mistake[0])
@@ -40,7 +40,7 @@ class Mistakes:
         raise ValueError("\n".join([f"{self.file} has {count}:", *lines]))
 
     def check_keys(self, table: Mapping[str, Any], path: Path, known: Iterable[str]) -> None:
-        """Note each unknown key as a mistake, and suggest the most similar known key."""
+        """Record each unknown key as a mistake, and suggest the most similar known one."""
         keys = list(known)
         for key in table:
             if key not in keys:
@@ -50,7 +50,7 @@ class Mistakes:
     def value(self, table: Mapping[str, Any], path: Path, key: str, kind: type) -> Any:
         """Return the value of a key, or None if it is missing or has the wrong type.
 
-        A wrong type is noted as a mistake. A missing key is fine.
+        A wrong type is recorded as a mistake; a missing key is fine.
         """
         value = table.get(key)
         if value is None or type(value) is kind:
@@ -59,7 +59,7 @@ class Mistakes:
         return None
 
     def items(self, table: Mapping[str, Any], path: Path, key: str, kind: type) -> list[Any]:
-        """Return the items of a list that have the right type, and note the others as mistakes."""
+        """Return the items of a list that have the right type, recording the others as mistakes."""
         value = self.value(table, path, key, list) or []
         for item in value:
             if type(item) is not kind:
@@ -68,9 +68,9 @@ class Mistakes:
         return [item for item in value if type(item) is kind]
 
     def number(self, table: Mapping[str, Any], path: Path, key: str) -> float | None:
-        """Return the number that belongs to a key, or None if there is no valid one.
+        """Return the number under a key, or None if there is no valid one.
 
-        Anything but a positive number is noted as a mistake. A missing key is fine.
+        Anything but a positive number is recorded as a mistake; a missing key is fine.
         """
         value: Any = table.get(key)
         if type(value) in (int, float) and 0 < value <= LARGEST:
@@ -83,7 +83,7 @@ class Mistakes:
 
 
 def shown(value: Any) -> str:
-    """Format a value as it would appear in TOML. If it is long, show only the beginning."""
+    """Format a value as it would appear in TOML, cut short if it is long."""
     text = {True: "true", False: "false"}.get(value) if type(value) is bool else None
     text = text or (f'"{value}"' if isinstance(value, str) else str(value))
     text = clean_line(text)
@@ -91,7 +91,7 @@ def shown(value: Any) -> str:
 
 
 def nearest(name: str, known: Iterable[str], most: int = MOST_SIMILAR) -> str:
-    """Return a question such as "Did you mean B2.1?", or "" if no name in ``known`` is similar."""
+    """Return a question such as "Did you mean B2.1?", or "" if nothing in ``known`` is similar."""
     names = {other.lower(): other for other in known}
     wanted = name.lower()
     bare = re.sub(r"^[a-z]\s*(?=\d)", "", wanted)

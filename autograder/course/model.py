@@ -1,4 +1,4 @@
-"""What a course file contains. We create these objects only if the file has no mistakes."""
+"""The contents of a course file. These objects exist only if the file has no mistakes."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from autograder.manifest import Chapter
 
 @dataclass(frozen=True)
 class LatePolicy:
-    """How many points a late submission loses per day, and how many it can lose at most.
+    """How many points a late submission loses per day, and the most it can lose.
 
-    A day counts in full once it has begun. If ``unit`` is "percent", the numbers are percentages of
+    Any part of a day counts as a full day. If ``unit`` is "percent", the numbers are percentages of
     the points that the assignment is worth.
     """
 
@@ -33,7 +33,7 @@ class LatePolicy:
 
 @dataclass(frozen=True)
 class Deadline:
-    """When an assignment is due, and the later due dates of students who have an extension.
+    """When an assignment is due, and the later due dates of students with an extension.
 
     Every time has a time zone. Without a policy, the reports still say how late a submission is,
     but it loses no points.
@@ -46,11 +46,11 @@ class Deadline:
 
 @dataclass(frozen=True)
 class Work:
-    """One assignment: what students have to do, and how we grade it.
+    """One assignment: what students have to do, and how it is graded.
 
-    ``chapters`` contain only the assigned exercises, with the points they have in this assignment.
-    The ``given`` chapters are handed out complete. ``earlier`` lists exercises of earlier
-    assignments on which this one builds. ``roster`` is the path of the class list.
+    ``chapters`` contain only the assigned exercises, with what they are worth in this assignment.
+    The ``given`` chapters are handed out complete. ``earlier`` lists exercises from earlier
+    assignments that this one builds on. ``roster`` is the path of the class list.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""Use the course file for a whole class: find late submissions, and scale the marks."""
+"""Apply the course file to a whole class: find late submissions, and scale the marks."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ def lateness(
 ) -> tuple[dict[str, Late], list[str]]:
     """Compute how late each submission of a class is.
 
-    Return the result for each student, and notes that the instructor should read. One of them lists
-    the students for whom the time is unknown, for example.
+    Return the result for each student, plus notes for the instructor, such as a list of the
+    students whose submission time is unknown.
 
     Raises:
         ValueError: A file with the times of the submissions is not valid.
@@ -70,10 +70,10 @@ def _some(names: list[str]) -> str:
 def late_on_gradescope(
     deadline: Deadline, chapters: list[Chapter], metadata: dict[str, Any]
 ) -> Late:
-    """Compute how late a submission is, using the data that Gradescope provides about it.
+    """Compute how late a submission is from the data that Gradescope provides about it.
 
-    A submission can have several authors. If the name or e-mail address of one of them has an
-    extension, it counts for the whole group.
+    A submission can have several authors. If the course file gives one of them an extension, by
+    name or by e-mail address, it applies to the whole group.
     """
     try:
         at: datetime | None = parse_time(metadata["created_at"], deadline.due.tzinfo or UTC)
@@ -87,15 +87,15 @@ def late_on_gradescope(
 
 
 def points_of(chapters: Iterable[Chapter]) -> float:
-    """Return how many points these chapters are worth, including their written answers."""
+    """Return what these chapters are worth in points, including their written answers."""
     return possible(exercise for chapter in chapters for exercise in chapter.exercises)
 
 
 def scaled_marks(marks: Marks, chapters: Iterable[Chapter], manifests: list[Chapter]) -> Marks:
     """Scale the marks for written answers to the points of the assignment.
 
-    Instructors mark by our rubrics, which add up to the points in the manifest. In the assignment,
-    the same exercise may be worth more or less.
+    Instructors mark by our rubrics, which add up to the points in the manifest, but the assignment
+    may give more or fewer points for the same exercise.
     """
     rubric = {e.id: e.points for chapter in manifests for e in chapter.exercises}
     assigned = {e.id: e.points for chapter in chapters for e in chapter.exercises}

@@ -1,4 +1,4 @@
-"""Scale the points of the exercises, so that an assignment adds up to the total it should have."""
+"""Scale the points of exercises so that an assignment adds up to the intended total."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ def rescaled(points: Mapping[str, float], out_of: float, unit: str = "0.01") -> 
     """Scale the points of all exercises by the same factor, so that they add up to ``out_of``.
 
     Each result is a multiple of ``unit``. To make the sum come out exactly, we first round
-    everything down. We then hand out the units that are left, one each, to the exercises that have
-    lost most by rounding.
+    everything down, and then hand out the remaining units, one each, to the exercises that lost the
+    most to rounding.
     """
     step = Fraction(unit)
     total = sum(map(Fraction, points.values()))
@@ -27,8 +27,8 @@ def rescaled(points: Mapping[str, float], out_of: float, unit: str = "0.01") -> 
 def scaled_alike(value: float, out_of: float, total: float) -> float:
     """Scale the points for extra credit by the same factor as all the other points.
 
-    ``value`` is the extra credit. The other points added up to ``total`` before, and to ``out_of``
-    now.
+    ``value`` is the extra credit. The other points used to add up to ``total`` and now add up to
+    ``out_of``.
     """
     return _plain(Fraction(round(value * out_of / total, 2)).limit_denominator(100))
 
@@ -36,6 +36,6 @@ def scaled_alike(value: float, out_of: float, total: float) -> float:
 def _plain(value: Fraction) -> float:
     """Turn a fraction into a number.
 
-    A whole number becomes an int, so that it is shown as 3, not 3.0.
+    A whole number becomes an int, so that it prints as 3 rather than 3.0.
     """
     return int(value) if value.denominator == 1 else float(value)

@@ -1,4 +1,4 @@
-"""Read course.toml. If it has mistakes, report all of them with their lines and suggestions."""
+"""Read course.toml, and report all of its mistakes with line numbers and suggestions."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
 def read_course(path: Path, root: Path = ROOT) -> Course:
     """Read the course file, in which an instructor describes the assignments of a term.
 
-    Relative paths in it start from the folder of the file.
+    Relative paths in it are relative to the folder of the file.
 
     Raises:
         ValueError: The file contains mistakes. The message lists all of them with their lines.
@@ -49,7 +49,7 @@ def read_course(path: Path, root: Path = ROOT) -> Course:
 
 
 class Reader:
-    """Reads the tables of one course file, and notes the mistakes in them."""
+    """Reads the tables of one course file, and records the mistakes in them."""
 
     def __init__(
         self, data: dict[str, Any], folder: Path, chapters: list[Chapter], mistakes: Mistakes
@@ -135,7 +135,7 @@ class Reader:
         return Deadline(due, policy, times)
 
     def _policy(self, table: Mapping[str, Any], path: tuple[str | int, ...]) -> LatePolicy | None:
-        """Read the policy for late work, or return None if late days cost nothing."""
+        """Read the policy for late work, or return None if lateness costs nothing."""
         mistakes, at = self.mistakes, (*path, "late")
         late = mistakes.value(table, path, "late", dict)
         if late is None:
@@ -154,7 +154,7 @@ class Reader:
             return None
         unit = "percent" if given[0] == "percent_per_day" else "points"
         if cap is not None and cap < per_day:
-            words = f"cap is less than {given[0]}: it must be the {unit} of several days"
+            words = f"cap must be at least {given[0]}, since it limits the {unit} for all days"
             mistakes.add((*at, "cap"), words)
         if unit == "percent" and max(per_day, cap or 0) > 100:
             key = "cap" if (cap or 0) > 100 else given[0]
@@ -162,7 +162,7 @@ class Reader:
         return LatePolicy(per_day, "percent" if unit == "percent" else "points", cap)
 
     def _path(self, table: Mapping[str, Any], path: tuple[str | int, ...], key: str) -> Path | None:
-        """Return the path that a key contains. If it does not exist, note this as a mistake."""
+        """Return the path stored under a key, recording a mistake if nothing exists there."""
         name = self.mistakes.value(table, path, key, str)
         if name is None:
             return None
@@ -180,7 +180,7 @@ class Reader:
     ) -> Path | None:
         """Return the folder of the hidden checks.
 
-        If it contains nothing for any assigned chapter, note this as a mistake.
+        If it has no checks for any of the assigned chapters, record a mistake.
         """
         hidden = self._path(table, path, "hidden_checks")
         if hidden and chapters and not any((hidden / c.name).is_dir() for c in chapters):

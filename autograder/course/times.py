@@ -1,7 +1,7 @@
 """Find out when each submission was handed in.
 
-We take the times from files that come with the submissions. The modification times of a student's
-files would be no help, because they change when somebody copies or unpacks the files.
+The times come from files that accompany the submissions. The modification times of a student's
+files would be no help, because copying or unpacking changes them.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ REPOSITORY, SUBMITTED = "student_repository_name", "submission_timestamp"
 
 
 def times_of(folder: Path, submissions: list[Submission], zone: tzinfo) -> dict[str, HandedIn]:
-    """Return when each student has handed in the work, as far as we know.
+    """Return when each student handed in the work, as far as that is known.
 
-    If several files contain a time for the same student, times.csv wins. If a time does not name
-    its time zone, we assume that it is in ``zone``.
+    If several files have a time for the same student, times.csv wins. A time that does not name its
+    time zone is taken to be in ``zone``.
 
     Raises:
         ValueError: A file is not valid. The message says which lines are wrong.
@@ -52,9 +52,9 @@ def times_of(folder: Path, submissions: list[Submission], zone: tzinfo) -> dict[
 
 
 def _of_instructor(path: Path, zone: tzinfo) -> Iterator[tuple[str, HandedIn]]:
-    """Yield the times that the instructor has written into times.csv.
+    """Yield the times that the instructor entered in times.csv.
 
-    This file has the columns student and submitted.
+    That file has the columns student and submitted.
     """
     if not path.exists():
         return
@@ -114,9 +114,9 @@ def _of_github(folder: Path) -> Iterator[tuple[str, HandedIn]]:
 
 
 def _of_canvas(submissions: list[Submission]) -> Iterator[tuple[str, HandedIn]]:
-    """Yield for each submission from Canvas whether it was late.
+    """Yield whether each submission from Canvas was late.
 
-    Canvas marks late submissions in the file name, but the name does not contain a time.
+    Canvas marks late submissions in the file name, but does not put the time there.
     """
     for submission in submissions:
         if submission.export and submission.export.platform == "canvas":
@@ -126,7 +126,7 @@ def _of_canvas(submissions: list[Submission]) -> Iterator[tuple[str, HandedIn]]:
 def _time(value: Any) -> datetime | None:
     """Read a time as a platform writes it, or return None if the value is not a time.
 
-    If the text does not name a time zone, we assume UTC, which is what platforms use.
+    A text without a time zone is taken to be in UTC, which is what platforms use.
     """
     try:
         return parse_time(value.isoformat() if isinstance(value, datetime) else str(value), UTC)
@@ -136,7 +136,7 @@ def _time(value: Any) -> datetime | None:
 
 @contextmanager
 def _readable(path: Path) -> Iterator[None]:
-    """If a file is not valid CSV or YAML, add its name to the error."""
+    """If a file turns out not to be valid CSV or YAML, add its name to the error."""
     try:
         yield
     except (csv.Error, yaml.YAMLError, ValueError, RecursionError) as error:

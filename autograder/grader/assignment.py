@@ -1,4 +1,4 @@
-"""The assignment that a class is graded on, and the verdicts that all its submissions share."""
+"""The assignment that a class is graded on, and the verdicts shared by all submissions."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ from autograder.submissions.stage import stage
 
 @dataclass(frozen=True)
 class Assignment:
-    """What a class is graded on. This is the same for every submission.
+    """What a class is graded on, which is the same for every submission.
 
-    ``chapters`` contain only the graded exercises, which may be fewer than the manifest lists. The
+    ``chapters`` contain only the graded exercises, perhaps fewer than the manifest lists. The
     ``given`` chapters come from the reference, even if a student has handed in files for them.
-    ``hidden`` is a folder of additional checks, and ``level`` says which layers the sandbox has.
+    ``hidden`` is a folder of hidden checks, and ``level`` says which layers the sandbox has.
     """
 
     chapters: list[Chapter]
@@ -47,10 +47,10 @@ class Assignment:
         compiled: Path | None = None,
         exercises: list[str] | None = None,
     ) -> list[Verdict]:
-        """Run the checks of a chapter's graded exercises, and of the exercises they build on.
+        """Run the checks of a chapter's graded exercises and of their prerequisites.
 
-        ``missing`` lists the modules that we have rejected, each with the reason. ``compiled`` is a
-        folder that keeps the compiled code of a submission from one run to the next.
+        ``missing`` maps the rejected modules to the reasons. ``compiled`` is a folder that caches
+        the compiled code of a submission between runs.
 
         Raises:
             GraderError: The checks could not be run.
@@ -73,15 +73,15 @@ class Assignment:
         )
 
     def whole(self, chapter: Chapter) -> Chapter:
-        """Return the chapter with all exercises of its manifest, whether they are graded or not."""
+        """Return the chapter with every exercise in its manifest, graded or not."""
         return load_chapter(self.root / "chapters" / chapter.name)
 
 
 class OnceForAll:
-    """Verdicts that are the same for every submission, so that we have to find them only once.
+    """Verdicts that are the same for every submission and need to be found only once.
 
-    All threads that grade the class share this object. The first thread that needs a verdict runs
-    the checks for it, while the others wait for the result.
+    All threads that grade the class share this object. The first one that needs a verdict runs the
+    checks for it, while the others wait for the result.
     """
 
     def __init__(self) -> None:
@@ -90,7 +90,7 @@ class OnceForAll:
         self._of_reference: dict[str, list[Result]] = {}
 
     def of_nothing(self, assignment: Assignment, chapter: Chapter) -> list[Verdict]:
-        """Return the verdicts on a student who has handed in nothing for this chapter.
+        """Return the verdicts for a student who has handed in nothing for this chapter.
 
         The earlier chapters come from the reference.
 
@@ -103,10 +103,9 @@ class OnceForAll:
             return self._of_nothing[chapter.name]
 
     def of_reference(self, assignment: Assignment, chapter: Chapter) -> list[Result]:
-        """Return the results of our own solution, whose cost and error the charts show.
+        """Return the results of our own solution, whose cost and error appear on the charts.
 
-        For that purpose we have to run only the checks of open exercises. The others have no
-        verdicts.
+        Only the checks of open exercises are needed for that, so the others have no verdicts.
         """
         root = assignment.root
         with self._lock:

@@ -1,7 +1,7 @@
-"""Look after the folder that holds the reports on a class.
+"""Manage the folder that holds the reports on a class.
 
-Only one run at a time may write to this folder. It also contains a file that says whether the last
-run has finished, so that an interrupted run can be resumed.
+Only one run at a time may write to this folder. A file in it records whether the last run has
+finished, so that an interrupted run can be resumed.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from autograder.submissions.find import file_name
 
 
 def seed_of(state: Path, seed: str | None) -> str:
-    """Choose the seed for a run: the one asked for, that of an interrupted run, or a new one."""
+    """Choose the seed for a run: the requested one, that of an interrupted run, or a new one."""
     if seed:
         return seed
     try:
@@ -34,8 +34,8 @@ def seed_of(state: Path, seed: str | None) -> str:
 def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
     """Raise ValueError if this run has a roster and the earlier run had none, or vice versa.
 
-    Without the roster a student has another name. If we graded somebody again like that, the same
-    student would be listed twice.
+    Students go by different names without the roster, so a regrade would list the same student
+    twice.
     """
     try:
         before = json.loads(state.read_text(encoding="utf-8"))["roster"]
@@ -52,9 +52,9 @@ def refuse_other_roster(state: Path, *, has_roster: bool) -> None:
 
 @contextmanager
 def only_run(out: Path) -> Iterator[Path]:
-    """Lock the folder ``out``, so that no other run can use it, and yield the run's state file.
+    """Lock the folder ``out`` against other runs, and yield the path of the run's state file.
 
-    If the folder does not exist yet, it is created.
+    The folder is created if it does not exist yet.
 
     Raises:
         ValueError: The path is not a folder, or another run is using it.
@@ -72,10 +72,10 @@ def only_run(out: Path) -> Iterator[Path]:
 
 @contextmanager
 def temporary_files_in(out: Path) -> Iterator[None]:
-    """Put all temporary files into the folder ``out`` until the context ends.
+    """Keep all temporary files in the folder ``out`` until the context ends.
 
-    A run that is killed cannot delete its temporary files. In this folder the next run will find
-    and delete them.
+    A run that is killed cannot delete its temporary files. In this folder, the next run finds and
+    deletes them.
     """
     own, before = out / ".temporary", tempfile.tempdir
     shutil.rmtree(own, ignore_errors=True)
@@ -89,9 +89,9 @@ def temporary_files_in(out: Path) -> Iterator[None]:
 
 
 def put_others_aside(out: Path, students: list[str]) -> int:
-    """Move away the reports of all students who are not in the list, and return their number.
+    """Move away the reports of students who are not on the list, and return how many there were.
 
-    Such a report is from another class, or from a student who has left this one.
+    Such a report belongs to another class, or to a student who has left this one.
     """
     names = {file_name(student) for student in students}
     others = set()

@@ -1,8 +1,8 @@
 """Grade a class on a Dask cluster, whose workers receive submissions and return reports.
 
-Dask distributes the submissions, and if a worker dies, it gives the submission to another one.
-Grades must not depend on where a submission was graded. So every worker uses the same kind of
-sandbox as the instructor's machine would, and refuses to grade if it cannot.
+Dask distributes the submissions and, if a worker dies, gives its submission to another one. A grade
+must not depend on where the work was graded, so every worker uses the same kind of sandbox as the
+instructor's machine, or refuses to grade.
 """
 
 from __future__ import annotations
@@ -43,11 +43,11 @@ Tree = dict[str, bytes | None]  # the files in a folder by path, where None stan
 
 @dataclass(frozen=True)
 class Work:
-    """What every worker of the cluster receives: the assignment and facts about the sender.
+    """What every worker of the cluster receives: the assignment, and facts about the sender.
 
-    The worker compares its own machine with ``key``, since it must grade under the same conditions
-    as the sender would. ``hidden`` contains the hidden checks, and ``home`` is where the repository
-    is on the sending machine.
+    The worker compares its own machine with ``key``, because it must grade under the same
+    conditions as the sender. ``hidden`` contains the hidden checks, and ``home`` is the path of the
+    repository on the sending machine.
     """
 
     assignment: Assignment
@@ -138,7 +138,7 @@ def grade_over(
 
 
 def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentReport:
-    """Grade a student's submission. Dask calls this function on a worker of the cluster.
+    """Grade a student's submission; Dask calls this on a worker of the cluster.
 
     Raises:
         ValueError: The worker would not grade exactly as the sending machine does.
@@ -163,7 +163,7 @@ def grade_there(work: Work, student: str, staged: Staged, box: Tree) -> StudentR
 def check_worker(work: Work) -> None:
     """Raise ValueError if this worker would not grade exactly as the sending machine does.
 
-    Otherwise a student's grade could depend on which machine happened to grade it.
+    Otherwise a student's grade could depend on which machine happened to compute it.
     """
     wanted = work.assignment.level
     level = _level(unsafe=not wanted.is_sandbox)
@@ -191,12 +191,12 @@ _once: dict[str, OnceForAll] = {}
 
 
 def _shared(work: Work) -> OnceForAll:
-    """Return the verdicts that this worker finds once and uses for all submissions of a run."""
+    """Return the verdicts that this worker finds once and uses for every submission of a run."""
     return _once.setdefault(repr((str(_at_home(work).root), work.key)), OnceForAll())
 
 
 def _at_home(work: Work) -> Assignment:
-    """Return the assignment, with paths that lead to the repository on this machine."""
+    """Return the assignment, with its paths pointing to this machine's repository."""
     if work.assignment.root == work.home:
         return replace(work.assignment, root=ROOT)
     return work.assignment
@@ -209,7 +209,7 @@ def _refusal(worker: str, error: Exception) -> str:
 
 
 class _Call:
-    """A function call that takes place when its pickle is loaded, which happens on the worker."""
+    """A function call that happens on the worker, when its pickle is loaded."""
 
     def __init__(self, *parts: Any) -> None:
         self.parts = parts
@@ -223,13 +223,13 @@ def _call(*parts: Any) -> tuple[Callable[[bytes], Any], bytes]:
     """Return a call in a form that Dask can send without importing the autograder.
 
     If Dask had to import the autograder, the scheduler would need it as well, and a worker without
-    it would stop answering instead of reporting an error.
+    it would go silent instead of reporting an error.
     """
     return pickle.loads, pickle.dumps(_Call(*parts))
 
 
 def _tree(folder: Path | None) -> Tree:
-    """Read all files in a folder into a dict, so that they can be sent over the network.
+    """Read all files in a folder into a dict, to send over the network.
 
     If ``folder`` is None, the dict is empty.
     """
@@ -243,7 +243,7 @@ def _tree(folder: Path | None) -> Tree:
 def _write_tree(tree: Tree, folder: Path) -> None:
     """Write the files of a tree into a folder.
 
-    We let all users read them, because the student's code may run under another account.
+    They are readable by all users, because the student's code may run under another account.
     """
     for name, content in tree.items():
         path = folder / name

@@ -1,4 +1,4 @@
-"""Grade a whole class: grade in parallel, write the reports, and resume interrupted runs."""
+"""Grade a whole class in parallel, write the reports, and resume interrupted runs."""
 
 from __future__ import annotations
 
@@ -44,18 +44,18 @@ class ClassOptions:
     """The options with which an instructor grades a class.
 
     - ``given`` chapters come from the reference, even if students hand in files for them.
-    - ``seed`` determines the numbers in the checks. If there is none, a new run draws one, and an
-      interrupted run resumes with its own.
-    - ``hidden`` is a folder of additional checks, chNN_name/test_*.py.
-    - ``unsafe`` permits grading on a machine that has no sandbox.
-    - ``jobs`` says how many submissions to grade at a time. By default it is one per core.
+    - ``seed`` determines the random numbers in the checks. Without one, a new run draws a seed, and
+      an interrupted run resumes with its own.
+    - ``hidden`` is a folder of hidden checks, chNN_name/test_*.py.
+    - ``unsafe`` permits grading without a sandbox on a machine that has none.
+    - ``jobs`` is the number of submissions to grade at a time, by default one per core.
     - ``cluster`` is the address of a scheduler, whose workers then grade instead of this machine.
-    - ``roster`` is a CSV file of the students. In an ``anonymous`` class, the reports show codes
-      instead of names.
+    - ``roster`` is a CSV file with the students of the class. If the class is ``anonymous``, the
+      reports show codes instead of names.
     - ``column`` describes the files for Canvas and Moodle.
-    - ``deadline`` says when the work was due. If there is one, the reports say who was late.
-    - ``student`` is the only one to grade again, after an earlier run has graded the whole class.
-      ``why`` is the reason that the log of regrades will contain.
+    - ``deadline`` says when the work was due, so that the reports can say who was late.
+    - ``student`` is the one student to regrade after an earlier run has graded the class, and
+      ``why`` is the reason to put in the log of regrades.
     """
 
     given: Sequence[Chapter] = ()
@@ -85,9 +85,8 @@ class ClassOptions:
 def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOptions) -> int:
     """Grade every submission in ``folder``, and write the reports into ``out``.
 
-    If a report is complete and comes from the same checks, grader and seed, we keep it and do not
-    grade the submission again. Return the exit code, which is 1 if the grader failed on a
-    submission.
+    A complete report from the same checks, grader and seed is kept, and its submission is not
+    graded again. Return the exit code, which is 1 if the grader failed on a submission.
 
     Raises:
         ValueError: The class cannot be graded with these options.
@@ -144,8 +143,8 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
     print_class(console, graded)
     if any(report.penalty or report.by_hand or report.waiting for report in graded):
         console.print(
-            "The points in this table are from checks. The totals, with answers marked by hand and "
-            f"late penalties, are in {out / 'gradebook.csv'}.",
+            "The points in this table are from checks alone. The totals, which include answers "
+            f"marked by hand and late penalties, are in {out / 'gradebook.csv'}.",
             markup=False,
         )
     for report in graded:
@@ -167,15 +166,15 @@ def grade(folder: Path, out: Path, chapters: list[Chapter], options: ClassOption
     for place in places:
         console.print(str(place), markup=False, soft_wrap=True)
     for place in uploads:
-        only_you = ": keep this private, because it has names" if options.anonymous else ""
+        only_you = ": keep this private, because it contains names" if options.anonymous else ""
         console.print(f"{place}{only_you}", markup=False, soft_wrap=True)
     return int(any(report.status != "graded" for report in graded))
 
 
 def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
-    """Find the submissions of a class, and write notes on everything else in its folder.
+    """Find the submissions of a class, with notes on everything else in its folder.
 
-    The reports may go into a folder next to the submissions, but not into a submission.
+    The reports may go into a folder beside the submissions, but not into a submission.
 
     Raises:
         ValueError: The reports would be written into the class's folder or into a submission.
@@ -195,7 +194,7 @@ def _submissions(folder: Path, out: Path) -> tuple[list[Submission], list[str]]:
 def check_hidden(assignment: Assignment) -> None:
     """Raise ValueError if the folder has no hidden checks, or if our own solution fails one.
 
-    A check that fails on the reference must be wrong, and it would cost every student points.
+    A check that fails on the reference must be wrong, and would cost every student points.
     """
     hidden, root = assignment.hidden, assignment.root
     if hidden is None:

@@ -31,10 +31,10 @@ def grade_submission(
     once: OnceForAll | None = None,
     fill: Callable[..., Staged] | None = None,
 ) -> StudentReport:
-    """Grade one submission and return the report. If the grader fails, the report says so.
+    """Grade one submission, and return the report, even if the grader itself fails.
 
     ``once`` holds the verdicts that all submissions share. Normally ``stage`` copies the
-    submission's files. If they are on another machine, ``fill`` does that instead.
+    submission's files; for files on another machine, ``fill`` does that instead.
     """
     once = once or OnceForAll()
     start = time.monotonic()
@@ -57,13 +57,13 @@ def grade_submission(
 
 
 def report_of_failure(assignment: Assignment, student: str, reason: str) -> StudentReport:
-    """Build the report on a submission that the grader was unable to grade."""
+    """Build the report on a submission that could not be graded."""
     pairs = [(_errors(chapter, reason),) * 2 for chapter in assignment.chapters]
     return replace(_report(assignment, OnceForAll(), student, pairs, []), seconds=0.0)
 
 
 def _notes(staged: Staged, graded: list[Chapter], chapters: list[Chapter], box: Path) -> list[str]:
-    """Return the notes on a submission, and add one if it has no file that we could grade."""
+    """Return the notes on a submission, including one if it has no file to grade."""
     files = [box / chapter.name / name for chapter in chapters for name in chapter.edited_files]
     if staged.missing or any(file.exists() for file in files):
         return staged.notes
@@ -86,11 +86,11 @@ def _all_results(
     box: Path,
     compiled: Path,
 ) -> list[tuple[list[Result], list[Result]]]:
-    """Run the checks of each chapter twice, and return both lists of results.
+    """Run each chapter's checks twice, and return both lists of results.
 
-    The first run uses the student's own earlier chapters, and the second one takes them from the
-    reference. The reports show only the messages of the first run. In the second run, the student's
-    code could read the reference and reveal it in a message.
+    The first run uses the student's own earlier chapters, and the second takes them from the
+    reference. The reports show only the messages of the first run: in the second one, the student's
+    code could read the reference and leak it in a message.
     """
     deadline = time.monotonic() + SUBMISSION_LIMIT
 
@@ -132,11 +132,10 @@ def _is_empty(chapter: Chapter, staged: Staged, box: Path) -> bool:
 def _chart(
     assignment: Assignment, once: OnceForAll, chapter: Chapter, result: Result
 ) -> Chart | None:
-    """Return the cost and error of a submission, and those of the reference, for the chart.
+    """Return the cost and error of a submission and of the reference, for the chart.
 
-    Most exercises have no chart, and then the result is None. A submission that fails because of an
-    earlier chapter is not on the chart either, because we only learn from the second run which of
-    its checks pass.
+    Most exercises have no chart, and then the result is None. It is also None for a submission that
+    fails because of an earlier chapter, because only the second run shows which of its checks pass.
     """
     if result.on_chart is None:
         return None
@@ -150,7 +149,7 @@ def _chart(
 def _errors(chapter: Chapter, reason: str) -> list[Result]:
     """Build the results of a chapter whose checks could not be run.
 
-    They count as errors of the grader, so that the student does not get a zero for them.
+    They count as errors of the grader, so that the student does not get a zero.
     """
     why = presentable(Message(reason[:500]))
     ours = [Verdict("every check", e.id, 1, "error", why) for e in chapter.exercises]
@@ -189,7 +188,7 @@ def _report(
 
 
 def _own_earlier_chapters(assignment: Assignment) -> list[int]:
-    """Return the numbers of the earlier chapters that the student has written."""
+    """Return the numbers of the earlier chapters that the student wrote."""
     below = [
         other.number
         for chapter in assignment.chapters

@@ -1,4 +1,4 @@
-"""Put together what we know about the people in a class: the roster, the codes and the marks."""
+"""Put together what is known about the people in a class: roster, codes and marks."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from autograder.submissions.roster import read_roster
 def people_of(
     submissions: list[Submission], out: Path, roster: Path | None, *, anonymous: bool
 ) -> ClassList:
-    """Return the students of a class, with the names that the reports show.
+    """Return the students of a class, under the names that the reports use.
 
     Raises:
         ValueError: The roster or the key file contains a mistake, or ``out`` contains reports with
@@ -31,7 +31,7 @@ def people_of(
 
 
 def marks_of(people: ClassList, path: Path, chapters: list[Chapter]) -> Marks:
-    """Read the marks of a class, in which a student may appear under any known name.
+    """Read the marks of a class, in which a student may go by any known name.
 
     Raises:
         ValueError: A line is not valid, or a student has two marks for the same exercise.
@@ -42,7 +42,7 @@ def marks_of(people: ClassList, path: Path, chapters: list[Chapter]) -> Marks:
 def folder_with_names(out: Path, *, anonymous: bool) -> Path:
     """Return the folder for files that contain students' names.
 
-    For an anonymous class it is outside ``out``, so that ``out`` can be shown to others.
+    For an anonymous class it is outside ``out``, so that ``out`` can be shared.
     """
     return out.resolve().with_name(f"{out.resolve().name}-named") if anonymous else out
 

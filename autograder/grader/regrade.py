@@ -1,4 +1,4 @@
-"""Grade one student again under the same conditions as the class, and log what has changed."""
+"""Regrade one student under the same conditions as the class, and log what has changed."""
 
 from __future__ import annotations
 
@@ -31,12 +31,12 @@ MAY_DIFFER = {
 
 
 class Regrade:
-    """Grades one student again, after an earlier run has graded the class.
+    """Regrades one student after an earlier run has graded the class.
 
-    Everything else must be as it was for the class, so that the grades can be compared.
+    Everything else must be as it was for the class, so that the grades remain comparable.
 
     Raises:
-        ValueError: The folder contains no earlier run, or the student did not hand anything in.
+        ValueError: The folder has no earlier run, or the student did not hand anything in.
     """
 
     def __init__(self, out: Path, student: str, submissions: Sequence[Submission]) -> None:
@@ -53,10 +53,10 @@ class Regrade:
 
     @property
     def before(self) -> StudentReport | None:
-        """The student's report before this regrade, or None if there is no report.
+        """The student's report before this regrade, or None if there is none.
 
         If an earlier regrade was killed before it could write the log, this is the report from
-        before that regrade, so that no change is lost.
+        before that one, so that no change goes unlogged.
         """
         kept = read_result(self.kept)
         if kept and any(report.seed == kept.seed for report in self.reports):
@@ -67,7 +67,7 @@ class Regrade:
         """Return the seed with which the class was graded.
 
         Raises:
-            ValueError: Another seed was asked for, or the class was graded with several seeds.
+            ValueError: A different seed was requested, or the class was graded with several.
         """
         seeds = sorted({report.seed for report in self.reports if report.student != self.student})
         seeds = seeds or [report.seed for report in self.reports]
@@ -79,10 +79,10 @@ class Regrade:
         return seeds[0]
 
     def prepare(self, run: ClassRun) -> list[Submission]:
-        """Set up a run that grades the student again, and return the student's submission.
+        """Set up a run that regrades the student, and return the student's submission.
 
         Raises:
-            ValueError: The exercises or the checks differ from those of the class.
+            ValueError: The exercises or the checks are not those of the class.
         """
         run.keeps_reports = False
         differing = self._differing(run.key)
@@ -126,7 +126,7 @@ class Regrade:
         return [n for n in names if any(getattr(one, n) != getattr(key, n) for one in others)]
 
     def _log(self, report: StudentReport, why: str) -> str:
-        """Add a row to regrades.csv, and return a sentence that says what has changed."""
+        """Add a row to regrades.csv, and return a sentence about what has changed."""
         before, after = _points(self.before), _points(report)
         changes = "; ".join(_changes(self.before, report))
         path = self.out / LOG
@@ -143,7 +143,7 @@ class Regrade:
 
 
 def earlier_choice(out: Path) -> tuple[str, str]:
-    """Return the chapters and the given chapters of an earlier run, as options to type.
+    """Return the chapters and the given chapters of an earlier run, as command-line options.
 
     Raises:
         ValueError: There is no earlier run.

@@ -1,6 +1,6 @@
 """Describe the conditions of grading, such as the checks and the seed.
 
-As long as they stay the same, a report remains valid and need not be made again.
+A report stays valid for as long as they stay the same.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from autograder.reports.report import RunKey
 def run_key(assignment: Assignment) -> RunKey:
     """Return everything that a report depends on, except for the submission itself.
 
-    If one of these conditions changes, the report is no longer valid.
+    If any of it changes, the report is no longer valid.
     """
     root = assignment.root
     names = [chapter.name for chapter in load_chapters(root)]

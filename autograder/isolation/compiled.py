@@ -21,10 +21,10 @@ class CompiledLoader(SourceFileLoader):
 
 
 class CompiledFinder:
-    """Finds modules of the engine and the probes whose code we have already compiled.
+    """Finds modules of the engine and the probes whose code is already compiled.
 
-    ``compiled`` holds the marshaled code of each module. We can unmarshal it safely, because
-    nothing in it runs until a worker imports the module.
+    ``compiled`` holds the marshaled code of each module. Unmarshaling it is safe, because none of
+    it runs until a worker imports the module.
     """
 
     def __init__(self, compiled: Mapping[str, bytes]) -> None:

@@ -1,7 +1,7 @@
-"""Recreate an exception that happened in a worker, so that the process of the checks can raise it.
+"""Recreate an exception from a worker, so that it can be raised in the checks' process.
 
-We do not trust a worker, because it could send anything. If its data does not describe an
-exception, it has broken the protocol.
+A worker is not trusted and could send anything. If its data does not describe an exception, it has
+broken the protocol.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ FILE = re.compile(r"ch\d\d_\w+/\w+\.py")
 
 
 def known_name(error: Exception) -> str:
-    """Return the name of an error's nearest base class that we can send to a worker."""
+    """Return the name of an error's nearest base class that can be sent to a worker."""
     return next(base.__name__ for base in type(error).__mro__ if base.__name__ in KNOWN_ERRORS)
 
 
 def exception_of(data: Any) -> BaseException:
-    """Recreate the student's exception from the data that a worker has sent.
+    """Recreate the student's exception from the data that a worker sent.
 
     Its attribute ``fault`` describes the exception as it was in the worker.
     """
@@ -57,7 +57,7 @@ def exception_of(data: Any) -> BaseException:
 
 
 class WordedKeyError(KeyError):
-    """A KeyError that shows its text without the quotes that Python would put around it."""
+    """A KeyError that shows its text without the quotes that Python adds."""
 
     def __str__(self) -> str:
         return str(self.args[0])
@@ -67,7 +67,7 @@ WordedKeyError.__name__ = KeyError.__name__
 
 
 def _unknown(data: Any) -> Unknown | None:
-    """Return the missing name that an exception reports, or None if it has another reason."""
+    """Return the missing name behind an exception, or None if it has another cause."""
     if data is None:
         return None
     name, of, near = (text_of_worker(data[key], 100) for key in ("name", "of", "nearest"))
@@ -76,7 +76,7 @@ def _unknown(data: Any) -> Unknown | None:
 
 
 def text_of_worker(value: Any, longest: int) -> str:
-    """Cut a text from the worker to ``longest`` characters, and escape special characters in it."""
+    """Cut a text from the worker to ``longest`` characters, and escape its special characters."""
     if type(value) is not str:
         raise BrokenProtocolError("a value that is not a text")
     return clean(value[:longest])

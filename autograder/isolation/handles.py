@@ -2,7 +2,7 @@
 
 Whatever a check does with a handle becomes a request to the worker. A check cannot compare a
 handle, convert it or use it as a truth value, because the student's code would then decide the
-result. It has to read plain numbers and compare them itself. That way an object whose ``__eq__``
+outcome. Instead it must read plain numbers and compare them itself, so an object whose ``__eq__``
 always returns True gains nothing.
 """
 
@@ -29,9 +29,9 @@ class WorkerFailure(CheckEnded):
 
 
 class Session:
-    """The conversation with one worker process, from its start to its end.
+    """The conversation with one worker process, from start to end.
 
-    ``broken`` lists the modules that cannot be imported, each with the reason.
+    ``broken`` maps the modules that cannot be imported to the reasons.
     """
 
     def __init__(
@@ -56,12 +56,12 @@ class Session:
     def ask(self, what: str, *operands: Any) -> Any:
         """Send a request to the worker process, and return its answer.
 
-        If the student's code raises an Exception, this method raises the nearest built-in one, so
-        that the check can handle it like any other error.
+        If the student's code raises an Exception, raise the nearest built-in one, so that the check
+        can handle it like any other error.
 
         Raises:
             StudentLeft: The student's code raised something that is not an Exception.
-            WorkerFailure: The worker gave no valid answer.
+            WorkerFailure: The worker did not give a valid answer.
         """
         if self.dead:
             raise WorkerFailure(self.dead)
@@ -91,11 +91,10 @@ class Session:
     def _receive(self) -> dict[str, Any]:
         """Return the next message from the worker process.
 
-        If the worker did not get enough processor time because the machine was busy, wait once
-        more.
+        If a busy machine left the worker too little processor time, wait once more.
 
         Raises:
-            TimeoutError: There is no message in time.
+            TimeoutError: No message arrives in time.
         """
         try:
             return self.wire.receive(self.deadline)
@@ -117,7 +116,7 @@ class Session:
         raise exception_of(reply.get("raised"))
 
     def _explain_missing(self, data: Any) -> Message:
-        """Build the message for a check that uses a name which does not exist."""
+        """Build the message for a check that uses a name that does not exist."""
         if type(data) is not list or len(data) != 4:
             raise BrokenProtocolError("a missing name in an unknown form")
         module, name, near = (text_of_worker(part, 100) for part in data[:3])
@@ -125,9 +124,9 @@ class Session:
         return why or MissingName(module, name, near, data[3] is True).explain()
 
     def _call_back(self, message: dict[str, Any]) -> dict[str, Any]:
-        """Call one of the check's functions, because the student's code wants to use it.
+        """Call one of the check's functions on behalf of the student's code.
 
-        If the function raises an Exception, we send it to the worker. Anything else that it raises
+        If the function raises an Exception, send it to the worker. Anything else that it raises
         ends the session.
         """
         number = message["callback"]
@@ -167,7 +166,7 @@ class Session:
 
 
 class Handle:
-    """An object in the process of the checks that stands for one of the student's objects."""
+    """An object in the checks' process that stands in for one of the student's objects."""
 
     __slots__ = ()
 
@@ -183,7 +182,7 @@ class Handle:
         return self._session().ask("get", self, name)
 
     def get_together(self, names: list[str]) -> tuple[Any, ...]:
-        """Return the values of several attributes at once, since each request takes time."""
+        """Return the values of several attributes in one go, because every request takes time."""
         values = self._session().ask("get_together", self, names)
         if type(values) is not tuple or len(values) != len(names):
             raise WorkerFailure(Message(f"{BROKEN}: attributes that are not valid"))
@@ -234,7 +233,7 @@ def _refused(name: str) -> Callable[..., Any]:
             raise WorkerFailure(Message(got="NotImplemented", likely=NOT_IMPLEMENTED))
         raise WorkerFailure(
             Message(
-                f"the code returned an object where a plain value is wanted: {self!r} (checks "
+                f"the code returned an object where a plain value is expected: {self!r} (checks "
                 f"compare numbers that they read from an object, and never call its {name})"
             )
         )
@@ -258,7 +257,7 @@ setattr(Handle, "__hash__", object.__hash__)  # noqa: B010
 
 
 class ObjectHandle(Handle):
-    """A handle for an object that the worker has returned in this session."""
+    """A handle for an object that the worker has returned during this session."""
 
     __slots__ = ("_number", "_of", "_type_name")
 

@@ -1,8 +1,8 @@
-"""Run the checks in this process, and the student's code in a new worker process for each check.
+"""Run the checks in this process, and the student's code in a new worker for each check.
 
-When a check file imports a chapter, it gets placeholders instead of the student's functions and
-classes. As soon as a check uses one of them, the placeholder sends a request to the current worker.
-That is why we have to import the check files only once, although every check has its own worker.
+When a check file imports a chapter, it gets placeholders for the student's functions and classes.
+As soon as a check uses one, the placeholder sends a request to the current worker. That way the
+check files need to be imported only once, even though every check has its own worker.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ CHAPTER_MODULE = re.compile(r"ch\d\d_\w+(\.\w+)?")
 
 
 class InWorker:
-    """Runs the student's modules in workers, each of which imports them again."""
+    """Runs the student's modules in workers, each of which imports them afresh."""
 
     session: Session | None = None
 
@@ -70,7 +70,7 @@ class InWorker:
         self.broken: dict[str, Message] = {}
 
     def open(self, modules: list[str], broken: Mapping[str, Message], send: Send) -> None:
-        """Give placeholders to the checks when they import chapters.
+        """Provide placeholders to the checks that import chapters.
 
         The student's modules are imported later, in the workers.
         """
@@ -81,7 +81,7 @@ class InWorker:
         self.send = send
 
     def after_collection(self) -> None:
-        """Find out which modules can be imported, so that the checks do not use the others."""
+        """Find out which modules can be imported, so that the checks avoid the others."""
         compiled: dict[str, bytes] = {}
         for module, file in self._files().items():
             if module not in self.broken and (code := self._code_of(module, file)):
@@ -104,7 +104,7 @@ class InWorker:
         return found
 
     def _code_of(self, module: str, file: Path) -> bytes | None:
-        """Return the compiled code of a file, and compile the file only if no earlier run did."""
+        """Return the compiled code of a file, compiling it only if no earlier run did."""
         text = f"{file}\n".encode() + file.read_bytes()
         kept = self.compiled / hashlib.sha256(text).hexdigest()
         if kept.exists():
@@ -117,7 +117,7 @@ class InWorker:
         return code
 
     def _compile(self, module: str, file: Path) -> bytes | None:
-        """Compile a file once for all workers, in a worker that has not run any student's code."""
+        """Compile a file once for all workers, in a worker that has not run any student code."""
         if module in self.modules:
             self.send(Importing(module))
         code = None
@@ -145,7 +145,7 @@ class InWorker:
         self.stop()  # the next worker starts with this module marked as broken
 
     def definitions(self, file: Path) -> set[str] | None:
-        """Return the names that a file defines, or None if the worker cannot tell us."""
+        """Return the names that a file defines, or None if the worker cannot tell."""
         if self.session is None or self.session.dead:
             return None
         try:
@@ -156,9 +156,9 @@ class InWorker:
         return {name for name in names if type(name) is str} or None
 
     def _worker(self, new: bool = False) -> Session:
-        """Return the session with the current worker, and give this worker its full time again.
+        """Return the session with the current worker, and reset its time limit.
 
-        If ``new`` is set, or if the current worker is gone, start another one first.
+        If ``new`` is set or the current worker is gone, start another one first.
         """
         if new or self.session is None or self.session.dead:
             self.start()
@@ -177,7 +177,7 @@ class InWorker:
             self.session.ask("begin", list(self.broken))
 
     def stop(self) -> str:
-        """End the worker process, and return what the student's code has printed in it."""
+        """End the worker process, and return what the student's code printed in it."""
         printed = self.template.printed() if self.session else ""
         self.session = None
         self.template.stop_worker()
@@ -212,7 +212,7 @@ class Name(Handle):
 
 
 class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
-    """Handles imports of chapters: chNN_name is a package, and its modules contain placeholders."""
+    """Handles imports of chapters: chNN_name is a package of modules full of placeholders."""
 
     def __init__(self, workers: InWorker) -> None:
         self.workers = workers
@@ -233,11 +233,11 @@ class ChapterFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
         return ModuleType(spec.name)
 
     def exec_module(self, module: ModuleType) -> None:
-        """Do nothing, because the code of the module runs only in workers."""
+        """Do nothing, because the module's code runs only in workers."""
 
 
 class ChapterModule(ModuleType):
-    """A module with placeholders while the checks are collected, and real objects in a check."""
+    """A module that holds placeholders during collection, and real objects during a check."""
 
     def __init__(self, workers: InWorker, name: str) -> None:
         super().__init__(name)
@@ -252,7 +252,7 @@ class ChapterModule(ModuleType):
 
 
 def _exit_with_parent() -> None:
-    """Exit as soon as standard input is closed, because that means the runner has ended."""
+    """Exit as soon as standard input closes, because that means the runner has ended."""
     while os.read(0, 1024):
         pass
     os._exit(1)

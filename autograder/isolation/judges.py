@@ -1,9 +1,9 @@
 """Start check processes quickly, by forking them from one that has already imported pytest.
 
-We call a process that runs checks a judge. Importing pytest takes a while, so we do not want every
-judge to do it. Instead, one process imports pytest and then waits for orders. For each run of
-checks it forks a judge, which behaves like one that was started as a new Python process. The
-waiting process itself never runs a check and never sees a submission. It ends when the grader ends.
+A process that runs checks is called a judge. Importing pytest takes a while, so rather than have
+every judge do it, one process imports pytest and then waits for orders. For each run of checks it
+forks a judge, which behaves as if it had been started as a new Python process. The waiting process
+itself never runs a check, never sees a submission, and ends with the grader.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ Order = dict[str, Any]
 
 
 class Judges:
-    """The process that waits for orders, and that forks a judge for each of them."""
+    """The process that waits for orders and forks a judge for each of them."""
 
     def __init__(self, environment: dict[str, str]) -> None:
         self._control, theirs = socket.socketpair()
@@ -42,10 +42,10 @@ class Judges:
             )
 
     def ask(self, order: Order, descriptors: list[int]) -> int:
-        """Send an order to the waiting process, together with some open files.
+        """Send an order to the waiting process, along with some open files.
 
-        The answer is a number, which is normally the process number of the new judge. If the order
-        was to wait for a judge, it is the judge's exit code.
+        The answer is normally the process number of the new judge. If the order was to wait for a
+        judge, it is that judge's exit code.
         """
         data = json.dumps(order).encode() + b"\n"
         sent = socket.send_fds(self._control, [data], descriptors)
@@ -53,7 +53,7 @@ class Judges:
         return int(self._answers.readline())
 
     def close(self) -> None:
-        """End the waiting process. Each judge ends when its own input is closed."""
+        """End the waiting process. Each judge ends when its own input closes."""
         self._answers.close()
         self._control.close()
         self._process.wait()
@@ -86,7 +86,7 @@ class ForkedJudge:
 
 
 def _ask(order: Order, descriptors: list[int]) -> int:
-    """Send an order to the waiting process, and start this process first if there is none."""
+    """Send an order to the waiting process, starting that process first if necessary."""
     own = os.getpid()
     with _lock:
         if own not in _waiting:
@@ -99,7 +99,7 @@ def _ask(order: Order, descriptors: list[int]) -> int:
 
 
 def main() -> None:
-    """Fork a judge for each order, until the control socket is closed."""
+    """Fork a judge for each order, until the control socket closes."""
     from autograder.checks import verdicts
     from autograder.isolation import in_worker  # noqa: F401 - imported once for all judges
     from autograder.isolation.starting import start_waiting
@@ -139,10 +139,10 @@ def main() -> None:
 
 
 def _become(order: Order, descriptors: list[int]) -> None:
-    """Turn this forked process into one that looks as if it had been started for ``order``.
+    """Make this forked process look as if it had been started for ``order``.
 
-    It gets the folder and the environment of the order, and ``descriptors`` become its input, its
-    output and its error stream.
+    It takes on the folder and the environment of the order, and ``descriptors`` become its input,
+    output and error stream.
     """
     os.setpgid(0, 0)
     for new, old in enumerate(descriptors):

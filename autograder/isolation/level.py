@@ -1,4 +1,4 @@
-"""Choose the sandbox for this machine. If there is none, refuse to grade a class."""
+"""Choose the sandbox for this machine, or refuse to grade a class if there is none."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def choose_level(folder: Path, *, unsafe: bool) -> Level:
     """Return the strongest sandbox that works on this machine.
 
     Raises:
-        ValueError: No sandbox works, and ``unsafe`` does not permit grading without a sandbox.
+        ValueError: No sandbox works, and ``unsafe`` does not permit grading without one.
     """
     level = best_level()
     if level.is_sandbox or folder.resolve() == SAMPLE_CLASS:

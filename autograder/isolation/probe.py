@@ -1,4 +1,4 @@
-"""Find out which layers of the sandbox work on this machine, by trying what they should prevent."""
+"""Find out which layers of the sandbox work here, by trying what they should prevent."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def best_level() -> Level:
 
 
 def candidates() -> list[Level]:
-    """Return the kinds of sandbox that may work on this machine, beginning with the strongest."""
+    """Return the kinds of sandbox that may work on this machine, strongest first."""
     inside = Level(landlock=landlock_version() > 0, seccomp=seccomp_works_here())
     around = Level(inside.landlock, inside.seccomp, bubblewrap=True)
     found = [around, inside] if shutil.which("bwrap") else [inside]
@@ -31,10 +31,10 @@ def candidates() -> list[Level]:
 
 
 def what_fails(level: Level) -> str:
-    """Try a sandbox, and say which forbidden operations it fails to prevent.
+    """Try a sandbox, and name the forbidden operations that it fails to prevent.
 
-    If it cannot even be started, return the reason. If it prevents everything that it should,
-    return an empty string.
+    If it cannot even be started, return the reason. If it prevents all of them, return an empty
+    string.
     """
     attempts = [
         *(HELD_BY_LANDLOCK if level.landlock else ()),

@@ -1,10 +1,10 @@
-"""Restrict what a worker can do, because it runs a student's code that we do not trust.
+"""Restrict what a worker can do, because it runs untrusted student code.
 
-Several mechanisms of Linux work together. Landlock lets the worker read a few folders and write
-nothing. A seccomp filter allows only those system calls that a computation needs, so the worker
+Several Linux mechanisms work together. Landlock lets the worker read a few folders and write
+nothing. A seccomp filter allows only the system calls that a computation needs, so the worker
 cannot create processes, open sockets, or send signals to other processes. Where bubblewrap is
-available, it adds a wall around the whole process. Resource limits restrict memory, processor time
-and files. All of this is in place before any of the student's code is loaded.
+available, it walls off the whole process. Resource limits cap memory, processor time, and the
+number and size of files. All of this is in place before any student code is loaded.
 """
 
 from __future__ import annotations
@@ -68,16 +68,16 @@ _RIGHTS_NOW = 16
 
 
 def landlock_version() -> int:
-    """Return the version of Landlock that the kernel supports, or 0 if it has no Landlock."""
+    """Return the Landlock version that the kernel supports, or 0 if it has no Landlock."""
     if sys.platform != "linux":
         return 0
     return max(0, int(_libc.syscall(_CREATE_RULESET, None, ctypes.c_size_t(0), 1)))
 
 
 def landlock_rules(readable: Sequence[str]) -> int:
-    """Create rules for Landlock that let a worker read these files and folders, and nothing else.
+    """Create Landlock rules that let a worker read these files and folders, and nothing else.
 
-    The result is the file descriptor of the rules.
+    Return the file descriptor of the rules.
 
     Raises:
         SandboxError: The kernel does not accept the rules.
@@ -127,7 +127,7 @@ _ALLOWED = {
 
 
 def seccomp_filter() -> bytes:
-    """Create a filter that allows only the listed system calls. All others fail with EPERM."""
+    """Create a filter that allows only the listed system calls and fails all others with EPERM."""
     numbers = [number for group in _ALLOWED.values() for number in group]
     program = [
         (_LOAD, 0, 0, 4),  # the architecture
@@ -153,7 +153,7 @@ class Filter:
 
 
 def seccomp_works_here() -> bool:
-    """Return whether this machine has the processor architecture that our filter is written for."""
+    """Return whether this machine has the processor architecture that our filter is for."""
     return sys.platform == "linux" and os.uname().machine == "x86_64" and sys.maxsize > 1 << 32
 
 
@@ -194,9 +194,9 @@ def confine(level: Level, rules: int | None) -> None:
 
 
 def enter(rules: int | None, allowed: Filter | None, seconds: int) -> None:
-    """Take away a worker's right to fork and to send signals, and never give it back.
+    """Permanently take away a worker's right to fork and to send signals.
 
-    Only the template needs these rights. ``seconds`` is how much processor time the worker may use
+    Only the template needs those rights. ``seconds`` is the processor time that the worker may use
     from now on.
 
     Raises:
@@ -227,11 +227,11 @@ def _lower(kind: int, soft: int, hard: int) -> None:
 
 
 def drop_privileges() -> None:
-    """If this process runs as root, switch to a user without privileges.
+    """If this process runs as root, switch to an unprivileged user.
 
-    One of root's rights must stay. Python may be installed in a folder that only root can read,
-    such as /root, so the process may still read any file. Landlock then limits that to the listed
-    folders.
+    One of root's rights must stay: the process may still read any file, because Python may be
+    installed in a folder that only root can read, such as /root. Landlock then limits that right to
+    the listed folders.
     """
     if os.geteuid() != 0:
         return

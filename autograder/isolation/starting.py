@@ -1,8 +1,8 @@
-"""Start a template, as a fork of a process that waits for orders, or as a new Python process.
+"""Start a template, either as a fork of a waiting process or as a new Python process.
 
 A new Python process needs 70 ms to start and to import what a template needs. A grader starts one
-template for each chapter and submission, so it has a process that has imported these modules once.
-This process forks a template for each order, never runs any student's code, and ends when no
+template for each chapter and submission, so it keeps a process that has already imported these
+modules. That process forks a template for each order, never runs any student code, and ends when no
 process is left that could send an order.
 """
 
@@ -31,7 +31,7 @@ _waiting: list[socket.socket] = []
 
 
 def start_waiting() -> None:
-    """Start the process that forks templates, where the system can send orders as whole packets."""
+    """Start the process that forks templates, on systems that can send orders as whole packets."""
     with contextlib.suppress(OSError, AttributeError):
         own, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with theirs:
@@ -48,10 +48,10 @@ def start_waiting() -> None:
 
 
 def fork_template(config: dict[str, Any], control: socket.socket, log: int) -> bool:
-    """Let the waiting process fork a template. Return False if there is no such process.
+    """Have the waiting process fork a template. Return False if there is no such process.
 
-    ``control`` is the template's end of its control socket. The output of the template goes to
-    ``log``, which is a descriptor.
+    ``control`` is the template's end of its control socket, and ``log`` is the descriptor that
+    receives the template's output.
     """
     for waiting in _waiting:
         with contextlib.suppress(OSError):
@@ -63,7 +63,7 @@ def fork_template(config: dict[str, Any], control: socket.socket, log: int) -> b
 def start_process(
     config: dict[str, Any], level: Level, control: socket.socket, log: int
 ) -> subprocess.Popen[bytes]:
-    """Start a template as a new Python process, within bubblewrap if the level says so."""
+    """Start a template as a new Python process, inside bubblewrap if the level says so."""
     command = _python("main", json.dumps({**config, "control": control.fileno()}))
     if level.bubblewrap:
         visible = [*config["readable"], command[0], str(ROOT / "autograder")]
@@ -80,7 +80,7 @@ def start_process(
 
 
 def python_folders() -> list[str]:
-    """Return the folders of the standard library and the libraries that Python itself needs."""
+    """Return the folders of the standard library and of the libraries that Python itself needs."""
     paths = {sysconfig.get_path("stdlib"), sysconfig.get_path("platstdlib")}
     if library := sysconfig.get_config_var("LIBDIR"):
         paths |= {str(path) for path in Path(library).glob("libpython*")}
@@ -95,7 +95,7 @@ def _python(function: str, argument: str) -> list[str]:
 
 
 def _bubblewrap(visible: Sequence[str]) -> list[str]:
-    """Return the bubblewrap command for a program that may read these paths and nothing else."""
+    """Return the bubblewrap command for a program that may read only these paths."""
     program = shutil.which("bwrap") or "bwrap"
     command = [program, "--unshare-all", "--uid", "65534", "--gid", "65534", "--die-with-parent"]
     command += ["--cap-drop", "ALL", "--dev", "/dev", "--chdir", "/"]

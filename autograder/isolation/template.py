@@ -1,4 +1,4 @@
-"""Control a template process from the trusted side: start it, fork workers, and end them."""
+"""Control a template process from the trusted side: start it, fork workers, end them."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ END_LIMIT = 1.0  # seconds for it to end
 
 
 class TemplateError(GraderFault):
-    """Raised when a worker did not start, although the student's code is not to blame."""
+    """Raised when a worker did not start, through no fault of the student's code."""
 
 
 @dataclass
@@ -52,12 +52,12 @@ class _Worker:
 
 
 class Template:
-    """A process without any student's code, which forks a worker for each check.
+    """A process without student code that forks a worker for each check.
 
     A worker looks for a module in the standard library, then in the folders of ``engine``, and then
     in the folder of the probes. ``folder`` is for temporary files, and ``seconds`` is how long a
     worker may take to answer. If ``fresh`` is set, each worker gets a template of its own. That is
-    slower, but without seccomp it is the only way to keep one worker from affecting the next.
+    slower but, without seccomp, the only way to keep one worker from affecting the next.
     """
 
     def __init__(
@@ -89,7 +89,7 @@ class Template:
     ) -> Session:
         """Return a session with a worker that has not run anything, and order the next one.
 
-        ``broken`` lists the modules that cannot be imported, each with the reason.
+        ``broken`` maps the modules that cannot be imported to the reasons.
 
         Raises:
             TemplateError: The worker did not start.
@@ -110,7 +110,7 @@ class Template:
         return Session(wire, deadline, on_hang, self.how_it_ended, broken, patience)
 
     def warm_up(self) -> None:
-        """Order the next worker, unless it is already ordered, but do not wait for it."""
+        """Order the next worker unless that has been done, without waiting for it."""
         if self._control is None:
             self._start()
         if self._next is None:
@@ -135,7 +135,7 @@ class Template:
         return descriptor
 
     def _numbered_next(self) -> _Worker:
-        """Return the worker that was ordered in advance, once we know its process number."""
+        """Return the worker that was ordered in advance, once its process number is known."""
         assert self._next is not None
         if not self._next.number:
             self._next.number = int(self._answer())
@@ -146,9 +146,9 @@ class Template:
         return self._answers.readline().strip()
 
     def hand_over(self, compiled: Mapping[str, bytes]) -> None:
-        """Give the compiled code of some modules to all workers that start from now on.
+        """Give the compiled code of some modules to every worker that starts from now on.
 
-        A worker has compiled and marshaled this code.
+        The code was compiled and marshaled by a worker.
         """
         self._compiled = dict(compiled)
         if self._control is not None:
@@ -174,7 +174,7 @@ class Template:
             self._control.send(b"stop %d\n" % worker.number)
 
     def printed(self) -> str:
-        """Return what the worker has printed. Without a worker, return the template's output."""
+        """Return what the worker has printed or, if there is no worker, the template's output."""
         log = self._log if self._worker is None else self._worker.log
         printed = os.pread(log, 8000, 0).replace(b"\0", b"")  # NUL fills gaps in the file
         return printed.decode("utf-8", errors="replace").strip()
@@ -192,11 +192,11 @@ class Template:
         return os.pread(self._worker.stack, 8000, 0).decode("utf-8", errors="replace")
 
     def how_it_ended(self) -> str:
-        """Say in a sentence how a worker ended, after it has closed its wire.
+        """Say in a sentence how a worker that has closed its wire ended.
 
         Raises:
-            TemplateError: The worker was killed from outside, for example because the machine ran
-                out of memory. Code inside the sandbox cannot cause this.
+            TemplateError: The worker was killed from outside, perhaps because the machine ran out
+                of memory. Code inside the sandbox cannot bring that about.
         """
         assert self._control is not None
         assert self._worker is not None

@@ -1,8 +1,8 @@
-"""The wire between the checks, which we trust, and a worker. Each message is one line of JSON.
+"""The wire between the trusted checks and a worker. Each message is one line of JSON.
 
-Plain data is sent as it is: a value whose type is exactly None, bool, int, float, str, list, tuple
-or dict. For any other object we send a reference instead. Each end makes up the references to its
-own objects, and looks them up again when the other end uses them.
+Plain data is sent as is: any value whose type is exactly None, bool, int, float, str, list, tuple
+or dict. Any other object is replaced with a reference. Each end makes up the references to its own
+objects, and looks them up again when the other end uses them.
 """
 
 from __future__ import annotations
@@ -35,11 +35,11 @@ Find = Callable[[dict[str, Any]], Any]
 
 
 class BrokenProtocolError(Exception):
-    """Raised when the other end has sent a message that the protocol does not allow."""
+    """Raised when the other end sends a message that the protocol does not allow."""
 
 
 class UnsendableError(Exception):
-    """Raised when a value is too large, or nested too deeply, to be sent."""
+    """Raised when a value is too large or too deeply nested to be sent."""
 
 
 COPIED = {float, bool, str, type(None)}  # types of values that are packed as they are
@@ -51,8 +51,8 @@ _DECODER = json.JSONDecoder()
 class Wire:
     """One end of the connection between the checks and a worker, which is a socket.
 
-    A worker's end is ``patient``, so it waits for the next request as long as it takes. The end of
-    the checks obeys deadlines, because the student's code may never answer.
+    A worker's end is ``patient``: it waits for the next request for as long as that takes. The
+    checks' end obeys deadlines, because the student's code may never answer.
     """
 
     def __init__(self, descriptor: int, *, patient: bool = False) -> None:
@@ -113,7 +113,7 @@ class Wire:
 
 
 def _message(line: bytes) -> dict[str, Any]:
-    """Decode the message in a line that the other end has sent."""
+    """Decode a line from the other end into a message."""
     try:
         text = line.decode()
         message, end = _DECODER.raw_decode(text)
@@ -129,7 +129,7 @@ def _message(line: bytes) -> dict[str, Any]:
 def pack(value: Any, refer: Refer) -> Any:
     """Convert a value to the form in which it can be sent.
 
-    For every object that is not plain data, ``refer`` is called to get a reference to it.
+    ``refer`` is called for every object that is not plain data, and returns a reference to it.
 
     Raises:
         UnsendableError: The value is too large or too deeply nested.
@@ -162,9 +162,9 @@ def _pack(value: Any, refer: Refer, left: list[int], depth: int) -> Any:
 
 
 def unpack(data: Any, find: Find) -> Any:
-    """Convert the data in a message back to the value that was sent.
+    """Convert the data in a message back into the value that was sent.
 
-    For every reference in the data, ``find`` is called to get the object.
+    ``find`` is called for every reference in the data, and returns the object.
 
     Raises:
         BrokenProtocolError: The data does not have the form that ``pack`` produces.

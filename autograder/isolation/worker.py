@@ -1,7 +1,7 @@
 """Run the student's code in worker processes.
 
-The program starts as a template, which does not contain any student's code. It waits for orders on
-a control socket:
+The program starts as a template, without any student code, and waits for orders on a control
+socket:
 
 - "code" brings the compiled code of some modules. The template loads it but never runs it.
 - "start" forks a worker, which enters the sandbox before it imports the submission.
@@ -9,7 +9,7 @@ a control socket:
 - "status" asks how a worker ended.
 - "stop" ends a worker.
 
-We trust the template. We no longer trust a worker once it has imported the student's code.
+The template is trusted. A worker stops being trusted once it has imported the student's code.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ RULES, WIRE, STACK = 29, 30, 31
 
 
 def start_templates(number: str) -> None:
-    """Fork a template for each order on a socket, until nobody is left who could send one.
+    """Fork a template for each order on a socket, until nobody is left to send one.
 
     ``number`` is the socket's descriptor.
     """
@@ -83,7 +83,7 @@ def _preload() -> None:
 
 
 def main(text: str) -> None:
-    """Run the template that this process has been started for. ``text`` is its configuration."""
+    """Run the template that this process was started for. ``text`` is its configuration."""
     run_template(json.loads(text))
 
 
@@ -125,9 +125,9 @@ def run_template(config: dict[str, Any]) -> None:
 def _obey(
     control: socket.socket, work: Callable[..., None], seconds: float, workers: set[int]
 ) -> None:
-    """Carry out the orders that arrive, such as "start", until the control socket is closed.
+    """Carry out orders such as "start" as they arrive, until the control socket closes.
 
-    ``workers`` always contains the process numbers of the workers that are running.
+    ``workers`` always contains the process numbers of the running workers.
     """
     while True:
         orders, descriptors, _, _ = socket.recv_fds(control, 1024, 3)
@@ -159,9 +159,9 @@ def _obey(
 
 
 def _kill(worker: int) -> None:
-    """Kill a worker, together with any processes that it has started.
+    """Kill a worker, along with any processes that it has started.
 
-    It can only have started some if there is no sandbox.
+    It can have started some only if there is no sandbox.
     """
     for kill in (os.killpg, os.kill):
         with contextlib.suppress(ProcessLookupError):  # it may not have its own group yet
@@ -172,7 +172,7 @@ def _kill(worker: int) -> None:
 def _exit_code(worker: int, seconds: float) -> int | None:
     """Return the exit code of a worker that has closed its wire, or minus the signal that ended it.
 
-    If the worker does not end within a second, kill it and return None.
+    Kill a worker that does not end within a second, and return None.
     """
     for _ in range(100):
         ended, status, used = os.wait4(worker, os.WNOHANG)
@@ -194,10 +194,10 @@ def _work(
     log: int,
     stack: int,
 ) -> None:
-    """Run a worker: enter the sandbox, say that it is ready, and serve until the wire is closed.
+    """Run a worker: enter the sandbox, report that it is ready, and serve until the wire closes.
 
-    What the student's code prints goes to ``log``, and a stack trace goes to ``stack``. Every
-    worker has its own two files, so that nobody can mistake its output for that of another one.
+    The student's output goes to ``log``, and a stack trace goes to ``stack``. Every worker has its
+    own two files, so its output cannot be mistaken for another worker's.
     """
     try:
         os.setsid()

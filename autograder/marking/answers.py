@@ -1,6 +1,6 @@
-"""Take the written answers out of a class's submissions, so that somebody can mark them.
+"""Extract the written answers from a class's submissions, ready to be marked.
 
-We copy and check the submissions just as we do for grading.
+The submissions are copied and checked just as they are for grading.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ LONGEST = 20_000  # the page shows at most this many characters of an answer
 class Answer:
     """One student's answer to a question.
 
-    The page shows ``code`` instead of the student's name. If something is wrong with the student's
-    file, ``note`` says what, and ``text`` then contains the whole file.
+    The page shows ``code`` in place of the student's name. If something is wrong with the student's
+    file, ``note`` says what, and ``text`` is the whole file.
     """
 
     student: str
@@ -37,7 +37,7 @@ class Answer:
 
 @dataclass(frozen=True)
 class Task:
-    """A written exercise to mark, with its model answer and rubric and the students' answers."""
+    """A written exercise to mark: its model answer, its rubric and the students' answers."""
 
     exercise: Exercise
     question: str
@@ -51,8 +51,8 @@ def collect_tasks(
 ) -> list[Task]:
     """Return the written exercises of some chapters, with the answers of all students.
 
-    Nobody should be able to guess from the order who wrote an answer, so it does not depend on the
-    names. It is the same at every call, and missing answers come last.
+    The order does not depend on the names, so that nobody can guess from it who wrote an answer. It
+    is the same on every call, with missing answers last.
     """
     answers: dict[str, list[Answer]] = {}
     for submission in submissions:
@@ -73,7 +73,7 @@ def collect_tasks(
 def _answers_of(
     submission: Submission, chapters: list[Chapter], root: Path
 ) -> Iterator[tuple[str, Answer]]:
-    """Yield the student's answer to each question. If it is missing, its text is empty."""
+    """Yield the student's answer to each question, with an empty text if it is missing."""
     wanted = [_answers_alone(chapter) for chapter in chapters if _written(chapter)]
     with tempfile.TemporaryDirectory(prefix="marking-") as folder:
         staged = stage(submission.path, wanted, Path(folder), root)
@@ -89,8 +89,8 @@ def _answers_of(
 def _text_of(question: Question, file: Path) -> tuple[str, str]:
     """Return the text of an answer, and a note if something is wrong with the student's file.
 
-    If we do not find the answer in its section, we return the whole file, since the answer may be
-    somewhere else in it.
+    If the answer is not in its section, return the whole file, because the answer may be elsewhere
+    in it.
     """
     if not file.exists():
         return "", ""
@@ -109,7 +109,7 @@ def _written(chapter: Chapter) -> list[Exercise]:
 
 
 def _answers_alone(chapter: Chapter) -> Chapter:
-    """Return a copy of the chapter in which answers.md is the only file that students hand in."""
+    """Return a copy of the chapter in which students hand in nothing but answers.md."""
     exercises = [replace(exercise, files=[]) for exercise in _written(chapter)]
     exercises[0] = replace(exercises[0], files=[FILE])
     return replace(chapter, complete=[], exercises=exercises)

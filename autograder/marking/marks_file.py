@@ -1,4 +1,4 @@
-"""Change single marks in marks.csv, and leave everything else in the file as it is."""
+"""Change single marks in marks.csv, leaving everything else in the file untouched."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from autograder.reports.texts import replace_file
 
 
 class ChangedError(Exception):
-    """Raised when somebody else has changed a mark since the page showed it."""
+    """Raised when somebody else has changed a mark since the page displayed it."""
 
 
 class MarksFile:
-    """The marks.csv of a class, which several people may change at the same time."""
+    """The marks.csv of a class, which several people may be changing at once."""
 
     def __init__(self, path: Path, chapters: list[Chapter], students: list[str]) -> None:
         self.path = path.resolve()  # the file itself, if the path is a link
@@ -27,18 +27,18 @@ class MarksFile:
         self.students = students
 
     def read(self) -> Marks:
-        """Read all marks. If a line is not valid, raise a ValueError that gives its number."""
+        """Read all marks. If a line is invalid, raise a ValueError with its number."""
         return read_marks(self.path, self.chapters, self.students)
 
     def change(self, student: str, exercise: str, mark: Mark | None, seen: Mark | None) -> None:
-        """Write a mark into the file, or remove the old one if ``mark`` is None.
+        """Write a mark into the file, or delete the old one if ``mark`` is None.
 
-        ``seen`` is the old mark that the page has shown. We compare it with the file, so that
-        nobody overwrites a mark without having seen it.
+        ``seen`` is the old mark that the page displayed. We compare it with the one in the file, so
+        that nobody overwrites a mark unseen.
 
         Raises:
             ChangedError: The old mark in the file differs from ``seen``.
-            ValueError: The file contains an invalid line. The file is not changed.
+            ValueError: A line in the file is invalid. The file is left unchanged.
         """
         with self._alone():
             separator, rows = read_rows(self.path, self.chapters, self.students)

@@ -1,4 +1,4 @@
-"""Run the server behind the marking page, which sends the answers and stores the marks."""
+"""The server behind the marking page, which sends the answers and stores the marks."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ LOOK = Path(__file__).parent.parent / "reports" / "templates"
 
 
 class Marking(Site):
-    """The answers and the marks of a class, which all request handlers share."""
+    """The answers and marks of a class, shared by all request handlers."""
 
     def __init__(self, tasks: list[Task], marks: MarksFile) -> None:
         super().__init__()
@@ -48,7 +48,7 @@ class Marking(Site):
         )
 
     def known(self) -> dict[str, dict[str, Any]]:
-        """Return the marks in the file, by exercise and then by the student's code."""
+        """Return the marks in the file, keyed by exercise and then by the student's code."""
         marks = self.marks.read()
         found: dict[str, dict[str, Any]] = {name: {} for name in self.tasks}
         for (exercise, code), student in self.students.items():
@@ -82,10 +82,10 @@ class Questions(Handler):
 
 
 class Marks(Handler):
-    """Sends the marks to the page, and changes them when the page asks for it.
+    """Sends the marks to the page, and changes them at its request.
 
-    Such a request contains the old mark that the page has shown. If the file contains another one
-    by now, we do not overwrite it, because the user has not seen it.
+    A request to change a mark includes the old one that the page displayed. If the file has a
+    different one by now, it is not overwritten, because the user has not seen it.
     """
 
     site: Marking
@@ -123,7 +123,7 @@ class Marks(Handler):
         self.answer()
 
     def answer(self, status: int = 200, **more: str) -> None:
-        """Send all marks to the page, so that it also shows those changed on other pages."""
+        """Send all marks to the page, so that it also shows changes made on other pages."""
         try:
             known = self.site.known()
         except (ValueError, OSError) as error:
@@ -139,9 +139,9 @@ class Marks(Handler):
 
 
 def mark_of(value: Any, most: float) -> Mark | None:
-    """Turn data from the page into a mark, or into None if the page wants to remove the mark.
+    """Turn data from the page into a mark, or into None if the page wants the mark deleted.
 
-    ``most`` is the largest number of points that the mark may have.
+    ``most`` is the maximum number of points for the mark.
 
     Raises:
         ValueError: The data is not a valid mark.
@@ -159,7 +159,7 @@ def mark_of(value: Any, most: float) -> Mark | None:
 def mark(folder: Path, chapters: list[Chapter], *, browser: bool = True, root: Path = ROOT) -> int:
     """Serve the marking page of a class until the user presses Ctrl-C.
 
-    If ``chapters`` contain only the exercises of an assignment, the page shows only their
+    If ``chapters`` contain only the exercises of an assignment, the page shows only those
     questions.
 
     Raises:

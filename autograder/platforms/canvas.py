@@ -1,4 +1,4 @@
-"""Write canvas.csv, which an instructor can import into the gradebook of Canvas."""
+"""Write canvas.csv, which an instructor can import into the Canvas gradebook."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ OTHER_COLUMNS = (*HEADER, "LastName", "FirstName", "Integration ID", "Root Accou
 def write_canvas(
     path: Path, people: ClassList, grades: Mapping[str, float], title: str, points: float
 ) -> None:
-    """Write the file that Canvas imports, with a row for each student of the roster.
+    """Write the file that Canvas imports, with a row for each student on the roster.
 
-    Canvas recognizes a student by the ID or, if this is empty, by the SIS user ID, the login or the
-    name. A student without a grade has an empty cell. ``title`` names an existing assignment, as in
-    "Lab 1 (12345)", or a new one.
+    Canvas recognizes a student by the ID or, if that is empty, by the SIS user ID, the login or the
+    name. A student without a grade gets an empty cell. ``title`` names an existing assignment, as
+    in "Lab 1 (12345)", or a new one.
     """
     rows = [[*HEADER, title], ["    Points Possible", "", "", "", "", number(points)]]
     for member in people.members:
@@ -41,22 +41,24 @@ def write_canvas(
 
 
 def check_title(title: str) -> str:
-    """Return the title if it suits a column that Canvas imports, or else raise ValueError."""
+    """Return the title if it suits a column that Canvas imports; otherwise raise ValueError."""
     if not title.strip() or clean_line(title) != title or FORMULA.search(title):
         raise ValueError(
             f"--title must be one line of text, and not begin like a formula, got {title!r}"
         )
     if title in OTHER_COLUMNS or NOT_IMPORTED.search(title):
-        raise ValueError(f"--title must not be the name of a column of Canvas's, got {title!r}")
+        raise ValueError(
+            f"--title must not be the name of one of Canvas's own columns, got {title!r}"
+        )
     return title
 
 
 def _canvas_id(member: Member) -> str:
-    """Return the number by which Canvas knows a student, or "" if we do not know it.
+    """Return the number by which Canvas knows a student, or "" if it is unknown.
 
-    If the student has handed in through Canvas, the name of the submission contains this number.
-    Otherwise we try the student's id in the roster, but only if it is a number. Anything else must
-    not be in this cell, because Canvas reads a number at its beginning as one of its own ids.
+    If the student handed in through Canvas, the name of the submission contains the number.
+    Otherwise the student's id on the roster is used, provided that it is a number. Nothing else may
+    go into this cell, because Canvas would read leading digits as one of its own ids.
     """
     export = member.submission.export if member.submission else None
     if export and export.platform == "canvas" and export.number.isdecimal():

@@ -1,4 +1,4 @@
-"""Make a hand-out for GitHub Classroom, which grades the student's work at every push."""
+"""Make a hand-out for GitHub Classroom, which grades the student's work on every push."""
 
 from __future__ import annotations
 
@@ -24,9 +24,8 @@ def make_classroom(
 ) -> None:
     """Write a hand-out for GitHub Classroom into the new folder ``out``, and print a summary.
 
-    GitHub Classroom accepts only whole points. We therefore round the points of the exercises, but
-    in such a way that their sum stays the same. ``about`` is the README section about the
-    assignment.
+    GitHub Classroom accepts only whole points, so the points of the exercises are rounded in such a
+    way that their sum stays the same. ``about`` is the README section about the assignment.
 
     Raises:
         ValueError: ``make_handout`` refuses the chapters or the folder.
@@ -43,7 +42,7 @@ def make_classroom(
 
 
 def workflow(chapters: list[Chapter]) -> dict[str, Any]:
-    """Create the workflow that GitHub runs, with a step per exercise and a report at the end."""
+    """Create the workflow for GitHub to run, with a step per exercise and a report at the end."""
     exercises = _checked(chapters)
     steps: list[dict[str, Any]] = [
         {"uses": "actions/checkout@v4"},
@@ -85,7 +84,7 @@ def workflow(chapters: list[Chapter]) -> dict[str, Any]:
 
 
 def in_whole_points(chapters: list[Chapter]) -> list[Chapter]:
-    """Round the points of all exercises to whole numbers, with at least one point for each."""
+    """Round the points of all exercises to whole numbers, with a minimum of one point each."""
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     counted = {e.id: e.points for e in exercises if not e.extra}
     whole = rescaled(counted, round(possible(exercises)), unit="1")
@@ -97,7 +96,7 @@ def in_whole_points(chapters: list[Chapter]) -> list[Chapter]:
 
 
 def step_id(exercise: Exercise) -> str:
-    """Return an id such as exerciseB2dot1, because the reporter accepts only letters and digits."""
+    """Return an id such as exerciseB2dot1, since the reporter accepts only letters and digits."""
     return f"exercise{exercise.id.replace('.', 'dot')}"
 
 

@@ -1,6 +1,6 @@
 """Grade a single submission on Gradescope, and print the results as JSON.
 
-Gradescope starts the script run_autograder from our zip file, and this script runs the module.
+Gradescope starts the script run_autograder from our zip file, and the script runs this module.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from autograder.submissions.find import Submission, printable
 
 
 def main(folder: Path, root: Path = ROOT) -> None:
-    """Grade the submission and print the results. If that fails, the results say why."""
+    """Grade the submission and print the results. If grading fails, the results say why."""
     try:
         results = gradescope_results(grade_one(folder, root))
     except ValueError as error:  # its text is written for people to read
@@ -44,8 +44,8 @@ def main(folder: Path, root: Path = ROOT) -> None:
 def grade_one(folder: Path, root: Path) -> StudentReport:
     """Grade the submission in ``folder``, and return the report.
 
-    The file assignment.json in the zip says what to grade. If it contains no seed, every run uses
-    new random numbers in its checks.
+    The file assignment.json in the zip says what to grade. If it has no seed, every run draws new
+    random numbers for its checks.
 
     Raises:
         ValueError: There is nothing to grade, or there is no sandbox in which to grade it.
@@ -73,7 +73,7 @@ def grade_one(folder: Path, root: Path) -> StudentReport:
 
 
 def students(metadata: Path) -> str:
-    """Return the names of the students who have handed this in, according to Gradescope.
+    """Return the names of the students who handed this in, according to Gradescope.
 
     If there are no names, return "submission".
     """
@@ -85,7 +85,7 @@ def students(metadata: Path) -> str:
 
 
 def _metadata(path: Path) -> dict[str, Any]:
-    """Return what Gradescope says about the submission, or an empty dict if we cannot read it."""
+    """Return Gradescope's data about the submission, or an empty dict if it cannot be read."""
     try:
         metadata = json.loads(path.read_text(encoding="utf-8"))
         return metadata if isinstance(metadata, dict) else {}
@@ -94,7 +94,7 @@ def _metadata(path: Path) -> dict[str, Any]:
 
 
 def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> Chapter:
-    """Return a copy of the chapter that has only the assigned exercises, with their new points."""
+    """Return a copy of the chapter with only the assigned exercises and their new points."""
     exercises = [
         replace(exercise, points=points[exercise.id], extra=exercise.id in extra)
         for exercise in chapter.exercises
@@ -106,8 +106,8 @@ def _assigned(chapter: Chapter, points: dict[str, float], extra: list[str]) -> C
 def _level(submission: Path, *, unsafe: bool) -> Level:
     """Return the sandbox that the command `grade` would choose on this machine.
 
-    If there is none and ``unsafe`` allows that, a process that runs as root first switches to a
-    user without privileges.
+    If there is none and ``unsafe`` allows for that, a process running as root first switches to an
+    unprivileged user.
     """
     if unsafe and os.geteuid() == 0 and not best_level().is_sandbox:
         drop_privileges()

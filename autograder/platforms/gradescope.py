@@ -1,4 +1,4 @@
-"""Make the zip file that Gradescope needs, with scripts, the grader, checks and the reference."""
+"""Make the zip file that Gradescope needs: scripts, the grader, checks and the reference."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def make_gradescope(
     """Write the zip file for Gradescope, and print a summary of its contents.
 
     The given chapters come from the reference, even if students hand in files for them. ``unsafe``
-    permits grading on a machine that has no sandbox.
+    permits grading without a sandbox on a machine that has none.
 
     Raises:
         ValueError: ``out`` does not name a .zip file, or hidden checks would be unprotected.
@@ -92,7 +92,7 @@ def _files(
 
 
 def _hidden(work: Work) -> dict[str, bytes]:
-    """Return the hidden checks of the graded chapters, by their paths in the zip."""
+    """Return the hidden checks of the graded chapters, keyed by their paths in the zip."""
     return {
         f"{HIDDEN}/{chapter.name}/{file.name}": file.read_bytes()
         for chapter in work.chapters
@@ -103,7 +103,7 @@ def _hidden(work: Work) -> dict[str, bytes]:
 def _zipped(contents: dict[str, bytes]) -> bytes:
     """Create a zip file, and return its bytes.
 
-    Its files are sorted by name, and the scripts are executable.
+    The files are sorted by name, and the scripts are executable.
     """
     memory = io.BytesIO()
     with zipfile.ZipFile(memory, "w") as file:

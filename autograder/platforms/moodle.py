@@ -1,4 +1,4 @@
-"""Write grades for Moodle: moodle.csv for the gradebook, and the worksheet of an assignment."""
+"""Write grades for Moodle: moodle.csv for the gradebook, and an assignment's worksheet."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ WORKSHEET = [
 
 
 def write_moodle(path: Path, people: ClassList, grades: Mapping[str, float], title: str) -> None:
-    """Write moodle.csv, with a row for each student of the roster.
+    """Write moodle.csv, with a row for each student on the roster.
 
-    Moodle stops the import at a student whom it does not know. If the cell that should identify a
-    student is empty, it even gives the grade to the student in the row above. That is why we write
-    the columns for logins and e-mail addresses only if every student has one.
+    Moodle stops the import at a student it does not know. If the cell that should identify a
+    student is empty, it even gives the grade to the student in the row above. That is why the
+    columns for logins and e-mail addresses are written only if every student has one.
     """
     students = [(member, member.student) for member in people.members if member.student]
     columns = {"ID number": [who.id for _, who in students]}
@@ -40,11 +40,11 @@ def write_moodle(path: Path, people: ClassList, grades: Mapping[str, float], tit
 def write_worksheet(
     path: Path, people: ClassList, grades: Mapping[str, float], points: float
 ) -> bool:
-    """Write the grading worksheet of an assignment, and return whether it contains any students.
+    """Write the grading worksheet of an assignment, and return whether it has any students.
 
-    This does not need a roster, because Moodle's folder names say who the participants are. If none
-    of the submissions comes from Moodle, we write nothing. We also leave out the column for
-    comments, since empty cells in it would delete the comments that are in Moodle.
+    No roster is needed, because Moodle's folder names say who the participants are. If no
+    submission comes from Moodle, nothing is written. The column for comments is left out, since
+    empty cells in it would delete the comments in Moodle.
     """
     rows = []
     for member in people.members:

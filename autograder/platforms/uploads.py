@@ -1,4 +1,4 @@
-"""Write the grades of a class into files that Canvas and Moodle can import."""
+"""Write a class's grades to files that Canvas and Moodle can import."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ CANVAS_ID = re.compile(r" \([0-9]+\)$")  # in Canvas, the title of an assignment
 
 @dataclass(frozen=True)
 class Column:
-    """The column in a platform's gradebook that will contain the grades.
+    """The column in a platform's gradebook that will hold the grades.
 
-    ``title`` may end with the id of an assignment, as in "Lab 1 (12345)". ``points`` is how much
-    the assignment is worth on the platform, and we scale the grades accordingly.
+    ``title`` may end with the id of an assignment, as in "Lab 1 (12345)". ``points`` is what the
+    assignment is worth on the platform, and the grades are scaled accordingly.
     """
 
     title: str = ""
@@ -44,11 +44,11 @@ def write_uploads(
 ) -> tuple[list[Path], list[str]]:
     """Write the files that an instructor can upload to Canvas or Moodle.
 
-    These are canvas.csv and moodle.csv for a class with a roster, and Moodle's worksheet if
-    submissions come from there.
+    These are canvas.csv and moodle.csv for a class with a roster, plus Moodle's worksheet if there
+    are submissions from Moodle.
 
     Returns:
-        The paths of the files, and sentences for the instructor.
+        The paths of the files, and notes for the instructor.
     """
     most = possible(exercise for chapter in chapters for exercise in chapter.exercises)
     for_canvas = column.points or most
@@ -87,7 +87,7 @@ def write_uploads(
         )
     if waiting := sum(r.waiting > 0 for r in reports):
         lines.append(
-            f"Students with answers that are not marked yet: {waiting}. These answers earn no "
-            "points in the grades for the platforms."
+            f"Students with answers that are not marked yet: {waiting}. Until then, those answers "
+            "earn no points in the grades for the platforms."
         )
     return paths, lines

@@ -1,1 +1,1 @@
-"""Release the reference after the deadline, so that students can compare it with their own code."""
+"""Release the reference after the deadline, so that students can compare it with their code."""

@@ -31,7 +31,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_release(arguments: argparse.Namespace) -> int:
-    """Write the reference and the students' pages, and print what has been released."""
+    """Write the reference and the students' pages, and print what was released."""
     from autograder.release.run import release
     from autograder.submissions.unpack import class_folder
 
@@ -49,7 +49,7 @@ def run_release(arguments: argparse.Namespace) -> int:
 
 
 def refuse_early(work: Work, now: datetime) -> None:
-    """Raise ValueError if some student may still hand in work for this assignment.
+    """Raise ValueError if any student may still hand in work for this assignment.
 
     Nobody should be able to copy from the reference before the deadline.
     """

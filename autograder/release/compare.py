@@ -1,6 +1,6 @@
 """Put a student's functions and ours side by side.
 
-We do that only for exercises that the student has passed.
+Only exercises that the student has passed are compared.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ OUTSIDE = ""  # stands for code outside of functions
 
 @dataclass(frozen=True)
 class Code:
-    """The body of a function, without its indentation, and how many lines and calls it has."""
+    """The body of a function, without its indentation, and its number of lines and calls."""
 
     text: str
     counts: Counts
@@ -29,7 +29,7 @@ class Code:
 
 @dataclass(frozen=True)
 class Pair:
-    """A student's function and ours. If one side has no such function, it is None."""
+    """A student's function and ours. Either one is None if it does not exist."""
 
     name: str
     own: Code | None
@@ -38,7 +38,7 @@ class Pair:
 
 @dataclass(frozen=True)
 class Compared:
-    """The pairs of functions that belong to one exercise, or to no exercise at all."""
+    """The pairs of functions that belong to one exercise, or to none."""
 
     title: str
     pairs: list[Pair]
@@ -59,8 +59,8 @@ def compare_others(
 ) -> list[Compared]:
     """Compare the functions that do not belong to any exercise, such as helpers.
 
-    If a function is the same on both sides, for example because it was given, we leave it out. We
-    also leave out any code outside of functions.
+    A function that is the same on both sides, perhaps because it was given, is left out. So is any
+    code outside functions.
     """
     edited = {name for exercise in chapter.exercises for name in exercise.edit}
     found = []
@@ -81,7 +81,7 @@ def compare_others(
 
 
 def _codes(file: str, texts: Texts) -> dict[str, Code]:
-    """Return the functions of a module, without those that cannot be read."""
+    """Return the functions of a module, skipping those that cannot be read."""
     text = texts.get(file, "")
     return {one.name: _code(file, text, one) for one in read_functions(text)[0]}
 

@@ -1,6 +1,6 @@
-"""Count the lines, the calls and the new objects in a function, to show how it compares to ours.
+"""Count the lines, calls and new objects in a function, to show how it compares with ours.
 
-We count in the source text and never run the code, so a call inside a loop counts only once.
+The counts come from the source text. The code never runs, so a call inside a loop counts only once.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ END_OF_LINE = ";"
 
 @dataclass(frozen=True)
 class Counts:
-    """How many lines, calls and new objects the body of a function contains.
+    """How many lines, calls and new objects there are in the body of a function.
 
-    ``lines`` leaves out blank lines, comments and docstrings. ``calls`` are calls such as v.dot(w),
-    and ``objects`` are those that create an object, such as Vector3(...). An error that a raise
-    statement creates does not count as either.
+    ``lines`` excludes blank lines, comments and docstrings. ``calls`` are calls such as v.dot(w),
+    and ``objects`` are calls that create an object, such as Vector3(...). An error created in a
+    raise statement counts as neither.
     """
 
     lines: int
@@ -40,7 +40,7 @@ def count(function: Function) -> Counts:
 def _is_call(words: Sequence[str], i: int) -> bool:
     """Return whether the bracket at index ``i`` belongs to a call.
 
-    A bracket in an expression does not, and neither does one after def, class or raise.
+    Brackets in expressions do not, and neither do those after def, class or raise.
     """
     before = words[i - 1] if i else ""
     first = i - 1

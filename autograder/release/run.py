@@ -1,4 +1,4 @@
-"""Release the reference for some exercises, and write a page for each student who solved them."""
+"""Release the reference for some exercises, with a page for each student who solved them."""
 
 from __future__ import annotations
 
@@ -39,9 +39,9 @@ def release(
 ) -> int:
     """Write the reference of some chapters into a folder, and return the exit code 0.
 
-    If ``exercises`` is not empty, only these exercises are written. If ``submissions`` and
-    ``grades`` are given, each student also gets a page that compares the student's own code with
-    ours. Use the same ``roster`` as for grading, because the results contain its names.
+    If ``exercises`` is not empty, only those exercises are released. If ``submissions`` and
+    ``grades`` are given, each student also gets a page that compares the student's code with ours.
+    Use the same ``roster`` as for grading, because the results go by the names in it.
 
     Raises:
         ValueError: The folder cannot be used, or an exercise, the reference or the class is
@@ -87,7 +87,7 @@ def _prepare(out: Path, submissions: Path | None, root: Path) -> None:
     """Create the folder ``out``, or empty it if it holds an earlier release.
 
     Raises:
-        ValueError: The folder contains other files, or hand-outs are made from its contents.
+        ValueError: The folder contains other files, or its contents end up in hand-outs.
     """
     place = out.resolve()
     if place.is_relative_to(root.resolve()) and not place.is_relative_to(root.resolve() / "build"):
@@ -114,7 +114,7 @@ def _compare(
 ) -> tuple[list[Compared], list[str], str]:
     """Compare the exercises that the student has solved, and list those that are left out.
 
-    If nothing can be compared, the text at the end says why.
+    If nothing can be compared, the returned text says why.
     """
     if report is None:
         return [], [], "the work was not graded"
@@ -140,7 +140,8 @@ def _own_texts(
 ) -> dict[str, Texts] | None:
     """Return the text of each of the student's modules, by chapter.
 
-    If the submission has changed since it was graded, we no longer know what works, so return None.
+    Return None if the submission has changed since it was graded, because what works is then
+    unknown.
     """
     chapters = load_chapters(root)
     with tempfile.TemporaryDirectory(prefix="release-") as folder:

@@ -1,4 +1,4 @@
-"""Statistics of a graded class: how many students pass each exercise, and how scores are spread."""
+"""Statistics of a graded class: the pass rate of each exercise, and the spread of the scores."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ BINS = 10
 class ExerciseRate:
     """How many students of a class pass an exercise, and what they earn on average.
 
-    ``counted`` is the number of students who have a score. A student has no score yet if nobody has
-    marked the answer, or if the grader failed on the submission.
+    ``counted`` is the number of students with a score. A student has none until somebody marks the
+    answer, or if the grader failed on the submission.
     """
 
     exercise: Exercise
@@ -38,7 +38,7 @@ class ExerciseRate:
 
 @dataclass(frozen=True)
 class Bin:
-    """How many students have a score from ``low`` up to, but not including, ``high`` percent."""
+    """How many students score at least ``low`` but less than ``high`` percent."""
 
     low: int
     high: int
@@ -46,7 +46,7 @@ class Bin:
 
 
 def exercise_rates(chapters: list[Chapter], reports: Sequence[StudentReport]) -> list[ExerciseRate]:
-    """Return the pass rate of every exercise, in the order of the manifests."""
+    """Return the pass rate of every exercise, in manifest order."""
     results: dict[str, list[ExerciseReport]] = {}
     for report in reports:
         for exercise in report.exercises:
@@ -56,7 +56,7 @@ def exercise_rates(chapters: list[Chapter], reports: Sequence[StudentReport]) ->
 
 
 def most_missed(rates: list[ExerciseRate]) -> list[ExerciseRate]:
-    """Return the exercises that fewest students pass, beginning with the hardest.
+    """Return the exercises with the lowest pass rates, hardest first.
 
     If every student passes every exercise, the list is empty.
     """
@@ -65,7 +65,7 @@ def most_missed(rates: list[ExerciseRate]) -> list[ExerciseRate]:
 
 
 def histogram(reports: Sequence[StudentReport]) -> list[Bin]:
-    """Count the scores in bins of 10 percent. A full score belongs to the last bin."""
+    """Count the scores in bins of 10 percent. A full score falls into the last bin."""
     counts: Counter[int] = Counter()
     for report in reports:
         if report.score is not None and report.points:

@@ -1,7 +1,7 @@
-"""Write the web pages of a graded class: one for each student, and an index for the instructor.
+"""Write the web pages of a graded class: one per student, and an index for the instructor.
 
-The pages work without a network connection and contain no scripts. Whatever comes from a student
-appears on them as text only.
+The pages work offline and contain no scripts. Whatever comes from a student is inserted as plain
+text.
 """
 
 from __future__ import annotations
@@ -37,18 +37,18 @@ SYMBOLS = {  # these stand beside the words, so that nobody has to tell a status
 MEANINGS = {
     "passed": "every check passes",
     "failed": "a check found a mistake in it",
-    "blocked": "an exercise that it builds on fails: fix that one first",
-    "inherited": "the mistake is in an earlier chapter: on given chapters it passes",
+    "blocked": "it builds on an exercise that fails: fix that one first",
+    "inherited": "the mistake is in an earlier chapter: with given chapters it passes",
     "error": "the grader failed: this does not count as zero and will be graded again",
-    "waiting": "a person will read it",
-    "marked": "a person has given the points",
+    "waiting": "a person still has to mark it",
+    "marked": "a person has marked it",
 }
 TO_FIX = ("failed", "inherited", "blocked")  # students should fix these first to last
 
 
 @dataclass
 class LostChecks:
-    """Failed checks with the same message, so that the page has to show this message only once.
+    """Failed checks with the same message, grouped so that the page shows it only once.
 
     The titles of hidden checks are left out.
     """
@@ -63,10 +63,10 @@ class LostChecks:
 
 @dataclass(frozen=True, kw_only=True)
 class ShownExercise(ExerciseReport):
-    """An exercise as a student's page shows it. Only its failed checks appear in full.
+    """An exercise as a student's page shows it, with only its failed checks in full.
 
-    ``gains`` is true if the exercise earns more points when the earlier chapters come from the
-    reference. ``uneven`` is true if some physics or robust checks weigh more than others.
+    ``gains`` is true if the exercise earns more points with the reference's earlier chapters.
+    ``uneven`` is true if some of its physics or robust checks weigh more than others.
     """
 
     anchor: str
@@ -110,7 +110,7 @@ def write_index(
     missing: Sequence[str] = (),
     unmatched: Sequence[str] = (),
 ) -> Path:
-    """Write index.html, on which the instructor sees the whole class, and return its path."""
+    """Write index.html, the instructor's overview of the whole class, and return its path."""
     path = out / "index.html"
     links = [f"feedback/{quote(file_name(report.student))}.html" for report in reports]
     clean = [clean_all(report) for report in reports]
@@ -163,7 +163,7 @@ def _shown(number_on_page: int, exercise: ExerciseReport) -> ShownExercise:
 
 
 def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
-    """Return the exercise to fix first. Physics that fails comes before robust checks."""
+    """Return the exercise to fix first. Failing physics comes before robust checks."""
 
     def urgency(exercise: ShownExercise) -> tuple[bool, int]:
         works = all(passed == of for tier, passed, of in exercise.tiers if tier == "physics")
@@ -173,7 +173,7 @@ def _first_to_fix(exercises: list[ShownExercise]) -> ShownExercise | None:
 
 
 def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
-    """Return a chart for each open exercise on which at least one submission has a point."""
+    """Return a chart for each open exercise that at least one submission has a point for."""
     found: dict[str, tuple[ExerciseReport, Chart]] = {}
     named: dict[str, list[tuple[str, Sequence[float]]]] = {}
     for report in reports:
@@ -185,12 +185,12 @@ def _charts(reports: Sequence[StudentReport]) -> list[Scatter]:
 
 
 def _possible(exercises: Sequence[ExerciseReport]) -> float:
-    """Add up how many points these exercises are worth, without extra credit."""
+    """Add up what these exercises are worth, without extra credit."""
     return round(sum(e.points for e in exercises if not e.extra), 2)
 
 
 def _groups(checks: list[CheckReport]) -> list[LostChecks]:
-    """Group failed checks by message, because one unreadable file can make many checks fail."""
+    """Group failed checks by message, since a single unreadable file can fail many of them."""
     groups: dict[tuple[Status, str, bool, bool], LostChecks] = {}
     for check in checks:
         shared = check.status, str(check.message), check.hidden, check.robust

@@ -1,4 +1,4 @@
-"""Write gradebook.csv, which has a row for each student and a column for each exercise."""
+"""Write gradebook.csv, with a row for each student and a column for each exercise."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ def write_gradebook(
     missing: Sequence[str] = (),
     unmatched: Sequence[str] = (),
 ) -> Path:
-    """Write gradebook.csv and return its path. The second row says how many points are possible.
+    """Write gradebook.csv and return its path. Its second row lists the points possible.
 
-    A cell is empty if there is no grade yet. This happens if nobody has marked the answer, if the
-    grader failed, or if the student has not handed anything in. ``missing`` lists such students,
-    and ``unmatched`` lists those who are not in the roster. If there is a due date, the gradebook
-    has three more columns, for the points, the late days and the penalty. The total is then the
-    points minus the penalty.
+    A cell is empty if there is no grade yet: nobody has marked the answer, the grader failed, or
+    the student has not handed anything in. ``missing`` lists students who have handed in nothing,
+    and ``unmatched`` lists those who are not on the roster. With a due date, there are three more
+    columns for the points, the late days and the penalty, and the total is the points minus the
+    penalty.
     """
     exercises = [exercise for chapter in chapters for exercise in chapter.exercises]
     written = possible(exercise for exercise in exercises if exercise.kind == "written")
@@ -79,5 +79,5 @@ def _late(report: StudentReport) -> list[float | None]:
 
 
 def as_cell(text: str) -> str:
-    """Put a text on one line, and keep a spreadsheet from reading it as a formula."""
+    """Put a text on one line, and keep spreadsheets from reading it as a formula."""
     return FORMULA.sub(r"\1\2'", clean_line(text))

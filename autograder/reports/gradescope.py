@@ -14,12 +14,12 @@ from autograder.reports.texts import check_title, clean_all, number, replace_fil
 from autograder.scores import place_on_chart
 from autograder.submissions.find import file_name
 
-OURS = "error of the grader, retry: this is not the submission's fault and does not count as zero"
+OURS = "grader error, please retry: this is not the submission's fault and does not count as zero"
 
 
 @dataclass(frozen=True)
 class ExerciseResult:
-    """The result of one exercise, which Gradescope calls a test. It need not have a score."""
+    """The result of one exercise, which Gradescope calls a test. The score is optional."""
 
     number: str
     name: str
@@ -32,7 +32,7 @@ class ExerciseResult:
 
 @dataclass(frozen=True)
 class GradescopeResults:
-    """The contents of results.json. All texts are plain text, and the standard output is hidden."""
+    """The contents of results.json. All text is plain text, and the standard output is hidden."""
 
     output: str
     output_format: Literal["text"]
@@ -53,14 +53,14 @@ def write_gradescope(out: Path, report: StudentReport) -> Path:
 
 
 def as_text(results: GradescopeResults) -> str:
-    """Return the results as JSON, in the form in which Gradescope reads them."""
+    """Return the results as JSON, in the form that Gradescope reads."""
     return json.dumps(to_json(results), indent=1, allow_nan=False) + "\n"
 
 
 def gradescope_results(report: StudentReport) -> GradescopeResults:
     """Convert a report to Gradescope's format, with one test for each exercise.
 
-    If the grader failed, the results contain no score at all, since neither zero nor full marks
+    If the grader failed, the results have no score at all, because neither zero nor full marks
     would be right.
     """
     report = clean_all(report)
@@ -74,7 +74,7 @@ def gradescope_results(report: StudentReport) -> GradescopeResults:
 
 
 def ungraded_results(reason: str) -> GradescopeResults:
-    """Create Gradescope's results for a submission that we could not grade, with the reason."""
+    """Create Gradescope's results for a submission that could not be graded, with the reason."""
     return _results(f"{OURS}\n{clean_all(reason)}", [])
 
 
@@ -136,10 +136,10 @@ def _exercise_result(exercise: ExerciseReport) -> ExerciseResult:
 
 
 def _output(exercise: ExerciseReport) -> str:
-    """Return what the student reads about an exercise, which is mainly why its checks failed."""
+    """Return what the student reads about an exercise: mainly why its checks failed."""
     status, checks = exercise.status, exercise.checks
     if status == "waiting":
-        return f"waits for a person, who can give up to {number(exercise.points)} points"
+        return f"waiting for a person to mark it: up to {number(exercise.points)} points"
     if status == "marked":
         return f"marked by a person\n{exercise.comment}".strip()
     lost = [check for check in checks if check.status != "passed"]
@@ -147,7 +147,7 @@ def _output(exercise: ExerciseReport) -> str:
     passing = ", ".join(f"{tier} {passed} of {of}" for tier, passed, of in tiers(checks))
     blocks.append(f"{status}: {passing} checks pass")
     if status == "inherited":
-        blocks.append("the mistake is in an earlier chapter: on given chapters this passes")
+        blocks.append("the mistake is in an earlier chapter: with given chapters this passes")
     if chart := exercise.chart:
         blocks.append(f"your work: {place_on_chart(chart.axes, chart.own)}")
     for check in lost:

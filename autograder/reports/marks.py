@@ -23,7 +23,7 @@ GUARDED = re.compile(r"^'(?='*[=+\-@＝＋－＠])")  # noqa: RUF001
 
 @dataclass(frozen=True)
 class Mark:
-    """How many points a person has given for a written answer, and the comment about it."""
+    """How many points a person gave for a written answer, and the comment on it."""
 
     points: float
     comment: str
@@ -34,7 +34,7 @@ Marks = dict[tuple[str, str], Mark]  # keyed by student and exercise
 
 @dataclass(frozen=True)
 class Row:
-    """A mark in marks.csv, with the numbers of its first and its last line. The first line is 1."""
+    """A mark in marks.csv, with its first and last line number, counted from 1."""
 
     student: str
     exercise: str
@@ -44,14 +44,14 @@ class Row:
 
 
 def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> Marks:
-    """Read marks.csv, in which an instructor has entered points and comments for written answers.
+    """Read marks.csv, where instructors enter points and comments for written answers.
 
-    Its columns are student, exercise, points and comment. If there is no such file, there are no
-    marks. A European spreadsheet may separate the columns by semicolons, and then numbers may have
-    a decimal comma.
+    Its columns are student, exercise, points and comment. If the file does not exist, there are no
+    marks. A European spreadsheet may separate the columns by semicolons and write numbers with a
+    decimal comma.
 
     Raises:
-        ValueError: A line is not valid. The message names the line and the expected form.
+        ValueError: A line is invalid. The message names the line and the expected form.
     """
     _, rows = read_rows(path, chapters, students)
     return {(row.student, row.exercise): row.mark for row in rows}
@@ -60,7 +60,7 @@ def read_marks(path: Path, chapters: list[Chapter], students: Iterable[str]) -> 
 def read_rows(
     path: Path, chapters: list[Chapter], students: Iterable[str]
 ) -> tuple[str, list[Row]]:
-    """Return the separator and the rows of marks.csv. Raises ValueError as ``read_marks`` does."""
+    """Return the separator and the rows of marks.csv. Raise ValueError as ``read_marks`` does."""
     if not path.exists():
         return ",", []
     exercises = {exercise.id: exercise for chapter in chapters for exercise in chapter.exercises}
@@ -94,7 +94,7 @@ def read_rows(
 
 
 def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> list[str]:
-    """Create a row of marks.csv in which a spreadsheet cannot take any cell for a formula."""
+    """Create a row for marks.csv in which no cell can pass for a formula in a spreadsheet."""
     harmless = as_cell(student)
     name = harmless if _names(students).get(harmless) == student else student
     comment = clean(mark.comment).strip()
@@ -102,9 +102,9 @@ def row_of(student: str, exercise: str, mark: Mark, students: Iterable[str]) -> 
 
 
 def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
-    """Return the marks under the names that the reports show.
+    """Return the marks under the names that the reports use.
 
-    A student may appear in marks.csv under another name, such as the one in the roster. ``names``
+    A student may appear in marks.csv under another name, such as the one on the roster. ``names``
     maps all of these names to the one in the reports.
     """
     found: Marks = {}
@@ -121,7 +121,7 @@ def renamed(marks: Marks, names: Mapping[str, str], path: Path) -> Marks:
 def apply_marks(report: StudentReport, marks: Marks) -> StudentReport:
     """Replace all marks in a report, and return the new report.
 
-    If there is no mark for a written exercise, the report says that the answer is waiting for one.
+    If a written exercise has no mark, the report says that the answer is waiting for one.
     """
     exercises = []
     given: list[float] = []

@@ -1,4 +1,4 @@
-"""Render the templates of all pages. Whatever comes from a student is inserted as text only."""
+"""Render the templates of all pages. Whatever comes from a student is inserted as plain text."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ SHARED = Path(__file__).parent / "templates"
 
 
 def render(template: str, folder: Path = SHARED, **values: Any) -> str:
-    """Render a template with some values, and return the page.
+    """Render a template with these values, and return the page.
 
-    We look for the template in ``folder`` first, and then among the templates that all pages share.
+    The template is looked up in ``folder`` first, and then among those that all pages share.
     """
     environment = Environment(
         loader=FileSystemLoader([folder, SHARED]),

@@ -1,4 +1,4 @@
-"""The report on one student's submission, as it is stored in results/<student>.json."""
+"""The report on one student's submission, as stored in results/<student>.json."""
 
 from __future__ import annotations
 
@@ -27,10 +27,10 @@ class CheckReport:
 
 @dataclass(frozen=True)
 class Chart:
-    """Where a student's solution and ours are on the chart of an open exercise.
+    """Where a student's solution and ours lie on the chart of an open exercise.
 
-    Such a chart compares what a solution costs with how large its error is. ``axes`` names these
-    two quantities.
+    The chart plots what a solution costs against how large its error is. ``axes`` names these two
+    quantities.
     """
 
     axes: list[str]
@@ -40,10 +40,10 @@ class Chart:
 
 @dataclass(frozen=True)
 class ExerciseReport:
-    """How a student did in one exercise. A score is None as long as it is unknown.
+    """How a student did on one exercise. A score is None until it is known.
 
-    ``score_on_given`` is the score that the student gets if the earlier chapters come from the
-    reference. An exercise that is ``extra`` credit does not add to the possible points.
+    ``score_on_given`` is the student's score with the reference's earlier chapters. An ``extra``
+    credit exercise does not add to the points possible.
     """
 
     chapter: int
@@ -64,7 +64,7 @@ class ExerciseReport:
 class Late:
     """How late a submission is by the rules of the course, and how many points that costs.
 
-    ``days`` is None if we do not know. ``words`` explains the decision in sentences.
+    ``days`` is None if unknown. ``words`` explains the decision in full sentences.
     """
 
     days: int | None
@@ -76,8 +76,8 @@ class Late:
 class RunKey:
     """Everything that a report depends on, except for the submission itself.
 
-    If one of these conditions has changed, the report is no longer valid. ``points`` holds the
-    points of each graded exercise, and ``extra`` lists those that give extra credit.
+    If any of it has changed, the report is no longer valid. ``points`` holds the points of each
+    graded exercise, and ``extra`` lists the exercises that give extra credit.
     """
 
     seed: str
@@ -98,11 +98,11 @@ class StudentReport:
 
     Attributes:
         score: The points from checks. It is None if the grader failed.
-        score_on_given: The points from checks if the earlier chapters come from the reference.
-        points: How many points the checks can give.
-        by_hand: The points that people have given for written answers.
-        waiting: How many points people can still give.
-        earlier: The numbers of the student's own earlier chapters that the graded ones use.
+        score_on_given: The points from checks, with the reference's earlier chapters.
+        points: The points that the checks are worth.
+        by_hand: The points that people gave for written answers.
+        waiting: The points that people can still give.
+        earlier: The numbers of the earlier chapters by the student that the graded ones use.
         submission: A digest of the graded files.
         seconds: How long grading took.
         late: How late the submission is. It is None if the work has no due date.
@@ -132,7 +132,7 @@ class StudentReport:
 
     @property
     def penalty(self) -> float:
-        """How many points lateness costs. It is never more than the student has earned."""
+        """How many points lateness costs, but never more than the student has earned."""
         return min(self.late.deduction if self.late else 0.0, self.earned or 0.0)
 
     @property
@@ -142,10 +142,10 @@ class StudentReport:
 
 
 def tiers(checks: Sequence[CheckReport]) -> list[tuple[str, int, int]]:
-    """Count the passed checks among the physics checks, and among the robust ones.
+    """Count the passing checks among the physics checks and among the robust ones.
 
-    For each of the two kinds that has checks, return its name, how many of its checks pass, and how
-    many checks it has.
+    For each of the two kinds that has any checks, return its name, how many of its checks pass, and
+    how many there are.
     """
     found = []
     for name, robust in (("physics", False), ("robust", True)):

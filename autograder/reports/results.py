@@ -1,4 +1,4 @@
-"""Store the results of a graded class, and write all the files that show them."""
+"""Store the results of a graded class, and write every file that presents them."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def keep_report(path: Path, report: StudentReport) -> None:
 
 
 def read_result(path: Path) -> StudentReport | None:
-    """Read a report from a file, or return None if the file does not contain a complete one."""
+    """Read a report from a file, or return None if the file has no complete report."""
     try:
         data = json.loads(path.read_text(encoding="utf-8"), parse_constant=_refuse)
         return from_json(StudentReport, data)
@@ -39,7 +39,7 @@ def read_result(path: Path) -> StudentReport | None:
 
 
 def read_results(out: Path) -> list[StudentReport]:
-    """Return all reports of a graded class, sorted by student.
+    """Return all reports on a graded class, sorted by student.
 
     Raises:
         ValueError: There are no reports, or one of them cannot be read.
@@ -58,7 +58,7 @@ def read_results(out: Path) -> list[StudentReport]:
 def write_student(out: Path, report: StudentReport) -> None:
     """Write all files about one student.
 
-    The results come last. If they are there, we know that the other files are complete as well.
+    The results come last, so that their existence proves the other files complete.
     """
     write_feedback(out, report)
     write_gradescope(out, report)
@@ -72,10 +72,10 @@ def write_class(
     missing: Sequence[str] = (),
     unmatched: Sequence[str] = (),
 ) -> list[Path]:
-    """Write the files about the whole class, and return those that the instructor needs to know.
+    """Write the class-wide reports, and return the paths to show to the instructor.
 
-    ``missing`` lists the students of the roster who have not handed in anything. ``unmatched``
-    lists those who have handed in something but are not in the roster.
+    ``missing`` lists the students on the roster who have not handed in anything. ``unmatched``
+    lists those who have handed in something but are not on the roster.
     """
     index = write_index(out, chapters, reports, missing, unmatched)
     gradebook = write_gradebook(out, chapters, reports, missing, unmatched)

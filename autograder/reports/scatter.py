@@ -1,7 +1,7 @@
-"""Lay out the chart of an open exercise, which shows the cost and the error of each submission.
+"""Lay out the chart of an open exercise, which plots each submission's error against its cost.
 
-Both axes are logarithmic. This module only computes where everything goes, and the template
-scatter.svg then draws it.
+Both axes are logarithmic. This module only computes positions; the template scatter.svg does the
+drawing.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class Dot:
 
 @dataclass(frozen=True)
 class Scatter:
-    """The layout of a chart: two axes, a dot for each student and our own, and the front.
+    """The layout of a chart: two axes, a dot for each student and for us, and the front.
 
     The front is the line through the best solutions. A tick on an axis has a position and a label.
     """
@@ -46,7 +46,7 @@ class Scatter:
 
 
 def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, Point]]) -> Scatter:
-    """Lay out the chart of an exercise. ``named`` contains each student's cost and error."""
+    """Lay out the chart of an exercise. ``named`` has each student's name with cost and error."""
     reference = chart.reference
     points = [point for _, point in named] + ([reference] if reference else [])
     costs, errors = _ticks([cost for cost, _ in points]), _ticks([error for _, error in points])
@@ -73,7 +73,7 @@ def scatter(exercise: ExerciseReport, chart: Chart, named: Sequence[tuple[str, P
 
 
 def front(points: Sequence[Point]) -> list[list[float]]:
-    """Return the points that are more accurate than all cheaper ones, sorted by their cost."""
+    """Return the points that are more accurate than every cheaper one, sorted by cost."""
     kept: list[list[float]] = []
     for cost, error in sorted([*point] for point in points):
         if not kept or error < kept[-1][1]:
@@ -82,9 +82,9 @@ def front(points: Sequence[Point]) -> list[list[float]]:
 
 
 def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return the corners of the front if we draw it as stairs.
+    """Return the corners of the front, drawn as a staircase.
 
-    It is drawn like this because the best possible error stays the same up to the next cost.
+    Between one cost and the next, the best possible error stays the same.
     """
     corners = line[:1]
     for x, y in line[1:]:
@@ -93,7 +93,7 @@ def _stairs(line: list[tuple[float, float]]) -> list[tuple[float, float]]:
 
 
 def _ticks(values: Sequence[float]) -> list[float]:
-    """Return ticks at 1, 2 and 5 times the powers of ten, or fewer if these are too many."""
+    """Return ticks at 1, 2 and 5 times the powers of ten, or fewer if that is too many."""
     low, high = 0.8 * min(values), 1.25 * max(values)
     powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
     fine = [float(f"{digit}e{power}") for power in powers for digit in (1, 2, 5)]

@@ -1,4 +1,4 @@
-"""Prepare texts for reports: clean what students have written, and format numbers."""
+"""Prepare text for reports: clean what students have written, and format numbers."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ LONGEST = 4000  # characters of a text in a report; the message of a check has o
 
 
 def clean_all(value: T) -> T:
-    """Return a copy of a report, or of a part of it, in which every text is cleaned and cut."""
+    """Return a copy of a report, or of part of one, with every text cleaned and cut."""
     return cast(T, _cleaned(value))
 
 
@@ -39,7 +39,7 @@ def _clean_and_cut(text: str) -> str:
 
 
 def number(value: float | None) -> str:
-    """Format points for people to read, such as 18.27, 2.5 or 3. None becomes an empty text."""
+    """Format points for people to read, such as 18.27, 2.5 or 3. None becomes an empty string."""
     return "" if value is None else shown(value)
 
 

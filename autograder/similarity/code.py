@@ -1,4 +1,4 @@
-"""Read the functions in a student's file as tokens, without compiling or running any of it."""
+"""Read the functions in a student's file as tokens, without compiling or running any code."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _Line = list[tokenize.TokenInfo]
 
 @dataclass(frozen=True)
 class Token:
-    """A token in the form in which we compare it.
+    """A token in the form used for comparison.
 
     ``start`` and ``end`` are its (line, column) in the student's file.
     """
@@ -34,7 +34,7 @@ class Token:
 class Function:
     """A function or method in a student's file, with the tokens of its body.
 
-    Code outside of functions is stored like a function with the name "".
+    Code outside functions is stored as a function with the name "".
     """
 
     name: str
@@ -48,11 +48,10 @@ class Function:
 def read_functions(text: str, known: frozenset[str] = frozenset()) -> tuple[list[Function], int]:
     """Return the functions in a student's file, and the line at which we had to stop reading.
 
-    If the whole file is readable, this line is 0. A method has a name such as Particle.mass, and
-    its setter is called Particle.mass.setter. We leave out signatures, comments and docstrings,
-    because they are given or do not change what the code does. For the same reason all strings
-    count as equal, and so do 2 and 2.0. ``known`` contains the names in the engine, which all
-    students use.
+    The line is 0 if the whole file is readable. A method has a name such as Particle.mass, and its
+    setter is called Particle.mass.setter. Signatures, comments and docstrings are left out, because
+    they are given or do not change what the code does. For the same reason all strings count as
+    equal, and so do 2 and 2.0. ``known`` contains the engine's names, which all students use.
     """
     text, stopped = _without_the_excessive(text)
     found: dict[str, list[Token]] = {}
@@ -94,7 +93,7 @@ def names_in(text: str) -> Iterator[str]:
 
 
 def _without_the_excessive(text: str) -> tuple[str, int]:
-    """Cut a text before the first line that is too long, and return this line's number.
+    """Cut a text off before the first line that is too long, and return that line's number.
 
     If no line is too long, the number is 0.
     """
@@ -107,7 +106,7 @@ def _without_the_excessive(text: str) -> tuple[str, int]:
 
 
 def _lines(text: str) -> Iterator[tuple[int, _Line]]:
-    """Yield each logical line of the code, with the depth of its indentation."""
+    """Yield each logical line of the code, with its indentation depth."""
     depth, nested = 0, 0
     line: _Line = []
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
@@ -127,7 +126,7 @@ def _lines(text: str) -> Iterator[tuple[int, _Line]]:
 
 
 def _tokens(line: _Line, known: frozenset[str]) -> Iterator[Token]:
-    """Yield those tokens of a logical line that we compare. A docstring has no such tokens."""
+    """Yield the tokens of a logical line that matter for the comparison; a docstring has none."""
     if all(token.type in (tokenize.STRING, tokenize.NEWLINE) for token in line):
         return
     for before, token, after in zip([None, *line], line, [*line[1:], None], strict=False):
@@ -154,7 +153,7 @@ def _number(text: str) -> str:
 
 
 def _after_colon(line: _Line) -> _Line:
-    """Return the tokens after the colon of a signature, which form a body on the same line."""
+    """Return the tokens after a signature's colon, which form a body on the same line."""
     open_brackets = 0
     for i, token in enumerate(line):
         if token.type == tokenize.OP:
@@ -166,7 +165,7 @@ def _after_colon(line: _Line) -> _Line:
 
 
 def _line_of(error: Exception) -> int:
-    """Return the line that the tokenizer's error names, or 1 if it does not name any."""
+    """Return the line that the tokenizer's error names, or 1 if it does not name one."""
     place = error.args[1] if len(error.args) > 1 else ()
     numbers: Iterable[object] = place if isinstance(place, tuple) else ()
     return next((number for number in numbers if isinstance(number, int)), 1)

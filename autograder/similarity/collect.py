@@ -1,6 +1,6 @@
-"""Take the code that we want to compare out of the submissions of a class.
+"""Extract the code to compare from the submissions of a class.
 
-We copy and check the submissions just as we do for grading.
+The submissions are copied and checked just as they are for grading.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ SMALLEST = 30  # tokens; if our solution is shorter, all students' solutions mus
 
 @dataclass(frozen=True)
 class Ground:
-    """What we have to know about the chapters before we can compare any code.
+    """What must be known about the chapters before any code can be compared.
 
     Attributes:
-        parts: The exercise of each function that students edit, such as the function Vector3.dot in
+        parts: The exercise of each function that students edit, such as Vector3.dot in
             ch02_vectors/vector.py.
-        known: The names in the engine, which all students use.
-        given: The hashes of code that is ours, in stubs, given modules and the reference.
+        known: The engine's names, which all students use.
+        given: The hashes of our own code in stubs, given modules and the reference.
         small: The exercises that are too short to compare.
     """
 
@@ -40,7 +40,7 @@ class Ground:
 
 
 def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
-    """Collect what a comparison needs for some chapters: exercises, known names and given code."""
+    """Collect what a comparison needs for some chapters: exercises, known names, given code."""
     names = [chapter.name for chapter in load_chapters(root)]
     known = frozenset(name for text in _our_files(root, names) for name in names_in(text))
     given: set[int] = set()
@@ -64,7 +64,7 @@ def ground_of(chapters: list[Chapter], root: Path = ROOT) -> Ground:
 def collect(
     submissions: Iterable[Submission], ground: Ground, root: Path = ROOT
 ) -> Iterator[tuple[Work, list[str]]]:
-    """Yield what each student has written, and notes on files that we cannot read."""
+    """Yield what each student has written, with notes on files that cannot be read."""
     for submission in submissions:
         with tempfile.TemporaryDirectory(prefix="similarity-") as folder:
             staged = stage(submission.path, ground.chapters, Path(folder), root)
@@ -79,9 +79,9 @@ def collect(
 
 
 def work_of(student: str, files: dict[str, str], ground: Ground) -> tuple[Work, list[str]]:
-    """Return what a student has written in these files, and notes on problems with them.
+    """Return what a student has written in these files, with notes on any problems.
 
-    We leave out code that was given to students, and exercises that are too short to compare.
+    Code that was given to students is left out, and so are exercises too short to compare.
     """
     parts: dict[str, Part] = {}
     notes = []
@@ -100,7 +100,7 @@ def work_of(student: str, files: dict[str, str], ground: Ground) -> tuple[Work, 
 
 
 def _our_files(root: Path, chapters: list[str]) -> Iterator[str]:
-    """Yield the texts of the reference, the stubs and the given modules of some chapters."""
+    """Yield the texts of some chapters' reference, stubs and given modules."""
     for folder in ("solutions", "chapters"):
         for name in chapters:
             for path in sorted((root / folder / name).glob("*.py")):
@@ -110,9 +110,9 @@ def _our_files(root: Path, chapters: list[str]) -> Iterator[str]:
 def _reference_sizes(
     chapter: Chapter, known: frozenset[str], root: Path
 ) -> dict[tuple[str, str], int]:
-    """Return how many tokens each function of the reference has.
+    """Return the number of tokens in each function of the reference.
 
-    From that we see which exercises are too short to compare.
+    It shows which exercises are too short to compare.
     """
     sizes = {}
     for name in chapter.edited_files:

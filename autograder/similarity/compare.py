@@ -1,12 +1,12 @@
-"""Compare the code of a class pair by pair, and rate how unusual the similarity of each pair is.
+"""Compare the code of a class pair by pair, and rate how unusual each pair's similarity is.
 
-We compare code by its fingerprints. If few students share a fingerprint in the same exercise, it
-has more weight, because it is less likely to be a coincidence. The similarity of a pair is its mean
-over the exercises, and these are weighted so that a long exercise cannot dominate the result.
+Code is compared by its fingerprints. The fewer students share a fingerprint in an exercise, the
+more it weighs, because it is less likely to be a coincidence. The similarity of a pair is an
+average over the exercises, weighted so that a long one cannot dominate the result.
 
-Some students write code that resembles the code of many others. To correct for that, we subtract
-how similar each of the two students usually is to the rest of the class. We then divide the result
-by its spread over the class, and call it the surprise of the pair.
+Some students write code that resembles everybody's. To correct for that, we subtract how similar
+each of the two students usually is to the rest of the class. Dividing the result by its spread over
+the class gives the surprise of the pair.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ FALSE_ALARMS = 0.002  # pairs expected above the line by chance, if pairs vary a
 
 @dataclass(frozen=True)
 class Passage:
-    """A function that a student has written, with its tokens and the text of its file."""
+    """A function that a student wrote, with its tokens and the text of its file."""
 
     file: str
     name: str
@@ -37,7 +37,7 @@ class Passage:
 
 @dataclass
 class Part:
-    """What a student has written for one exercise, or in one file outside of all exercises."""
+    """What a student wrote for one exercise, or in one file outside all exercises."""
 
     passages: list[Passage] = field(default_factory=list)
     fingerprints: set[int] = field(default_factory=set)
@@ -45,7 +45,7 @@ class Part:
 
 @dataclass(frozen=True)
 class Work:
-    """All code that one student has handed in, divided into parts such as exercises."""
+    """All code that one student handed in, divided into parts such as exercises."""
 
     student: str
     parts: Mapping[str, Part]
@@ -55,7 +55,7 @@ class Work:
 class Pair:
     """Two students and how similar their code is, from 0 to 1.
 
-    ``surprise`` says how unusual this similarity is in their class.
+    ``surprise`` says how unusual that similarity is in their class.
     """
 
     one: Work
@@ -66,9 +66,9 @@ class Pair:
 
 @dataclass(frozen=True)
 class Shared:
-    """The code of one part that two students share.
+    """The code that two students share in one part.
 
-    ``rarest`` says how many students in the class have its rarest piece.
+    ``rarest`` is the number of students in the class who have its rarest piece.
     """
 
     name: str
@@ -78,10 +78,10 @@ class Shared:
 
 
 class Comparison:
-    """All pairs of a class, beginning with the most surprising one.
+    """All pairs of a class, most surprising first.
 
-    A pair stands out if its surprise is at least ``line``. In a small class we cannot compute
-    surprises, so there is no line either.
+    A pair stands out if its surprise is at least ``line``. In a class too small to compute
+    surprises, there is no line.
     """
 
     def __init__(self, pairs: list[Pair], line: float | None, measure: Measure) -> None:
@@ -90,7 +90,7 @@ class Comparison:
         self.measure = measure
 
     def stands_out(self, pair: Pair) -> bool:
-        """Return whether two students are too similar to be explained by chance in this class."""
+        """Return whether two students are too similar for this class to explain it by chance."""
         if self.line is None or pair.surprise is None:
             return False
         return pair.surprise >= self.line
@@ -101,7 +101,7 @@ class Comparison:
         return sum(map(self.stands_out, self.pairs))
 
     def shared(self, pair: Pair) -> list[Shared]:
-        """Return the code that two students share. The part with most rare code comes first."""
+        """Return the code that two students share, beginning with the part with most rare code."""
         found = []
         for name in pair.one.parts.keys() & pair.other.parts.keys():
             both = pair.one.parts[name].fingerprints & pair.other.parts[name].fingerprints
@@ -146,9 +146,9 @@ class Measure:
         self.usual = {name: statistics.median(values) for name, values in totals.items()}
 
     def similarity(self, one: Work, other: Work) -> float:
-        """Return the mean similarity of two students over the exercises, from 0 to 1.
+        """Return the average similarity of two students over the exercises, from 0 to 1.
 
-        If one of them has not written anything for an exercise, its similarity is 0.
+        An exercise for which one of them has not written anything has a similarity of 0.
         """
         found = sum(
             self.size(name) * self.similarity_in(name, one, other)
@@ -158,7 +158,7 @@ class Measure:
         return found / math.sqrt(math.prod(sizes)) if all(sizes) else 0.0
 
     def size(self, name: str) -> float:
-        """Return the weight of a part in the mean, which is the square root of its usual size."""
+        """Return the weight of a part in the average: the square root of its usual size."""
         return math.sqrt(self.usual[name])
 
     def similarity_in(self, name: str, one: Work, other: Work) -> float:
@@ -172,7 +172,7 @@ class Measure:
     def weight(self, name: str, values: set[int]) -> float:
         """Return the total weight of some fingerprints in one part.
 
-        The fewer students share a fingerprint, the more weight it has.
+        The fewer students share a fingerprint, the more it weighs.
         """
         return sum(math.log(self.students / self.holders[name, value]) for value in values)
 
@@ -191,8 +191,8 @@ def _excesses(pairs: list[Pair]) -> Iterator[float]:
 def _spread(values: Iterator[float]) -> tuple[float, float] | None:
     """Return the median and a robust standard deviation, or None if the values do not vary.
 
-    We compute the standard deviation from the upper half of the values, which has the longer tail.
-    It barely changes if a few students have copied.
+    The standard deviation comes from the upper half of the values, which has the longer tail. It
+    barely changes if a few students have copied.
     """
     found = [*values]
     deciles = statistics.quantiles(found, n=10, method="inclusive")

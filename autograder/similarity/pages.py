@@ -1,6 +1,6 @@
-"""Write the pages of a comparison: an index of pairs, and a page with the code of each pair.
+"""Write the pages of a comparison: an index of the pairs, and a page with each pair's code.
 
-Names and code are inserted as text only, and the pages load nothing from other hosts.
+Names and code are inserted as plain text, and the pages load nothing from other hosts.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ RARE = 0.1  # code is rare if at most this fraction of the class has it
 class Piece:
     """A piece of code on the page.
 
-    If both students have it, its kind is "rare" or "common". Otherwise its kind is "".
+    If both students have it, its kind is "rare" or "common"; otherwise its kind is "".
     """
 
     text: str
@@ -40,7 +40,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Side:
-    """One student's function, divided into pieces, with the line at which it begins."""
+    """One student's function, split into pieces, with the number of its first line."""
 
     name: str
     file: str
@@ -82,9 +82,9 @@ def write_pages(
 
 
 def pieces_of(passage: Passage, kinds: dict[int, str]) -> list[Piece]:
-    """Divide the lines of a function into pieces, so that shared code can be highlighted.
+    """Split the lines of a function into pieces, so that shared code can be highlighted.
 
-    ``kinds`` says for the number of each shared token whether it is "rare" or "common".
+    ``kinds`` maps the number of each shared token to "rare" or "common".
     """
     first, last = passage.tokens[0].start[0], passage.tokens[-1].end[0]
     lines = passage.text.split("\n")[first - 1 : min(last, first - 1 + MOST_LINES)]
@@ -153,6 +153,6 @@ def _sides(passages: list[Passage], part: Shared, rare: set[int]) -> list[Side]:
 
 
 def _histogram(pairs: Sequence[Pair]) -> list[tuple[int, int]]:
-    """Count the pairs by their surprise, in bins that are 1 wide."""
+    """Count the pairs by their surprise, in bins of width 1."""
     counts = Counter(math.floor(p.surprise) for p in pairs if p.surprise is not None)
     return [(n, counts[n]) for n in range(min(counts), max(counts) + 1)] if counts else []

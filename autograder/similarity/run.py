@@ -36,7 +36,7 @@ def similarity(folder: Path, out: Path, chapters: list[Chapter], root: Path = RO
         if work.parts:
             works.append(work)
         else:
-            notes.append(f"{work.student} is not compared: there is no code to compare")
+            notes.append(f"{work.student} was left out: there is no code to compare")
     comparison = compare(works)
     index = write_pages(out, comparison, chapters, ground.small, notes)
     for note in notes:

@@ -1,12 +1,12 @@
 """Compute fingerprints of code by winnowing (Schleimer, Wilkerson and Aiken, 2003).
 
-We hash every sequence of GRAM tokens in a row. Out of every WINDOW neighboring hashes, we keep the
-smallest one as a fingerprint. So if two texts have GRAM + WINDOW - 1 tokens in a row in common,
-they share at least one fingerprint.
+Every sequence of GRAM consecutive tokens is hashed, and the smallest of every WINDOW neighboring
+hashes is kept as a fingerprint. So if two texts have GRAM + WINDOW - 1 consecutive tokens in
+common, they share at least one fingerprint.
 
-Renaming the variables does not help to hide a copy, because within a sequence we replace the
-student's own names by numbers, in the order in which they appear. Moving statements around does not
-help much either. A sequence is no longer than a short statement, so most fingerprints stay.
+Renaming variables does not hide a copy, because within a sequence the student's own names are
+replaced with numbers, in order of appearance. Moving statements around does not help much either: a
+sequence is no longer than a short statement, so most fingerprints survive.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ WINDOW = 4
 
 @cache
 def hashes(words: tuple[str, ...]) -> tuple[int, ...]:
-    """Return the hash of each sequence of GRAM tokens, from the first sequence to the last."""
+    """Return the hash of each sequence of GRAM tokens, from first to last."""
     return tuple(_hash(words[i : i + GRAM]) for i in range(len(words) - GRAM + 1))
 
 
@@ -35,7 +35,7 @@ def fingerprints(words: tuple[str, ...]) -> set[int]:
 
 
 def covered(tokens: list[Token], shared: Collection[int]) -> set[int]:
-    """Return the numbers of the tokens that are part of a sequence whose hash is shared."""
+    """Return the numbers of the tokens that belong to a sequence with a shared hash."""
     found = hashes(tuple(token.word for token in tokens))
     starts: Iterable[int] = (i for i, value in enumerate(found) if value in shared)
     return {i for start in starts for i in range(start, start + GRAM)}

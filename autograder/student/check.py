@@ -1,4 +1,4 @@
-"""Run the checks for a student, and tell the student's own failures from inherited ones."""
+"""Run the checks for a student, and separate the student's own failures from inherited ones."""
 
 from __future__ import annotations
 
@@ -34,10 +34,10 @@ def check(
 ) -> bool:
     """Check chapters or a single exercise, print the results, and return whether all checks pass.
 
-    With ``exercise``, only this exercise and what it builds on are checked. With ``only``, we show
-    and count nothing but the physics checks of this exercise. Everything else still runs, but
-    silently. The ``given`` chapters come from the reference. A written exercise has no checks, so
-    we only show it. Whether a question has been answered does not change the result.
+    With ``exercise``, only that exercise and its prerequisites are checked. With ``only``, nothing
+    but that exercise's physics checks is shown and counted; everything else runs silently. The
+    ``given`` chapters come from the reference. A written exercise has no checks, so it is just
+    shown. Unanswered questions do not affect the result.
     """
     if exercise and exercise.kind == "written":
         print_written(ProgressBar().console, chapters[0], exercise, engine)
@@ -65,7 +65,7 @@ def report_on(
     run: Callable[..., list[Verdict]],
     progress: ProgressBar,
 ) -> Report:
-    """Check a chapter, or one of its exercises with everything it builds on, and return the report.
+    """Check a chapter, or one exercise with its prerequisites, and return the report.
 
     ``run`` is the function that runs the checks. A check that fails only because of an earlier
     chapter is marked as inherited.

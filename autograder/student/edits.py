@@ -1,4 +1,4 @@
-"""Find out which functions a student has edited since we last looked."""
+"""Find out which functions a student has edited since the last look."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from autograder.manifest import Chapter, Exercise
 
 
 class Edits:
-    """Remembers what a student's functions and data look like, and notices when they change."""
+    """Remembers the student's functions and data, and notices when they change."""
 
     def __init__(self, engine: Path, chapters: list[Chapter]) -> None:
         self.engine = engine
@@ -20,10 +20,10 @@ class Edits:
         self.look()
 
     def look(self) -> list[tuple[Chapter, Exercise, list[str]]]:
-        """Return the exercises that were edited since the last call, with their changed parts.
+        """Return the exercises edited since the last call, with the parts that changed.
 
-        A change in the layout or in a comment does not count. If a module cannot be read at the
-        moment, any of its functions may have changed, so all of them count as edited.
+        Changes in layout or comments do not count. If a module cannot be read at the moment, any of
+        its functions may have changed, so all of them count as edited.
         """
         edited = []
         for chapter in self.chapters:
@@ -55,9 +55,9 @@ class Edits:
 
 
 def _bodies(module: str, text: bytes) -> dict[str, str] | None:
-    """Return the code of each function in a module, or None if there is no code to compare.
+    """Return the code of each function in a module, or None if there is nothing to compare.
 
-    This happens if the module cannot be read or is empty. Some editors empty a file for a moment
+    That is the case if the module is unreadable or empty. Some editors empty a file for a moment
     before they write to it.
     """
     try:
@@ -68,5 +68,5 @@ def _bodies(module: str, text: bytes) -> dict[str, str] | None:
 
 
 def _is_in(name: str, edited: set[str]) -> bool:
-    """Return whether a function was edited, or belongs to a module that could not be read."""
+    """Return whether a function was edited, or is in a module that could not be read."""
     return name in edited or f"{name.partition('.')[0]}.*" in edited

@@ -1,4 +1,4 @@
-"""Describe a failed check in full, and what to do next. The commands check and watch show it."""
+"""Describe a failed check in full, with what to do next, for the commands check and watch."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Failure:
-    """A failed check, with everything that helps the student to fix it.
+    """A failed check, with everything that helps the student fix it.
 
-    ``place`` is the line that an editor should open, and ``hints`` is the exercise whose hints may
-    help. If an earlier chapter has to be fixed first, both are empty.
+    ``place`` is the line to open in an editor, and ``hints`` is the exercise whose hints may help.
+    Both are empty if an earlier chapter must be fixed first.
     """
 
     heading: str
@@ -44,10 +44,10 @@ def failure_of(
     title: str = "",
     edited: Collection[str] = (),
 ) -> Failure | None:
-    """Return the failure of an exercise that the student should see first, or None.
+    """Return the failure in an exercise that the student should see first, or None.
 
-    Checks of a function in ``edited`` come first, because the student has just worked on it. After
-    that, we prefer a mistake in finished code to a function that is not written yet.
+    Checks of a function in ``edited`` come first, because the student has just worked on it. Next,
+    a mistake in finished code comes before a function that is not written yet.
     """
     exercise = result.exercise
     candidates = [check for check in result.checks if check.status == result.status]
@@ -93,7 +93,7 @@ def print_failure(console: Console, chapter: Chapter, result: Result, engine: li
 
 
 def few_printed(printed: str, lines: int, characters: int) -> list[Row]:
-    """Return a row with the beginning of what the code has printed, or [] if it printed nothing."""
+    """Return a row with the beginning of what the code printed, or [] if it printed nothing."""
     return _printed(few_lines(printed, lines, characters)) if printed else []
 
 
@@ -102,7 +102,7 @@ def _printed(printed: str) -> list[Row]:
 
 
 def _is_about(check: Verdict, edited: Collection[str]) -> bool:
-    """Return whether a check calls one of the edited functions, or fails inside one of them."""
+    """Return whether a check calls one of the edited functions, or fails inside one."""
     called, where = check.message.called, check.message.where
     return any(
         calls(called, name) or (where and where.function == own_name(name).removesuffix(".setter"))

@@ -1,7 +1,7 @@
-"""Show what a student has achieved at the end of a chapter, and which scenes can be played now.
+"""Show what a student has achieved at the end of a chapter, and which scenes can be played.
 
 A chapter is finished as soon as the physics of its exercises works. Robust checks, questions,
-projects and going-further exercises may still be open, and the screen lists these.
+projects and going-further exercises may still be open, and the screen lists them.
 """
 
 from __future__ import annotations
@@ -42,11 +42,11 @@ def print_finish(
 def end_of(
     reports: list[Report], exercise: Exercise | None, engine: list[Path], given: list[Chapter]
 ) -> list[tuple[str, str]]:
-    """Return the closing screen of a finished chapter, or a line about scenes that can be played.
+    """Return the closing screen of a finished chapter, or a line about playable scenes.
 
-    Each line comes with its style. We show the screen of the last finished chapter unless the
-    student has already begun another one. In that case we only name the scenes that work because of
-    ``exercise`` or, if this is None, because of the last exercise that works.
+    Each line comes with its style. The screen is that of the last finished chapter, unless the
+    student has already begun another one. In that case we only name the scenes unlocked by
+    ``exercise`` or, if it is None, by the last exercise that works.
     """
     unfinished = [report for report in reports if not is_finished(report)]
     begun = [report for report in unfinished if any(result.works for result in report.results)]
@@ -71,7 +71,7 @@ def is_finished(report: Report) -> bool:
 
 
 def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> list[str]:
-    """Return the closing screen of a chapter, which has at most 20 lines of 80 columns."""
+    """Return the closing screen of a chapter: at most 20 lines of 80 columns."""
     chapter = report.chapter
     lines = [f"Well done! Chapter {chapter.number} works: {chapter.title}.", ""]
     lines += [*textwrap.wrap(" ".join(chapter.you_can), WIDTH, break_on_hyphens=False), ""]
@@ -93,10 +93,10 @@ def finish_lines(report: Report, engine: list[Path], given: list[Chapter]) -> li
 
 
 def play_words(report: Report, result: Result, engine: list[Path], given: list[Chapter]) -> str:
-    """Return a sentence that names the scenes which an exercise makes playable.
+    """Return a sentence that names the scenes an exercise makes playable.
 
-    If this exercise or one before it does not work yet, or if an earlier chapter has failures, the
-    scenes would not work either, so the sentence is empty.
+    The sentence is empty if this exercise or one before it does not work yet, or if an earlier
+    chapter has failures, because then the scenes would not work either.
     """
     exercise = result.exercise
     if not (exercise.play and result.works):
@@ -114,12 +114,12 @@ def play_words(report: Report, result: Result, engine: list[Path], given: list[C
 
 
 def _is_extra(exercise: Exercise) -> bool:
-    """Return whether a chapter can be finished without this exercise, as with a project."""
+    """Return whether a chapter counts as finished without this exercise, such as a project."""
     return exercise.kind == "project" or exercise.id.startswith("G")
 
 
 def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
-    """Return whether one of the exercise's functions is still a stub, or its file is missing."""
+    """Return whether any of the exercise's functions is still a stub, or its file is missing."""
     stub = re.compile(rf"raise NotImplementedError\(\s*[\"']Exercise {re.escape(exercise.id)}:")
     for file in {f"{name.partition('.')[0]}.py" for name in exercise.edit}:
         paths = [folder / chapter.name / file for folder in engine]
@@ -130,7 +130,7 @@ def _is_stub(exercise: Exercise, chapter: Chapter, engine: list[Path]) -> bool:
 
 
 def _open(report: Report, engine: list[Path]) -> list[str]:
-    """Return what the student can still work on after finishing the chapter."""
+    """Return what is left for the student to do after finishing the chapter."""
     words = []
     robust = [
         (result.exercise, check)
@@ -166,7 +166,7 @@ def _picture(chapter: Chapter, engine: list[Path], given: list[Chapter]) -> str:
 
 
 def _last_change(chapter: Chapter, engine: Path) -> float:
-    """Return when a file that affects the chapter's picture was last changed."""
+    """Return when any file that affects the chapter's picture was last changed."""
     files = [
         file
         for file in engine.glob("ch??_*/*.*")
@@ -186,7 +186,7 @@ def _variables(engine: list[Path], given: list[Chapter]) -> dict[str, str]:
 
 
 def _labeled(label: str, words: str) -> list[str]:
-    """Wrap a text into lines, with a label in front of the first one."""
+    """Wrap a text into lines, with a label before the first one."""
     width = WIDTH - LABEL
     lines = textwrap.wrap(words, width, break_long_words=False, break_on_hyphens=False)
     return [f"{label if i == 0 else '':{LABEL}}{line}" for i, line in enumerate(lines)]

@@ -1,6 +1,6 @@
-"""Read single keys from the terminal, so that a user does not have to press Enter.
+"""Read single keys from the terminal, with no need to press Enter.
 
-On Windows we use msvcrt for that, and termios everywhere else.
+This uses msvcrt on Windows, and termios everywhere else.
 """
 
 from __future__ import annotations
@@ -16,13 +16,13 @@ END = "\x04"  # Ctrl-D, which also means the end of the input
 
 
 def available() -> bool:
-    """Return whether we can read single keys, which is only possible in a terminal."""
+    """Return whether single keys can be read, which is possible only in a terminal."""
     return sys.stdin is not None and sys.stdin.isatty()
 
 
 @contextmanager
 def single_keys() -> Iterator[None]:
-    """Deliver each key immediately and without echo. At the end, restore the terminal."""
+    """Deliver each key at once and without echo, and restore the terminal at the end."""
     if not available() or sys.platform == "win32":
         yield
         return
@@ -39,10 +39,10 @@ def single_keys() -> Iterator[None]:
 
 
 def pressed() -> str:
-    """Return the keys that were pressed since the last call, without arrows and the like.
+    """Return the keys pressed since the last call, ignoring arrow keys and the like.
 
-    The function does not wait for a key. If the terminal has been closed, it returns END. Call it
-    only if ``available`` has returned True.
+    This does not wait for a key. If the terminal has been closed, it returns END. Call it only if
+    ``available`` has returned True.
     """
     keys = ""
     if sys.platform == "win32":

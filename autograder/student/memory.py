@@ -1,6 +1,6 @@
-"""Remember verdicts as long as the student's files stay the same, so that checks run faster.
+"""Remember verdicts for as long as the student's files stay the same, to save time.
 
-We keep them in memory only. If they were in a file, a student could edit them.
+They are kept only in memory. In a file, a student could edit them.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from autograder.manifest import Chapter
 
 
 class Memory:
-    """Runs checks, and remembers what they said about each state of the files.
+    """Runs checks, and remembers the verdicts for each state of the files.
 
     ``run`` is a function with the same parameters as ``run_checks``.
     """

@@ -1,6 +1,6 @@
-"""Find out whether a student has edited a file that should stay as it is, such as cloth.py.
+"""Find out whether a student has edited a file that should stay as is, such as cloth.py.
 
-The grader uses our own copy of this file, so the student's changes would be lost.
+The grader uses our own copy of it, so the student's changes would be lost.
 """
 
 from __future__ import annotations
@@ -12,9 +12,9 @@ from autograder.manifest import ROOT, Chapter
 
 
 def changed_files(chapter: Chapter, engine: list[Path], root: Path = ROOT) -> list[Path]:
-    """Return the complete files of a chapter that the student has changed, as stubs.lock shows.
+    """Return the complete files of a chapter that the student has changed, judging by stubs.lock.
 
-    A file that is missing, or that is not in stubs.lock, does not count as changed.
+    A file that is missing from the folder or from stubs.lock does not count as changed.
     """
     locked, changed = read_lock(root), []
     for name in chapter.complete:

@@ -1,4 +1,4 @@
-"""Lay out the page of the command watch, so that its heading and its keys fit on the terminal."""
+"""Lay out the page of the command watch, so that its heading and keys fit on the terminal."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ Line = tuple[str, str]  # a text and its style
 class Page:
     """What the page shows: lines at the top, a failure, lines at the bottom, and a note.
 
-    If the diagnosis of the failure does not fit on the terminal, the page names the command
-    ``whole``, which shows all of it.
+    If the diagnosis of the failure does not fit on the terminal, the page names ``whole``, the
+    command that shows it in full.
     """
 
     top: list[Line] = field(default_factory=list)
@@ -50,7 +50,7 @@ class Page:
     def fitted(self, width: int, height: int, keys: list[Line]) -> list[Line]:
         """Fit the page into ``width`` columns and ``height`` lines.
 
-        If the diagnosis is too long for that, cut out its middle.
+        If the diagnosis is too long, its middle is cut out.
         """
         top, below = _wrapped(self.top, width), _wrapped(self._below(), width)
         printed = [(words, "") for words in wrapped_rows(self._printed(), width)]
@@ -75,7 +75,7 @@ class Page:
         return few_printed(printed, MOST_PRINTED_LINES, MOST_PRINTED)
 
     def _below(self) -> list[Line]:
-        """Return the lines below the failure: the next steps, the progress and the note."""
+        """Return the lines below the failure: next steps, progress and the note."""
         steps: list[Line] = []
         if self.failure is not None:
             first, *others = self.failure.steps

@@ -1,4 +1,4 @@
-"""Keep track of a student's progress: which exercises work, and which one comes next."""
+"""Keep track of a student's progress: which exercises work, and which comes next."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Progress:
     def report(self, chapter: Chapter, exercise: Exercise | None = None) -> Report:
         """Check a chapter, and remember the results.
 
-        With ``exercise``, check only this exercise and the ones it builds on.
+        With ``exercise``, check only that exercise and its prerequisites.
         """
         with ProgressBar() as progress:
             report = report_on(chapter, exercise, self.folders, self.given, self.memory, progress)
@@ -39,7 +39,7 @@ class Progress:
     def next_open(self) -> tuple[Chapter, Exercise] | None:
         """Return the exercise that comes next, or None if there is nothing left to do.
 
-        In each chapter, the physics of all exercises comes before their robust checks.
+        Within a chapter, the physics of every exercise comes before any robust checks.
         """
         for chapter in self.chapters:
             wanted = asked_for(chapter)
@@ -51,17 +51,17 @@ class Progress:
         return None
 
     def works(self, chapter: Chapter, exercise: Exercise) -> bool:
-        """Return whether the physics of this exercise passed the last time it was checked."""
+        """Return whether the physics of this exercise passed when last checked."""
         result = self.last.get((chapter.name, exercise.id))
         return result is not None and result.works
 
     def has_all_physics(self, chapter: Chapter) -> bool:
-        """Return whether the physics of all exercises in a chapter passed when last checked."""
+        """Return whether the physics of every exercise in a chapter passed when last checked."""
         wanted = asked_for(chapter)
         return not any(lacks_physics(r) for r in self._results(chapter) if r.exercise.id in wanted)
 
     def words(self, chapter: Chapter) -> str:
-        """Describe how much of a chapter is done: first the physics, and then all checks."""
+        """Say how much of a chapter is done: first the physics, and then all checks."""
         wanted = {e.id for e in chapter.exercises if e.kind != "written" and not e.optional}
         results = [r for r in self._results(chapter) if r.exercise.id in wanted]
         of = len(wanted)
@@ -76,10 +76,10 @@ class Progress:
 
 
 def lacks_physics(result: Result) -> bool:
-    """Return whether some physics check of an exercise does not pass yet."""
+    """Return whether any physics check of an exercise does not pass yet."""
     return result.status != "waiting" and not result.works
 
 
 def lacks_anything(result: Result) -> bool:
-    """Return whether some check of an exercise does not pass yet, whether physics or robust."""
+    """Return whether any check of an exercise, physics or robust, does not pass yet."""
     return result.status not in ("passed", "waiting")

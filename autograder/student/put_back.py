@@ -1,4 +1,4 @@
-"""Restore functions that a student has deleted, at their original positions in the module."""
+"""Restore functions that a student has deleted, in their original positions."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from autograder.definitions import functions
 def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cst.Module:
     """Insert the stubs of deleted functions, such as Vector3.dot, and return the new module.
 
-    If the whole class is gone, all of it comes back.
+    If a whole class is gone, all of it comes back.
 
     Raises:
         ValueError: The stub does not define one of the names.
@@ -44,7 +44,7 @@ def put_back(module: cst.Module, stub: cst.Module, names: Collection[str]) -> cs
 
 
 def _with_members(node: Any, stub: cst.ClassDef, names: Collection[str]) -> Any:
-    """Return a class with the members ``names`` added, which we take from the stub."""
+    """Return a class with the members ``names`` added from the stub."""
     members = [*node.body.body]
     if not isinstance(node.body, cst.IndentedBlock):  # the whole class is on one line
         members = [cst.SimpleStatementLine(members)]
@@ -73,7 +73,7 @@ def _insert(body: list[Any], node: Any, order: Sequence[Any]) -> None:
 
 
 def _name(node: Any) -> str:
-    """Return the name of a class or function as in the manifest, or "" for anything else."""
+    """Return the manifest's name for a class or function, or "" for anything else."""
     if isinstance(node, cst.ClassDef):
         return str(node.name.value)
     if isinstance(node, cst.FunctionDef):

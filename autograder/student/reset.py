@@ -1,8 +1,8 @@
 """Restore the stub of an exercise, but keep a copy of the student's file.
 
-We make the stub from the student's own file and the manifest, so that all other functions stay as
-they are. If the student has deleted a function, there is nothing to make a stub from. Then we take
-it from the reference or, in a hand-out, from the folder stubs/.
+The stub is made from the student's own file and the manifest, so that all other functions stay as
+they are. A function that the student has deleted comes from the reference or, in a hand-out, from
+the folder stubs/.
 """
 
 from __future__ import annotations
@@ -48,8 +48,8 @@ def reset(
 ) -> str:
     """Restore the stubs of an exercise, and return a text that lists the changes and the copies.
 
-    Only the functions of this exercise change. If some of them were deleted, the reset brings back
-    these and leaves the others alone. With ``whole``, it restores entire files.
+    Only the functions of this exercise change. If any were deleted, the reset brings back just
+    those and leaves the others alone. With ``whole``, it restores entire files.
 
     Raises:
         ValueError: A file cannot be read or lacks a function. Nothing is changed.
@@ -74,16 +74,18 @@ def reset(
 
 
 def question(chapter: Chapter, exercise: Exercise, engine: Path, copies: Path = COPIES) -> str:
-    """Return the question that a student has to answer before a reset.
+    """Return the question that a student must answer before a reset.
 
     Raises:
-        ValueError: ``reset`` would raise ValueError too.
+        ValueError: ``reset`` would raise one as well.
     """
     changes = planned(chapter, exercise, engine)
     names = ", ".join(name for change in changes for name in change.names)
     files = " and ".join(str(_short(change.file)) for change in changes)
     if any(change.gone for change in changes):
-        does = f"This restores the missing stub of {names} in {files}. Your other code stays."
+        does = (
+            f"This restores the missing stub of {names} in {files}. Your other code stays as it is."
+        )
     else:
         does = f"This replaces your code for {names} in {files} with the stub."
     return (
@@ -98,7 +100,7 @@ def planned(
     """Return the changes that a reset would make, without making them.
 
     Raises:
-        ValueError: ``reset`` would raise ValueError too.
+        ValueError: ``reset`` would raise one as well.
     """
     if not exercise.edit:
         raise ValueError(f"{exercise.id} is answered in answers.md, so it has no stub to restore")
@@ -116,7 +118,7 @@ def planned(
 
 
 def _change(chapter: Chapter, exercise: Exercise, file: Path, messages: dict[str, str]) -> Change:
-    """Return the change to one file. If functions were deleted, it restores only these."""
+    """Return the change to one file. If functions were deleted, it restores only those."""
     try:
         before = file.read_bytes()
         tree, module = ast.parse(before), cst.parse_module(before)
@@ -161,7 +163,7 @@ def _whole_stub(chapter: Chapter, file: str) -> bytes:
 
 
 def _keep(file: Path, content: bytes, folder: Path) -> Path:
-    """Copy a student's file under a number that is not in use, and return the path of the copy."""
+    """Copy a student's file under an unused number, and return the path of the copy."""
     folder.mkdir(parents=True, exist_ok=True)
     for number in count(1):
         copy = folder / f"{file.stem}-{number}{file.suffix}"
@@ -173,5 +175,5 @@ def _keep(file: Path, content: bytes, folder: Path) -> Path:
 
 
 def _short(path: Path) -> Path:
-    """Return a path relative to the working folder, if it is somewhere inside it."""
+    """Return a path relative to the working folder if it lies inside it."""
     return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

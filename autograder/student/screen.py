@@ -1,6 +1,6 @@
 """What a student sees: the state of every exercise, one failure in full, and what to do next.
 
-We import rich only when there is something to print. By that time the checks are already running in
+rich is imported only when there is something to print. By then the checks are already running in
 their own process, so the student does not have to wait for the import.
 """
 
@@ -41,11 +41,11 @@ BAR = 40
 
 @dataclass(frozen=True)
 class Report:
-    """The results of a chapter, as the checks have found them in one or two runs.
+    """The results of a chapter, as found by the checks in one or two runs.
 
-    ``results`` come from a run with the student's own earlier chapters. ``on_reference`` come from
-    a second run with ours, and are empty if this run was not needed or not possible. ``suspects``
-    are earlier chapters that may be the cause of failures.
+    ``results`` come from a run on the student's own earlier chapters. ``on_reference`` comes from a
+    second run on ours, and is empty if that run was not needed or not possible. ``suspects`` are
+    earlier chapters that may be to blame for failures.
     """
 
     chapter: Chapter
@@ -55,7 +55,7 @@ class Report:
 
 
 class ProgressBar:
-    """Shows the progress of the checks on a terminal. On other outputs, it shows nothing."""
+    """Shows the progress of the checks on a terminal, and nothing on any other output."""
 
     title = ""
     _bar = None
@@ -90,8 +90,7 @@ def print_report(
 ) -> bool:
     """Print the chapters and the first failure in full, and return whether all checks pass.
 
-    Questions that are still open are listed, but no check can judge an answer, so they do not
-    change the result.
+    Open questions are listed, but no check can judge an answer, so they do not affect the result.
     """
     for report in reports:
         print_chapter(console, report, engine)
@@ -134,9 +133,9 @@ def passed_words(
     *,
     changed: bool,
 ) -> str:
-    """Return the sentence with which we tell the student that all checks pass.
+    """Return the sentence that tells the student that all checks pass.
 
-    ``changed`` is true if the student has edited a file that should stay as it is.
+    ``changed`` is true if the student has edited a file that should stay as is.
     """
     if changed:
         return "All checks pass here, but grading uses the original files."
@@ -147,10 +146,10 @@ def passed_words(
 
 
 def changed_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
-    """Return a note on each file that the student has edited although it should stay as it is."""
+    """Return a note on each file that the student has edited but should not have."""
     return [
-        f"{file} has been edited. It is not handed in, and grading uses the original, so code "
-        "that needs your change fails there. Keep your own code in the files that the "
+        f"You have edited {file}. It isn't handed in, and grading uses the original, so code that "
+        "relies on your changes will fail there. Keep your own code in the files that the "
         f"exercises name, and restore the original, for example with: git checkout -- {file}"
         for file in changed_files(chapter, engine)
     ]
@@ -181,10 +180,12 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
     console.print(table)
     console.print()
     if WORKS in states:
-        console.print(f'"{WORKS}" means that the physics passes and robust checks are open.\n')
+        console.print(
+            f'"{WORKS}" means that the physics passes, but robust checks are still open.\n'
+        )
     earned, points = total(results)
     answers = shown(possible(r.exercise for r in results if r.exercise.kind == "written"))
-    more = f", and {answers} for written answers, which a person marks" if answers != "0" else ""
+    more = f", plus {answers} for written answers, marked by a person" if answers != "0" else ""
     console.print(
         f"{bar(earned or 0.0, points)} {shown(earned)} of {shown(points)} points{more}\n",
         markup=False,
@@ -199,7 +200,7 @@ def print_chapter(console: Console, report: Report, engine: list[Path]) -> None:
 
 
 def points_of(chapter: Chapter, result: Result) -> str:
-    """Return the points of an exercise as the table shows them, or why it has no points."""
+    """Return the points of an exercise as the table shows them, or why it has none."""
     exercise = result.exercise
     if exercise.optional:
         return "needed" if exercise.id in asked_for(chapter) else "optional"
@@ -208,7 +209,7 @@ def points_of(chapter: Chapter, result: Result) -> str:
 
 
 def extra_notes(chapter: Chapter, engine: list[Path]) -> list[str]:
-    """Return a note on modules in a chapter's folder that do not belong to any exercise."""
+    """Return a note on modules in a chapter's folder that belong to no exercise."""
     known = {*chapter.edited_files, *chapter.complete}
     files = sorted(file.name for file in (engine[0] / chapter.name).glob("*.py"))
     extra = [name for name in files if name not in known]
@@ -222,7 +223,7 @@ def passing(checks: Sequence[Verdict]) -> str:
 
 
 def bar(part: float, whole: float) -> str:
-    """Return a progress bar made of characters, with ``part`` of ``whole`` filled in."""
+    """Return a text-only progress bar, with ``part`` of ``whole`` filled in."""
     filled = min(BAR, int(BAR * part / whole)) if whole else 0
     return f"[{'#' * filled}{'.' * (BAR - filled)}]"
 
@@ -230,14 +231,14 @@ def bar(part: float, whole: float) -> str:
 def print_inherited(
     console: Console, report: Report, exercise: Exercise | None, engine: list[Path]
 ) -> None:
-    """Print how many checks fail because of an earlier chapter, and how to go on."""
+    """Print how many checks fail because of an earlier chapter, and how to proceed."""
     for note in inherited_notes(report, exercise, engine):
         print_wrapped(console, note, STYLES["inherited"])
         console.print()
 
 
 def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path]) -> list[str]:
-    """Return notes on earlier chapters that cause, or may cause, failures in this one."""
+    """Return notes on the earlier chapters that cause, or may cause, failures in this one."""
     chapter, notes = report.chapter, []
     lost = sum(check.status == "inherited" for result in report.results for check in result.checks)
     if lost:
@@ -254,7 +255,7 @@ def inherited_notes(report: Report, exercise: Exercise | None, engine: list[Path
         )
     for other in report.suspects:
         notes.append(
-            f"Chapter {other.number} fails checks of its own, which may be the reason for some "
+            f"Chapter {other.number} fails some of its own checks, which may explain some of the "
             f"failures here: {check_command(engine, CH=str(other.number))}"
         )
     return notes
@@ -279,7 +280,7 @@ def _state(result: Result, answered: set[str]) -> str:
 
 
 def _waits_for(exercise: Exercise, message: Message) -> bool:
-    """Return whether a check fails only because a function of this exercise is not written yet."""
+    """Return whether a check fails only because this exercise has an unwritten function."""
     return message.kind is Kind.UNWRITTEN and message.exercise == exercise.id
 
 

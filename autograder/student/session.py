@@ -1,4 +1,4 @@
-"""Follow a student through the exercises: find the current one, check it, and find the next."""
+"""Follow a student through the exercises: find the current one, check it, find the next."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ TROUBLE = (GraderError, ValueError, OSError)  # after one of these, watch shows 
 class Session:
     """The state of the command watch.
 
-    It knows on which exercise the student is working and, once this one is done, what comes next.
+    It knows which exercise the student is working on and, once that is done, what comes next.
     """
 
     def __init__(
@@ -43,7 +43,7 @@ class Session:
         self.seen = ""
 
     def look(self) -> bool:
-        """If files have changed, run the checks again. Return whether they have changed."""
+        """If any files have changed, run the checks again. Return whether any have."""
         state = state_of(self.progress.folders, self.progress.chapters[-1])
         if state == self.seen:
             return False
@@ -53,7 +53,7 @@ class Session:
         return True
 
     def choose(self) -> None:
-        """Follow the student to the exercise that was just edited.
+        """Switch to the exercise that the student has just edited.
 
         If several were edited at once, prefer one that does not work yet.
         """
@@ -75,7 +75,7 @@ class Session:
             self.show()
 
     def show(self) -> None:
-        """Check the current exercise and show its state. If there is none, find the next one."""
+        """Check the current exercise and show its state, or find the next one if there is none."""
         self.next = None
         self.page = Page()
         try:
@@ -92,9 +92,9 @@ class Session:
     def is_done(self, chapter: Chapter, exercise: Exercise) -> bool:
         """Check an exercise, show its state, and return whether it is done.
 
-        An exercise is done as soon as its physics passes. Its robust checks have to wait until the
-        physics of the whole chapter passes. The exercises it builds on are checked as well. If the
-        physics of one of these no longer passes, it becomes the current exercise.
+        An exercise is done as soon as its physics passes. Robust checks wait until the physics of
+        the whole chapter passes. The prerequisites are checked too: if the physics of one no longer
+        passes, it becomes the current exercise.
         """
         worked = self.progress.works(chapter, exercise)
         report = self.progress.report(chapter, exercise)
@@ -147,10 +147,10 @@ class Session:
         self.page.top += [(words, "bold green"), ("", "")]
 
     def find_next(self) -> None:
-        """Find the next open exercise, and show the student how to go on to it.
+        """Find the next open exercise, and show the student how to move on to it.
 
-        At the start we go on to it at once, because there is no other exercise to finish first. We
-        do the same if we cannot read keys, because then the student cannot press Enter.
+        At the start we move on at once, because there is no other exercise to finish first. We do
+        the same if keys cannot be read, because then the student cannot press Enter.
         """
         self.next = self.progress.next_open()
         if self.current or self.next is None:
@@ -171,7 +171,7 @@ class Session:
             self.is_done(*self.next)
 
     def say_end(self) -> None:
-        """Show that a chapter is finished, or which scenes can be played because of an exercise."""
+        """Show that a chapter is finished, or which scenes an exercise has made playable."""
         chapter, exercise = self.current or (self.progress.chapters[-1], None)
         report = self.progress.report(chapter)
         self.page.top += end_of([report], exercise, self.engine, self.progress.given)

@@ -1,4 +1,4 @@
-"""Check the student's current exercise after every save, and react to the keys that are pressed."""
+"""Check the student's current exercise after every save, and react to key presses."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ TICK = 100  # milliseconds until we look again whether a key was pressed
 def watch(chapters: list[Chapter], engine: list[Path], seed: str, given: list[Chapter]) -> None:
     """Show the state of the current exercise, and check it after every save until q is pressed.
 
-    The current exercise is the one that the student has edited last. At the start, it is the first
-    one that is still open.
+    The current exercise is the one that the student edited last or, at the start, the first one
+    that is still open.
 
     Raises:
-        ValueError: The reference of a given chapter does not exist in this folder.
+        ValueError: The reference of a given chapter is not in this folder.
     """
     with with_given(given, engine) as folders, keys.single_keys():
         progress = Progress(chapters, folders, given, Memory(seed))
@@ -75,7 +75,7 @@ class Keyboard:
             self.note(str(error), "magenta")
 
     def note(self, words: str, style: str = "") -> None:
-        """Show a note on the page, in place of the previous one."""
+        """Show a note on the page, replacing the previous one."""
         self.session.page.note = [(line, style) for line in words.splitlines()]
         self.session.draw()
 
@@ -84,7 +84,7 @@ class Keyboard:
         self.session.console.print(words, style=style, markup=False, soft_wrap=True)
 
     def hint(self) -> None:
-        """Show the next hint of the exercise. Once there are no more, repeat the last one."""
+        """Show the next hint for the exercise. Once there are no more, repeat the last one."""
         if not self.session.current:
             return
         exercise = self.session.current[1]

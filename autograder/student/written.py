@@ -1,4 +1,4 @@
-"""Show a written exercise: first the question and, once it is answered, the model answer too."""
+"""Show a written exercise: the question and, once it is answered, the model answer too."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ def print_written(
 ) -> None:
     """Print the question of a written exercise and, once it is answered, the model answer.
 
-    The rubric follows, so that students can judge their own answer. A hand-out contains neither the
-    model answer nor the rubric, since both are meant for the instructor only.
+    The rubric follows, so that students can judge their own answers. A hand-out contains neither
+    the model answer nor the rubric, which are for the instructor only.
     """
     question = next(q for q in questions_of(chapter, engine) if q.exercise == exercise)
     points = "1 point" if exercise.points == 1 else f"{shown(exercise.points)} points"
@@ -32,7 +32,7 @@ def print_written(
             _say(console, problem, "red", soft_wrap=True)
         if not question.problems and question.section and question.section.words:
             _say(console, "Your answer is too short. Give the reason in a sentence.", "red")
-        waits = f"{exercise.id} waits for your answer. Write it here: {question.place}"
+        waits = f"{exercise.id} is waiting for your answer. Write it here: {question.place}"
         _say(console, waits, soft_wrap=True)
         return
     _say(console, "Your answer", "bold")
@@ -45,11 +45,11 @@ def print_written(
     _say(console, f"{flowing(model.answer)}\n")
     _say(console, "Rubric", "bold")
     _say(console, f"{flowing(model.rubric)}\n")
-    _say(console, "Compare the two, and improve your answer if you like. A person marks it.")
+    _say(console, "Compare the two, and improve your answer if you like. A person will mark it.")
 
 
 def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
-    """Say which questions are open and where to answer them. Without any, return ""."""
+    """Say which questions are open and where to answer them, or return "" if there are none."""
     groups = [
         open_ones
         for chapter in chapters
@@ -63,7 +63,7 @@ def open_questions(chapters: list[Chapter], engine: list[Path]) -> str:
 
 
 def all_pass(chapters: list[Chapter], engine: list[Path], on_given: str = "") -> str:
-    """Return the sentence that says that all checks pass, and which questions are still open."""
+    """Return the sentence that says that all checks pass, with the questions still open."""
     still = open_questions(chapters, engine)
     optional = any(exercise.optional for chapter in chapters for exercise in chapter.exercises)
     which = "All checks of the assigned exercises" if optional else "All checks"
@@ -84,10 +84,10 @@ def _ids(questions: list[Question]) -> list[str]:
 
 
 def flowing(text: str) -> str:
-    """Join the lines of each paragraph and list item, so that the text fits a screen of any width.
+    """Join the lines of each paragraph and list item, so that the text fits any screen width.
 
-    Markdown's marks for quotations are removed. Indented lines, such as formulas, stay as they are,
-    and a text that contains blocks of code does not change at all.
+    Markdown's quotation marks (>) are removed. Indented lines, such as formulas, stay as they are,
+    and a text with code blocks does not change at all.
     """
     text = re.sub(r"(?m)^> ?", "", text)
     if "```" in text:

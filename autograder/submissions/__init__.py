@@ -1,1 +1,1 @@
-"""Find the submissions of a class, inspect them without trusting them, and copy what we grade."""
+"""Find the submissions of a class, inspect them without trusting them, and copy what is graded."""

@@ -1,4 +1,4 @@
-"""Find out who is in a class, by matching the students in the roster with the submissions."""
+"""Find out who is in a class by matching the students on the roster with the submissions."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ _Index = defaultdict[str, list[Student]]
 
 @dataclass(frozen=True)
 class Member:
-    """Somebody in the class: a student in the roster, the author of a submission, or both.
+    """Somebody in the class: a student on the roster, the author of a submission, or both.
 
-    ``shown`` is the name that all reports show. ``folder`` is the name on the submission itself.
+    ``shown`` is the name that all reports show, and ``folder`` the name on the submission itself.
     """
 
     shown: str
@@ -30,7 +30,7 @@ class Member:
 
     @property
     def aliases(self) -> tuple[str, ...]:
-        """All names that the student has on the submission and in the roster."""
+        """All of the student's names, on the submission and on the roster."""
         who = self.student
         known = (who.name, who.id, who.email, who.login) if who else ()
         return tuple(name for name in (self.folder, *known) if name)
@@ -38,7 +38,7 @@ class Member:
 
 @dataclass(frozen=True)
 class ClassList:
-    """The members of a class. Without a roster, we know only those who have handed something in."""
+    """The members of a class. Without a roster, only those who handed something in are known."""
 
     members: list[Member]
     has_roster: bool = False
@@ -60,12 +60,12 @@ class ClassList:
 
     @property
     def unmatched(self) -> list[str]:
-        """The submissions that do not belong to any student in the roster."""
+        """The submissions that do not belong to any student on the roster."""
         return [m.shown for m in self.members if self.has_roster and not m.student]
 
     @property
     def names(self) -> dict[str, str]:
-        """For each name that only one student has, the name that the reports show.
+        """For each name that only one student has, the name that the reports use.
 
         Students who have not handed anything in are left out.
         """
@@ -81,7 +81,7 @@ class ClassList:
         }
 
     def renamed(self, name: Callable[[Member], str]) -> ClassList:
-        """Return the class with ``name(member)`` as the name to show for each member."""
+        """Return the class with ``name(member)`` as each member's name in the reports."""
         members = [replace(member, shown=name(member)) for member in self.members]
         return replace(self, members=sorted(members, key=lambda member: member.shown))
 
@@ -89,7 +89,7 @@ class ClassList:
 def match(
     submissions: list[Submission], roster: list[Student] | None, path: Path | None
 ) -> ClassList:
-    """Find the student in the roster to whom each submission belongs, and return the class.
+    """Match each submission with its student on the roster, and return the class.
 
     Submissions that belong to no student are part of the class as well, and so are students without
     a submission.
@@ -114,7 +114,7 @@ def match(
             lines = " and ".join(str(student.line) for student in students)
             raise ValueError(
                 f"{path}, lines {lines}: both match the submission {submission.path.name!r}. "
-                "Name it after the id of its student"
+                "Rename it to its student's id"
             )
         if not students:
             members.append(Member(submission.student, None, submission))

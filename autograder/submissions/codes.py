@@ -1,4 +1,4 @@
-"""Show codes instead of students' names, and keep a key file that says whose code is whose."""
+"""Replace students' names with codes, and keep a key file that says whose code is whose."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ QUOTED = re.compile(r"'.*'", re.DOTALL)
 
 
 def with_codes(people: ClassList, path: Path) -> ClassList:
-    """Return the class with codes instead of names, and write the key file that explains the codes.
+    """Return the class with codes instead of names, and write the key file that explains them.
 
-    We compute a code from the student's id and from a secret in the key file. As long as this file
-    exists, every student therefore keeps the same code. If a submission belongs to no student in
-    the roster, we use its name instead of the id.
+    A code is computed from the student's id and from a secret in the key file, so every student
+    keeps the same code for as long as that file exists. For a submission that belongs to no student
+    on the roster, the name of the submission takes the place of the id.
 
     Raises:
         ValueError: The key file is damaged.
@@ -47,13 +47,13 @@ def with_codes(people: ClassList, path: Path) -> ClassList:
 
 
 def key_path(roster: Path | None, out: Path) -> Path:
-    """Return where the key file is: next to the roster or, without one, to the reports."""
+    """Return the path of the key file: beside the roster or, without one, beside the reports."""
     beside = (roster or out).resolve()
     return beside.with_name(f"{beside.stem if roster else beside.name}-key.csv")
 
 
 def without_names(note: str) -> str:
-    """Return a note without anything it quotes, since the name of a folder may name a student."""
+    """Return a note without anything it quotes, since a folder name may identify a student."""
     return QUOTED.sub("one of them", note)
 
 

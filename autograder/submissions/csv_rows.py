@@ -1,4 +1,4 @@
-"""Read a CSV file that a person or a spreadsheet has written, and keep track of the lines."""
+"""Read a CSV file written by a person or a spreadsheet, keeping track of line numbers."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Table:
-    """A CSV file, with its separator, its first line and the names of its columns in lower case."""
+    """A CSV file: its separator, its first line, and its column names in lower case."""
 
     path: Path
     text: str
@@ -20,12 +20,11 @@ class Table:
     header: list[str]
 
     def rows(self, longest: str) -> Iterator[tuple[int, int, list[str]]]:
-        """Yield the rows below the header, each with its first and its last line in the file.
+        """Yield the rows below the header, each with its first and last line in the file.
 
-        Blank rows are skipped, and missing cells at the end of a row are empty. If a row has too
+        Blank rows are skipped, and cells missing at the end of a row are empty. If a row has too
         many cells, somebody has probably forgotten to quote a cell that contains a separator.
-        ``longest`` names the kind of cell in which this is most likely, so that the error message
-        can mention it.
+        ``longest`` names the likeliest culprit for the error message.
 
         Raises:
             ValueError: A row is too long, or a quote is never closed. The message names the line.
@@ -53,7 +52,7 @@ class Table:
 
 
 def read_csv(path: Path) -> Table:
-    """Read a CSV file whose columns are separated by commas or, as in Europe, by semicolons.
+    """Read a CSV file separated by commas or, as is common in Europe, by semicolons.
 
     Raises:
         ValueError: The file is not UTF-8. The message names the line.

@@ -1,4 +1,4 @@
-"""Understand the names that Canvas and Moodle give to the submissions we download from them."""
+"""Parse the names that Canvas and Moodle give to downloaded submissions."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ class Exported:
     """What the name of a submission tells us about it.
 
     For Canvas, ``name`` is the last name and the first name without a space in between, and
-    ``number`` is the id of the user. For Moodle, ``name`` is the full name, and ``number``
-    identifies the student in this assignment only. If a student uploads several times, the later
-    upload has the larger ``order``.
+    ``number`` is the user id. For Moodle, ``name`` is the full name, and ``number`` identifies the
+    student within this assignment only. If a student uploads several times, the later upload has
+    the larger ``order``.
     """
 
     platform: Literal["canvas", "moodle"]
@@ -43,7 +43,7 @@ class Exported:
 
 
 def read_export(name: str) -> Exported | None:
-    """Return what we can learn from a name, or None if it is not from Canvas or Moodle.
+    """Return what can be learned from a name, or None if it is not from Canvas or Moodle.
 
     ``name`` must not end with .zip.
     """

@@ -23,10 +23,10 @@ HASHED = re.compile(r".*-[0-9a-f]{8}")
 
 @dataclass(frozen=True)
 class Submission:
-    """What a student has handed in, which is a folder or a zip file.
+    """What a student has handed in: a folder or a zip file.
 
-    If a platform has chosen the name of this file, ``export`` holds what the name says. ``aliases``
-    are other names of the student, from the folder or file and from the roster.
+    If a platform chose the file's name, ``export`` holds what that name says. ``aliases`` are the
+    student's other names, from the folder or file and from the roster.
     """
 
     student: str
@@ -41,23 +41,22 @@ class Submission:
 
     @property
     def late(self) -> bool:
-        """Whether the platform has marked the submission as late, which only Canvas does."""
+        """Whether the platform marked the submission as late, which only Canvas does."""
         return self.export is not None and self.export.late
 
 
 def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
-    """Find the submissions in the folder of a class, and write notes on everything else in it.
+    """Find the submissions in the folder of a class, with notes on everything else in it.
 
-    A submission is a folder or a .zip file. It has the name of its student, or a name that Canvas
-    or Moodle has given to it. If a student has uploaded several files there, we take the last one.
-    We never follow links, and we skip hidden files, caches and the instructor's own files without a
-    note.
+    A submission is a folder or a .zip file. It is named after its student, or has a name from
+    Canvas or Moodle. If a student uploaded several files there, we take the last one. Links are
+    never followed. Hidden files, caches and the instructor's own files are skipped without a note.
 
     Return the submissions sorted by student, and the notes.
 
     Raises:
-        ValueError: The path is not a folder, or it contains no submissions, or it contains two
-            submissions of one student.
+        ValueError: The path is not a folder, or it contains no submissions or two by the same
+            student.
         OSError: The folder cannot be read.
     """
     if not folder.is_dir():
@@ -92,8 +91,8 @@ def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
         first, last = sorted((old, new), key=_order)
         found[file_name(new.student)] = last
         notes.append(
-            f"{printable(first.path.name)} was left out: {printable(last.path.name)} of the same "
-            f"student was taken. If they belong together, put both into a folder with the name "
+            f"{printable(first.path.name)} was left out: {printable(last.path.name)} by the same "
+            f"student was used instead. If they belong together, put both in a folder named "
             f"{printable(last.path.stem)}"
         )
     if not found:
@@ -104,10 +103,10 @@ def find_submissions(folder: Path) -> tuple[list[Submission], list[str]]:
 
 
 def file_name(student: str) -> str:
-    """Return a safe file name for the files about a student, without a suffix.
+    """Return a safe file name, without a suffix, for the files about a student.
 
-    If the student's name is short and harmless, it is the file name. Otherwise we replace what is
-    unsafe, cut the name, and append a hash of the original, so that no two students share a file.
+    A short and harmless student name is used as is. Otherwise we replace whatever is unsafe,
+    truncate the name, and append a hash of the original, so that no two students share a file.
     """
     # A name that seems to end with a hash could equal the file name of another student.
     harmless = _clean(student) == student and not HASHED.fullmatch(student)
@@ -121,7 +120,7 @@ def file_name(student: str) -> str:
 def printable(text: str) -> str:
     """Escape the unprintable characters of a text.
 
-    We also double its backslashes, so that different texts stay different.
+    Backslashes are doubled, so that different texts stay different.
     """
     return "".join(map(visible, text.replace("\\", "\\\\")))
 
@@ -132,6 +131,6 @@ def _order(submission: Submission) -> tuple[int, int]:
 
 
 def _clean(name: str) -> str:
-    """Replace the characters that have a special meaning in some file system."""
+    """Replace the characters that have a special meaning in any file system."""
     kept = [char if char.isprintable() and char not in '/\\<>:"|?*' else "_" for char in name]
     return re.sub(r"^\.", "_", "".join(kept))

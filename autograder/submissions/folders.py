@@ -1,4 +1,4 @@
-"""Search a folder that we do not trust, and read files from it without following links."""
+"""Search an untrusted folder, and read files from it without following links."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ class NotTakenError(Exception):
 
 @dataclass(frozen=True)
 class Found:
-    """A file of a chapter that we have found in a submission.
+    """A chapter's file that was found in a submission.
 
-    ``place`` lists the folders on the way to the file, and the last of them is the chapter's own.
-    ``read`` takes the largest size that we accept, and returns the content or raises NotTakenError.
-    A ``doubtful`` file is in a folder that we cannot read. It counts only if there is no other.
+    ``place`` lists the folders on the way to the file, ending with the chapter's own. ``read``
+    takes the maximum size to accept, and returns the contents or raises NotTakenError. A
+    ``doubtful`` file is in an unreadable folder and counts only if there is no other.
     """
 
     place: tuple[str, ...]
@@ -39,7 +39,7 @@ class Found:
 def search_folder(
     submission: Path, wanted: Mapping[str, Sequence[str]]
 ) -> tuple[list[Found], list[str]]:
-    """Find the files in a student's folder that we want to grade, and write notes on problems.
+    """Find the files to grade in a student's folder, with notes on any problems.
 
     Raises:
         NotTakenError: The submission's folder cannot be read at all.
@@ -76,7 +76,7 @@ def search_folder(
 
 
 def read_file(path: Path, largest: int, what: str = "it") -> bytes:
-    """Return the content of a file, but only if it is a regular file and not too large.
+    """Return the contents of a file, provided that it is a regular file and not too large.
 
     ``what`` names the file in error messages, as the subject of the sentence.
 
@@ -99,7 +99,7 @@ def read_file(path: Path, largest: int, what: str = "it") -> bytes:
 
 
 def refuse(reason: str) -> Callable[[int], bytes]:
-    """Return a function that can stand in for ``read``, but raises NotTakenError with a reason."""
+    """Return a stand-in for ``read`` that raises NotTakenError with a reason."""
 
     def read(_: int) -> bytes:
         raise NotTakenError(reason)
@@ -113,17 +113,17 @@ def refuse_all(place: tuple[str, ...], files: Sequence[str], reason: str) -> lis
 
 
 def too_large(what: str, largest: int) -> NotTakenError:
-    """Return the exception for a file or a zip that has more than ``largest`` bytes."""
+    """Return the exception for a file or a zip of more than ``largest`` bytes."""
     return NotTakenError(f"{what} is larger than {largest:,} bytes")
 
 
 def is_skipped(name: str) -> bool:
-    """Return whether a folder is hidden, or one that an operating system has made for itself."""
+    """Return whether a folder is hidden, or one that an operating system made for itself."""
     return name.startswith(".") or name in ("__MACOSX", "__pycache__")
 
 
 def _search_chapter(folder: Path, place: tuple[str, ...], files: Sequence[str]) -> list[Found]:
-    """Return those of the wanted files that a chapter's folder contains, whatever they are."""
+    """Return the wanted files that a chapter's folder contains, whatever they are."""
     found: list[Found] = []
     try:
         mode = _mode(folder)
@@ -148,7 +148,7 @@ def _mode(path: Path) -> int:
 
 
 def _subfolders(folder: Path, most: int) -> tuple[list[str], int]:
-    """Return the folders among the first ``most`` entries, and how many entries we looked at."""
+    """Return the folders among the first ``most`` entries, and how many entries were examined."""
     with os.scandir(folder) as entries:
         seen = list(itertools.islice(entries, most))
         names = [entry.name for entry in seen if entry.is_dir(follow_symlinks=False)]
@@ -156,7 +156,7 @@ def _subfolders(folder: Path, most: int) -> tuple[list[str], int]:
 
 
 def _open(path: str, flags: int) -> int:
-    """Open a file, but do not follow a link and do not wait for a pipe."""
+    """Open a file without following a link or waiting for a pipe."""
     return os.open(path, flags | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
 
 
@@ -172,7 +172,7 @@ def _check_kind(status: os.stat_result, largest: int, what: str) -> None:
 
 
 def cause(error: OSError) -> str:
-    """Return why a file cannot be read. If the machine is to blame, raise the error instead."""
+    """Return why a file cannot be read, or raise the error if the machine is to blame."""
     if error.errno in OURS:
         raise error
     return error.strerror or type(error).__name__

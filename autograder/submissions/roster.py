@@ -1,4 +1,4 @@
-"""Read the roster of a class, which is a CSV file with the columns id, name, email and login."""
+"""Read the roster of a class: a CSV file with the columns id, name, email and login."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ class Student:
 
     @property
     def keys(self) -> set[str]:
-        """The id, e-mail address and login of the student, in a form that can be compared."""
+        """The student's id, e-mail address and login, normalized for comparison."""
         return {key(text) for text in (self.id, self.email, self.login) if text}
 
     @property
     def names(self) -> set[str]:
-        """The ways in which a folder or a platform may write the student's name.
+        """The ways in which a folder or a platform may spell the student's name.
 
-        Canvas puts the last name first. A roster may do the same, as in "Doe, Jane".
+        Canvas puts the last name first. A roster may do so too, as in "Doe, Jane".
         """
         last, comma, first = self.name.partition(",")
         *given, family = self.name.split()
@@ -41,10 +41,9 @@ class Student:
 
 
 def read_roster(path: Path) -> list[Student]:
-    """Return the students in a roster, in the order of the file.
+    """Return the students on a roster, in file order.
 
-    The file may contain other columns as well. They may be in any order, and are separated by
-    commas or semicolons.
+    The file may have other columns too, in any order. They are separated by commas or semicolons.
 
     Raises:
         ValueError: The roster contains a mistake. The message names the line.
@@ -71,8 +70,7 @@ def read_roster(path: Path) -> list[Student]:
             # Platforms identify students by these cells, so a formula must not get a prefix.
             if FORMULA.search(value):
                 raise ValueError(
-                    f"{where}: the {name} must not begin like a formula of a spreadsheet, "
-                    f"got {value!r}"
+                    f"{where}: the {name} must not begin like a spreadsheet formula, got {value!r}"
                 )
             before = lines.setdefault((name, key(value)), line) if value else line
             if before != line:
@@ -87,14 +85,14 @@ def read_roster(path: Path) -> list[Student]:
 
 
 def key(text: str) -> str:
-    """Normalize an id, e-mail address or login, so that two of them can be compared."""
+    """Normalize an id, e-mail address or login for comparison."""
     return unicodedata.normalize("NFC", text.strip()).casefold()
 
 
 def letters(name: str) -> str:
     """Return only the letters and digits of a name, in lower case.
 
-    Platforms drop all other characters, so this is the only form in which we can compare names.
+    Platforms drop all other characters, so names can be compared only in this form.
     """
     text = unicodedata.normalize("NFKC", name).casefold()
     return "".join(character for character in text if character.isalnum())

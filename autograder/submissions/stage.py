@@ -1,4 +1,4 @@
-"""Copy the files that we grade from a submission into a new folder.
+"""Copy the files to grade from a submission into a new folder.
 
 Nothing else in the submission is ever imported.
 """
@@ -22,12 +22,12 @@ LARGEST_FILE = 1_000_000  # bytes; the longest module of a chapter has about ten
 
 @dataclass(frozen=True)
 class Staged:
-    """What we have copied from a submission, and what we have rejected.
+    """What was copied from a submission, and what was rejected.
 
-    ``missing`` lists the modules that we have rejected, such as ch02_vectors.vector, each with the
-    reason. ``notes`` are for the instructor, and quote nothing from the student but names.
-    ``digest`` depends on everything that we have accepted or rejected, so submissions with the same
-    digest get the same grade.
+    ``missing`` maps the rejected modules, such as ch02_vectors.vector, to the reasons. ``notes``
+    are for the instructor, and quote nothing but names from the student. ``digest`` depends on
+    everything that was accepted or rejected, so submissions with the same digest get the same
+    grade.
     """
 
     missing: dict[str, str]
@@ -36,11 +36,11 @@ class Staged:
 
 
 def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROOT) -> Staged:
-    """Fill the folder ``box`` with an engine: the student's own files, and those that nobody edits.
+    """Fill the folder ``box`` with an engine: the student's own files, and the ones nobody edits.
 
-    The submission is a folder or a zip file, and it may contain anything. If something is wrong
-    with it, the result says so. A file that is missing stays missing, since neither a stub nor our
-    solution would be the student's work.
+    The submission is a folder or a zip file, and may contain anything. If something is wrong with
+    it, the result says so. A missing file stays missing, because neither a stub nor our solution
+    would be the student's work.
 
     Raises:
         OSError: The box cannot be written, or a file of the repository cannot be read.
@@ -64,14 +64,14 @@ def stage(submission: Path, chapters: list[Chapter], box: Path, root: Path = ROO
                 content = _text(files[name].read(LARGEST_FILE))
                 _write(target / name, content)
             except NotTakenError as error:
-                reason = f"{chapter.name}/{name} was not taken: {error}"
+                reason = f"{chapter.name}/{name} was rejected: {error}"
                 missing[f"{chapter.name}.{name.removesuffix('.py')}"] = reason
             digest.update(f"{chapter.name}/{name}\0{reason}\0{len(content)}\0".encode() + content)
     return Staged(missing, [printable(note) for note in notes], digest.hexdigest())
 
 
 def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], list[str]]:
-    """Find the files of all chapters in a submission of any kind, and write notes on problems."""
+    """Find all chapters' files in any kind of submission, with notes on any problems."""
     wanted = {chapter.name: chapter.handed_in for chapter in chapters}
     try:
         mode = submission.lstat().st_mode
@@ -91,11 +91,10 @@ def _search(submission: Path, chapters: list[Chapter]) -> tuple[list[Found], lis
 
 
 def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], list[str]]:
-    """Choose the folder of a chapter, and return its files, and a note if there are several.
+    """Choose the folder of a chapter. Return its files, with a note if there are several folders.
 
-    We take the folder that is nested least deeply and, if there are several of these, the first by
-    name. A hand-out also has a folder with the original stubs, which counts only if there is no
-    other.
+    We take the least deeply nested folder and, if several tie, the first by name. A hand-out also
+    has a folder with the original stubs, which counts only if there is no other.
     """
     mine = [file for file in found if file.place[-1] == chapter.name]
     places = sorted(
@@ -107,16 +106,16 @@ def _choose(chapter: Chapter, found: list[Found]) -> tuple[dict[str, Found], lis
     notes = []
     if (several := sum(not doubtful and not kept for doubtful, kept, _, _ in places)) > 1:
         path = "/".join(place)
-        notes.append(f"there are {several} folders called {chapter.name}: '{path}' was taken")
+        notes.append(f"there are {several} folders called {chapter.name}: '{path}' was used")
     chosen = [file for file in mine if (file.doubtful, file.place) == (doubtful, place)]
     return {file.file: file for file in chosen}, notes
 
 
 def _text(content: bytes) -> bytes:
-    """Return the content of a file unchanged, or reject the file if it is not text.
+    """Return the contents of a file unchanged, or reject the file if it is not text.
 
     Raises:
-        NotTakenError: The content is not text.
+        NotTakenError: The contents are not text.
     """
     try:
         content.decode()

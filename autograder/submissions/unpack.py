@@ -1,6 +1,6 @@
-"""Unpack the zip of a whole class, which Canvas and Moodle create, into a folder next to it.
+"""Unpack the zip of a whole class, as created by Canvas or Moodle, into a folder beside it.
 
-Everything in this zip was uploaded by students, so we do not trust any of it.
+Everything in that zip was uploaded by students, so none of it is trusted.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ NAMES = (errno.EEXIST, errno.ENOTDIR, errno.EISDIR, errno.ENAMETOOLONG, errno.EI
 
 @dataclass(frozen=True)
 class Unpacked:
-    """What we have unpacked: the digest of the zip, its contents, and notes on what we left out."""
+    """What was unpacked: the digest of the zip, its contents, and notes on what was left out."""
 
     zip: str
     names: list[str]
@@ -56,10 +56,10 @@ class _File:
 
 
 def class_folder(path: Path) -> Path:
-    """Return the folder of a class, and first unpack it if it is a zip.
+    """Return the folder of a class, first unpacking it if it is a zip.
 
-    The new folder has the same name as the zip. If the zip has changed since the last time, we
-    unpack it again, but keep marks.csv in the folder.
+    The new folder has the same name as the zip. If the zip has changed since the last time, it is
+    unpacked again, but marks.csv in the folder is kept.
 
     Raises:
         ValueError: The zip cannot be unpacked, or the folder was not created by this function.
@@ -81,7 +81,7 @@ def class_folder(path: Path) -> Path:
 
 
 def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Console) -> Unpacked:
-    """Replace the files of an earlier version of this zip by those of the new one."""
+    """Replace the files from an earlier version of this zip with those from the new one."""
     try:
         file = zipfile.ZipFile(path)
     except UNREADABLE as error:
@@ -93,7 +93,7 @@ def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Co
         there = [*folder.iterdir()]
         for one in there:
             if one.name in names and one.name not in before.names:
-                raise ValueError(f"{one} is not from {path.name}: move it away")
+                raise ValueError(f"{one} did not come from {path.name}: move it elsewhere")
         # If a run is killed, the next one starts over, even if the earlier zip is back by then.
         _write_marker(folder, Unpacked("", before.names, []))
         for one in there:
@@ -109,7 +109,7 @@ def _unpack(path: Path, folder: Path, before: Unpacked, digest: str, console: Co
 
 
 def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
-    """Return the files that we will write, and notes on those that we leave out."""
+    """Return the files to write, with notes on those that are left out."""
     if len(file.infolist()) > MOST_FILES:
         raise ValueError(f"{path} contains more than {MOST_FILES:,} files and folders")
     files: list[_File] = []
@@ -129,7 +129,7 @@ def _plan(path: Path, file: zipfile.ZipFile) -> tuple[list[_File], list[str]]:
 
 
 def _write(folder: Path, file: zipfile.ZipFile, files: Iterable[_File]) -> list[str]:
-    """Write those files that can count in a submission, and return notes on all others."""
+    """Write the files that can count in a submission, and return notes on the others."""
     notes: list[str] = []
     sizes: Counter[str] = Counter()
     for one in files:
@@ -167,7 +167,7 @@ def _read_marker(folder: Path) -> Unpacked:
     except (OSError, ValueError) as error:
         raise ValueError(
             f"{folder} already exists, but was not unpacked from {folder.name}.zip: grade that "
-            "folder instead, or move it away"
+            "folder instead, or move it elsewhere"
         ) from error
 
 

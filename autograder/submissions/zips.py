@@ -1,4 +1,4 @@
-"""Find and read files in a zip that we do not trust, without ever extracting it to the disk."""
+"""Find and read files in an untrusted zip, without ever extracting it to disk."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ UNREADABLE = (
 
 
 def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Found], list[str]]:
-    """Find the files in a student's zip that we want to grade, and write notes on problems.
+    """Find the files to grade in a student's zip, with notes on any problems.
 
     Raises:
         NotTakenError: The zip as a whole is rejected.
@@ -86,7 +86,7 @@ def search_zip(path: Path, wanted: Mapping[str, Sequence[str]]) -> tuple[list[Fo
 def search_zips_in(
     folder: Path, wanted: Mapping[str, Sequence[str]]
 ) -> tuple[list[Found], list[str]]:
-    """Find the files we want to grade in the zips of a folder, as if they were unpacked there."""
+    """Find the files to grade in the zips of a folder, as if they were unpacked there."""
     with os.scandir(folder) as entries:
         names = [
             entry.name
@@ -110,24 +110,24 @@ def search_zips_in(
 
 
 def path_in_zip(entry: zipfile.ZipInfo) -> str:
-    """Return the path of a file in the zip, with slashes between its folders."""
+    """Return the path of a file in the zip, with forward slashes between its folders."""
     # Some Windows tools write backslashes, and other tools begin paths with a dot.
     return entry.orig_filename.replace("\\", "/").removeprefix("./").removesuffix("/")
 
 
 def is_unsafe(name: str) -> bool:
-    """Return whether a path in a zip could lead outside of it, or is otherwise not a plain path.
+    """Return whether a path in a zip could lead outside it, or is not a plain path.
 
-    Such a path is absolute, or has a part that is empty or consists of dots.
+    Such a path is absolute, or has a part that is empty or made of dots.
     """
     return name[1:2] == ":" or any(part in f"/{name}" for part in ("//", "/./", "/../"))
 
 
 def read_entry(file: zipfile.ZipFile, entry: zipfile.ZipInfo, largest: int) -> bytes:
-    """Return the content of a regular file in the zip.
+    """Return the contents of a regular file in the zip.
 
     Raises:
-        NotTakenError: It is not a regular file or too large, or its content cannot be read.
+        NotTakenError: It is not a regular file, is too large, or cannot be read.
     """
     mode = entry.external_attr >> 16
     if stat.S_ISLNK(mode):

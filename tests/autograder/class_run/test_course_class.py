@@ -143,7 +143,7 @@ def test_only_the_assigned_exercises_count_and_lateness_has_columns_of_its_own(
     assert "total: 8 - 3 = 5 points" in said["output"]
     screen = " ".join(capsys.readouterr().out.split())
     assert "therefore get no penalty: cem." in screen
-    assert "The points in this table are from checks. The totals, with answers marked" in screen
+    assert "The points in this table are from checks alone. The totals, which include" in screen
     (submissions / "times.csv").unlink()
     (submissions / "cem_LATE_1_2_x").mkdir()
     again = {row["student"]: row for row in grade(submissions, out, root, work)}

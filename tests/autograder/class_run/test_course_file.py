@@ -115,13 +115,13 @@ def test_the_example_has_every_key() -> None:
         (f'{LAB}extra_credit = ["2.4"]', 1, "the assignment has no exercises"),
         (f"{LAB}chapters = [12]", 3, "there is no chapter 12. The chapters are 2, 3, 4"),
         (f"{LAB}chapters = [2]\ngiven = [2]", 4, "chapter 2 is given complete, so B2.1 cannot"),
-        (f'{LAB}exercises = ["2.1"]', 3, "2.1 needs B2.2, B2.4, which no assignment so far"),
+        (f'{LAB}exercises = ["2.1"]', 3, "2.1 needs B2.2, B2.4, which is not in any assignment"),
         (f"{LAB}chapters = [3]", 1, "chapter 3 builds on chapter 2, which is neither given nor"),
         # points
         (f"{LAB}chapters = [2]\ntotal = 47", 4, "the points add up to 48, not to 47"),
         (f"{LAB}chapters = [2]\ntotal = 9\nout_of = 9", 4, "but out_of changes it. Keep only one"),
         (f"{LAB}chapters = [2]\nout_of = 0", 4, "out_of must be a positive number, got 0"),
-        (f'{LAB}chapters = [2]\npoints = {{"B3.1" = 1}}', 4, "has 'B3.1', which is not an exer"),
+        (f'{LAB}chapters = [2]\npoints = {{"B3.1" = 1}}', 4, "lists 'B3.1', which is not an exer"),
         (f'{LAB}chapters = [2]\npoints = {{"2.4" = "a"}}', 4, "2.4 must be a positive number"),
         # dates
         (f"{LAB}chapters = [2]\ndue = 2026-10-23 23:59:00", 4, "due has no time zone. Add the"),
@@ -131,7 +131,7 @@ def test_the_example_has_every_key() -> None:
         (
             f'time_zone = "Europe/Berlin"\n{LAB}chapters = [2]\ndue = 2027-03-28 02:30:00',
             5,
-            "due 2027-03-28 02:30:00 does not exist: the clocks of Europe/Berlin go forward",
+            "due 2027-03-28 02:30:00 does not exist: the clocks in Europe/Berlin go forward",
         ),
         # lateness
         (
@@ -140,7 +140,11 @@ def test_the_example_has_every_key() -> None:
             "late has no effect without due",
         ),
         (f"late = {{cap = 1}}\n{LAB}chapters = [2]", 1, "late must have points_per_day or percent"),
-        (f"[late]\npoints_per_day = 2\ncap = 1\n{LAB}chapters = [2]", 3, "cap is less than points"),
+        (
+            f"[late]\npoints_per_day = 2\ncap = 1\n{LAB}chapters = [2]",
+            3,
+            "cap must be at least points",
+        ),
         (f"[late]\npercent_per_day = 200\n{LAB}chapters = [2]", 2, "at most 100 percent, got 200"),
         (f"[late]\npercent_a_day = 2\n{LAB}chapters = [2]", 2, "Did you mean percent_per_day?"),
         (
@@ -170,7 +174,7 @@ def test_all_mistakes_are_reported_at_once_in_the_order_of_their_lines(folder: P
     assert [w.split(". ")[0] for w in words] == [
         "there is no key 'capp'",
         "there is no exercise 'B2.99'",
-        "2.5 needs B2.9, which no assignment so far contains",
+        "2.5 needs B2.9, which is not in any assignment so far",
         "due has no time of day",
         "another assignment is called lab1 too",
         "the points add up to 35, not to 36",

@@ -204,15 +204,15 @@ def test_a_chapter_of_which_nothing_was_handed_in_is_worked_out_once_for_a_class
     earlier = tmp_path / "ann/ch02_vectors/vector.py"
     earlier.write_bytes(b"\xff")
     report = graded("ann")
-    assert "ch02_vectors/vector.py was not taken: it is not UTF-8" in messages(report)
+    assert "ch02_vectors/vector.py was rejected: it is not UTF-8" in messages(report)
     report = graded("bob")
-    assert "was not taken" not in messages(report)
+    assert "was rejected" not in messages(report)
     runs.clear()
     refused = tmp_path / "bob/ch03_laws_of_motion/particle.py"
     refused.parent.mkdir()
     refused.write_bytes(b"\xff")
     report = graded("bob")
-    assert "ch03_laws_of_motion/particle.py was not taken: it is not UTF-8" in messages(report)
+    assert "ch03_laws_of_motion/particle.py was rejected: it is not UTF-8" in messages(report)
     assert runs[:2] == [2, 3]
 
 
@@ -240,12 +240,12 @@ def test_links_and_large_files_are_not_taken(tmp_path: Path) -> None:
     (tmp_path / "trudy/ch02_vectors").symlink_to(ROOT / "solutions/ch02_vectors")
     assert states(grade_one(tmp_path / "trudy", [CHAPTER]), "score") == {0.0, None}
     report = grade_one(tmp_path / "mallory", [CHAPTER])
-    assert "ch02_vectors/vector.py was not taken: it is a symbolic link" in messages(report)
+    assert "ch02_vectors/vector.py was rejected: it is a symbolic link" in messages(report)
     assert states(report, "score") == {0.0, None}
     (folder / "vector.py").unlink()
     (folder / "vector.py").write_text("#" * 1_000_001, encoding="utf-8")
     large = grade_one(tmp_path / "mallory", [CHAPTER])
-    assert "ch02_vectors/vector.py was not taken: it is larger than" in messages(large)
+    assert "ch02_vectors/vector.py was rejected: it is larger than" in messages(large)
 
 
 def test_complete_modules_are_ours_whatever_is_handed_in(tmp_path: Path) -> None:

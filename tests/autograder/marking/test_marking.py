@@ -56,11 +56,11 @@ def test_answers_are_collected_as_they_were_handed_in(folder: Path) -> None:
     assert (by["bob"].text, by["bob"].note) == ("", "")
     assert by["cem"].text == "|a|^2", "a formula is an answer"
     assert "Dan's answer" in by["dan"].text
-    assert by["dan"].note.startswith("This is the whole file. In answers.md no heading begins")
+    assert by["dan"].note.startswith("This is the whole file. No heading in answers.md begins")
     assert (by["eve"].text, by["eve"].note) == ("", "")
     assert by["fay"].text.startswith(SHOUT + "\\x1b[31m")
     assert len(by["fay"].text) < LONGEST + 200
-    assert "answers.md was not taken: it is not UTF-8" in by["gus"].note
+    assert "answers.md was rejected: it is not UTF-8" in by["gus"].note
     assert [answer.text == "" for answer in first.answers] == [False] * 4 + [True] * 3
 
 

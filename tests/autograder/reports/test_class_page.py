@@ -55,14 +55,14 @@ def test_discrimination_is_the_correlation_with_the_rest(all_or_nothing: bool) -
 @pytest.mark.parametrize(
     ("own", "rest", "reason"),
     [
-        ([0.0, 1.0] * 9 + [1.0], range(19), "19 students: fewer than 20 are too few"),
+        ([0.0, 1.0] * 9 + [1.0], range(19), "19 students, which is fewer than the 20 needed"),
         ([1.0] * 20, range(20), "no students have a different score than most"),
         (
             [0.0] * 2 + [1.0] * 18,
             range(20),
             "2 students have a different score than most",
         ),
-        ([0.0, 1.0] * 10, [5.0] * 20, "all students have the same score for the rest"),
+        ([0.0, 1.0] * 10, [5.0] * 20, "all students have the same score on the other exercises"),
     ],
 )
 def test_discrimination_is_refused_with_a_reason(own: Any, rest: Any, reason: str) -> None:

@@ -98,7 +98,7 @@ def test_what_slots_can_hold(messages: Messages) -> None:
         {r"self\._inverse_mass = not_negative\(\"1 / mass\"": "self._mass = (0"},
     )
     mass = likely(failed["B3.1"])
-    assert "The most similar to _mass is _inverse_mass." in mass
+    assert "The closest to _mass is _inverse_mass." in mass
     assert "_damping, _inverse_mass, acceleration, position, velocity" in mass
     assert "_frame" not in mass
 

@@ -194,7 +194,7 @@ def test_what_checks_do_with_objects(session: Session) -> None:
 def test_no_verdict_hangs_on_what_an_object_says_of_itself(
     session: Session, use: Callable[[Any], Any]
 ) -> None:
-    with pytest.raises(CheckEnded, match=r"plain value is wanted: Box\(4\)\\x1b\[2J"):
+    with pytest.raises(CheckEnded, match=r"plain value is expected: Box\(4\)\\x1b\[2J"):
         use(name(session, "Box")(4))
 
 

@@ -277,7 +277,7 @@ def test_the_time_for_all_checks_is_limited(root: Path, chapter: Chapter, run: R
     verdicts = run(root, chapter, code, limits=Limits(60.0, 2.0))
     assert time.monotonic() - start < 30.0  # two seconds, and much for a busy machine
     assert statuses(verdicts) == ["passed", "passed", "failed", "failed"]
-    assert "2 seconds, was used up" in says(verdicts, "test_quadruple")
+    assert "time limit of 2 seconds for all checks was used up" in says(verdicts, "test_quadruple")
 
 
 def test_one_exercise_runs_with_what_it_needs_and_no_more(

@@ -166,7 +166,7 @@ def test_submissions_are_staged_and_never_run(tmp_path: Path, ground: Ground) ->
     assert not (tmp_path / "ran").exists()
     assert (len(ann.parts), notes_of_ann) == (1, [])
     assert bob.parts == {}
-    assert notes_of_bob == ["ch02_vectors/vector.py was not taken: it is a symbolic link"]
+    assert notes_of_bob == ["ch02_vectors/vector.py was rejected: it is a symbolic link"]
 
 
 def made(student: str, **parts: set[int]) -> Work:

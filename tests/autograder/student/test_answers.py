@@ -128,7 +128,7 @@ def test_a_question_waits_with_its_place_and_tells_nothing(tmp_path: Path) -> No
     assert done.returncode == 0
     assert "Why does the sign of the scalar product" in done.stdout
     line = BLANK.splitlines().index(PLACE) + 1
-    assert f"2.2b waits for your answer. Write it here: {tmp_path}" in done.stdout
+    assert f"2.2b is waiting for your answer. Write it here: {tmp_path}" in done.stdout
     assert f"answers.md:{line}\n" in done.stdout
     assert "Rubric" not in done.stdout
 
@@ -136,8 +136,8 @@ def test_a_question_waits_with_its_place_and_tells_nothing(tmp_path: Path) -> No
 def test_what_is_damaged_is_told(tmp_path: Path) -> None:
     done = check("2.2b", put(tmp_path, f"{BEFORE}{PLACE}\n\n{ANSWER}{AFTER}")[0])
     assert done.returncode == 0
-    assert f"the line '{PLACE}' is still there" in done.stdout
-    assert "2.2b waits for your answer" in done.stdout
+    assert f"The line '{PLACE}' is still in " in done.stdout
+    assert "2.2b is waiting for your answer" in done.stdout
 
 
 def test_an_answer_is_shown_beside_the_model_answer_and_the_rubric(tmp_path: Path) -> None:
@@ -145,7 +145,7 @@ def test_an_answer_is_shown_beside_the_model_answer_and_the_rubric(tmp_path: Pat
     assert done.returncode == 0
     own, model, rubric, end = (
         done.stdout.index(words)
-        for words in (ANSWER, "A length is never negative", "0.5 points:", "A person marks it")
+        for words in (ANSWER, "A length is never negative", "0.5 points:", "A person will mark it")
     )
     assert own < model < rubric < end
     assert "waits" not in done.stdout

@@ -176,7 +176,7 @@ def test_a_python_without_the_packages_is_told_what_to_do() -> None:
         (
             "return self.x * v.x",
             "return self.x * v.magnitude",
-            "Add parentheses after its name to call it",
+            "Add parentheses after the name to call it",
         ),
         ("def magnitude(self)", "def magnitude()", "Perhaps self is missing there"),
         ("def magnitude(self)", "def magnitud(self)", "renamed it to magnitud,"),

@@ -46,7 +46,7 @@ def test_a_complete_file_that_was_edited_is_named_and_is_no_success(engine: Path
         out.write("\n\ndef clamp(x):\n    return max(x, 0.0)\n")
     done = check(engine, "--exercise", "B2.1")
     assert done.returncode == 1
-    assert "arguments.py has been edited" in done.stdout
+    assert "arguments.py. It isn't handed in" in done.stdout
 
 
 def test_robust_checks_of_what_an_exercise_builds_on_do_not_count_for_it(engine: Path) -> None:

@@ -102,7 +102,7 @@ def test_codes_replace_every_name_and_stay_the_same(
     assert not [path for path in out.rglob("*") if IDENTITIES.search(path.name)]
     assert scores(out) == {codes["Jane Doe"]: 5.0, codes["Bo Lee"]: 6.0, codes["zed_502"]: 6.0}
     assert f"<bdi>{codes['Eve Moss']}</bdi>" in (out / "index.html").read_text(encoding="utf-8")
-    note = "there are 2 folders called ch90_small: one of them was taken"
+    note = "there are 2 folders called ch90_small: one of them was used"
     page = out / "feedback" / f"{codes['Bo Lee']}.html"
     assert note in page.read_text(encoding="utf-8")
     assert {path.name for path in (tmp_path / "out-named").iterdir()} == {

@@ -53,8 +53,8 @@ def test_a_roster_is_read_as_spreadsheets_write_it(file: Path, content: str, lin
         (HEADER + "1,Lee, Ann,a@x,al\n", 2, "must be 4 cells, got 5. Put a cell that contains ','"),
         (HEADER + "1;Ann;a@x;al\n", 2, "cells must be separated by ',', as in the header"),
         (HEADER + '1,"Ann,a@x,al\n2,Bo,b@x,bo\n', 2, "Close the quote"),
-        (HEADER + "=1+1,Ann,,\n", 2, "the id must not begin like a formula of a spreadsheet"),
-        (HEADER + "1,Ann,@SUM(A1),\n", 2, "the email must not begin like a formula"),
+        (HEADER + "=1+1,Ann,,\n", 2, "the id must not begin like a spreadsheet formula"),
+        (HEADER + "1,Ann,@SUM(A1),\n", 2, "the email must not begin like a spreadsheet formula"),
     ],
 )
 def test_a_mistake_in_a_roster_is_reported_with_its_line(

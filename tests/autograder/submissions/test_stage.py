@@ -119,7 +119,7 @@ def test_the_shallowest_folder_counts_and_then_the_first_by_name(
     count = len(files)
     # The other files of a folder that does not count are not taken either.
     files |= {f"{place}/{EXERCISES}": CODE for place in places.split() if place != taken}
-    note = f"there are {count} folders called ch02_vectors: '{taken}/ch02_vectors' was taken"
+    note = f"there are {count} folders called ch02_vectors: '{taken}/ch02_vectors' was used"
     assert boxed(hand_in(files)) == ({VECTOR: taken.encode()}, {}, [note])
 
 
@@ -379,4 +379,4 @@ def test_the_search_in_a_crowd_stops_and_says_so(tmp_path: Path) -> None:
 def test_names_that_are_no_text_are_escaped_in_notes(tmp_path: Path) -> None:
     ann = make_folder(tmp_path, {f"a\udcff\n\x1b/{VECTOR}": CODE, f"b/{VECTOR}": CODE})
     (note,) = boxed(ann)[2]
-    assert r"a\udcff\n\x1b/ch02_vectors' was taken" in note
+    assert r"a\udcff\n\x1b/ch02_vectors' was used" in note

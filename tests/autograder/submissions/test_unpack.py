@@ -78,7 +78,7 @@ def test_the_zips_in_a_folder_count_like_folders(tmp_path: Path) -> None:
     files, missing, notes = boxed(folder)
     assert files == {VECTOR: CODE}
     assert set(missing) == set(OF_CH03), "these could have been in the damaged zip"
-    assert notes[1:] == ["there are 2 folders called ch02_vectors: 'a.zip/ch02_vectors' was taken"]
+    assert notes[1:] == ["there are 2 folders called ch02_vectors: 'a.zip/ch02_vectors' was used"]
     assert notes[0].startswith("'c.zip' was not opened: the zip is damaged")
 
 
@@ -111,7 +111,7 @@ def test_nothing_of_ones_own_is_overwritten(tmp_path: Path) -> None:
     class_folder(zipped)
     (tmp_path / "lab1/cem.zip").symlink_to("/etc/passwd")
     class_zip(tmp_path, {"cem.zip": WORK})
-    with pytest.raises(ValueError, match="is not from lab1"):
+    with pytest.raises(ValueError, match="did not come from lab1"):
         class_folder(zipped)
 
 

@@ -68,7 +68,7 @@ def boxed(submission: Path, root: Path = ROOT) -> Outcome:
             assert files.pop(f"{chapter.name}/{name}") == ours
     missing = {}
     for module, sentence in staged.missing.items():
-        file, why = sentence.split(" was not taken: ")
+        file, why = sentence.split(" was rejected: ")
         assert file == module.replace(".", "/") + ".py"
         missing[file] = why
     return files, missing, staged.notes

@@ -26,9 +26,9 @@ def lower_end(scene: Platform) -> int:
 
 
 class Platform(WorldScene):
-    """A platform that tilts on a pivot, with a weight on it (mini-project 8.1).
+    """A weighted platform that tilts on a pivot (mini-project 8.1).
 
-    The reader can move the weight and free the pivot.
+    The reader can move the weight and release the pivot.
     """
 
     chapter = 8
@@ -104,7 +104,7 @@ class Platform(WorldScene):
         self.values["x"] = max(tilting_platform.LEFT, min(tilting_platform.RIGHT, x))
 
     def play(self, time: float) -> None:
-        """Let the platform tip, move the weight to the right end and back, and free the pivot."""
+        """Let the platform tip, move the weight to the right end and back, and release the pivot."""
         orders = dict.fromkeys(range(180, 240, 10), "right") | {500: "f"}
         orders |= dict.fromkeys(range(380, 480, 8), "left")
         orders |= dict.fromkeys(range(580, 650, 5), "right")
@@ -115,7 +115,7 @@ class Platform(WorldScene):
 class Blob(WorldScene):
     """A blob of particles, held together by bonds that break and heal.
 
-    The reader can push the blob, and hold it together with cables.
+    The reader can push the blob around, and use cables to keep it together.
     """
 
     chapter = 8
@@ -205,7 +205,7 @@ class Blob(WorldScene):
 
 
 def ends_on_screen(rod: Rod) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Return the positions in the picture of the two ends of a rod."""
+    """Return the picture coordinates of both ends of a rod."""
     a, b = ends_of(rod)
     return flat(a), flat(b)
 

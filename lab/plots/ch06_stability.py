@@ -35,7 +35,7 @@ CLOTH_SECONDS = 2
 
 
 def stability_map() -> Picture:
-    """Map how oscillations grow per step over stiffness and damping, with the theoretical limits."""
+    """Map the growth of oscillations per step by stiffness and damping, with theoretical limits."""
     figure, panels = pyplot.subplots(2, 4, figsize=(16, 8), layout="constrained")
     *maps, key = panels.flat
     kappas = [0.01 * 10.0 ** (i / 12.0) for i in range(49)]

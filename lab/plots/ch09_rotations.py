@@ -221,7 +221,7 @@ def _block(space: Any, found: Arrows, sides: Sequence[tuple[float, float]]) -> N
 
 
 def _disc(space: Any, place: Numbers, found: Arrows) -> None:
-    """Draw a disc with a radius of 0.45 m around its own Y axis, with its axes rotated to ``found``."""
+    """Draw a disc of radius 0.45 m around its own Y axis, with its axes rotated to ``found``."""
     if is_drawable(*found):
         around = [math.radians(angle) for angle in range(0, 360, 10)]
         rim = [(0.45 * math.cos(a), 0.0, 0.45 * math.sin(a)) for a in around]

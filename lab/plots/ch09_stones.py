@@ -19,7 +19,7 @@ SMALL = LABEL | {"fontsize": 9}
 
 
 def balance_lines() -> Picture:
-    """Draw the box with your stones, its balance lines, and the masses on both sides of them (9.7)."""
+    """Draw the box with your stones, its balance lines, and the masses on either side (9.7)."""
     masses_beside([("a stone", 1.0, 0.0, 0.0)], 0.0)  # reports a stub even if the file is empty
     stones = read_stones(own_stones())
     if not stones:

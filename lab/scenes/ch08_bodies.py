@@ -28,7 +28,7 @@ def lower_end(scene: Platform) -> int:
 class Platform(WorldScene):
     """A weighted platform that tilts on a pivot (mini-project 8.1).
 
-    The reader can move the weight and release the pivot.
+    The reader can move the weight and free the pivot.
     """
 
     chapter = 8
@@ -104,7 +104,7 @@ class Platform(WorldScene):
         self.values["x"] = max(tilting_platform.LEFT, min(tilting_platform.RIGHT, x))
 
     def play(self, time: float) -> None:
-        """Let the platform tip, move the weight to the right end and back, and release the pivot."""
+        """Let the platform tip, move the weight to the right end and back, and free the pivot."""
         orders = dict.fromkeys(range(180, 240, 10), "right") | {500: "f"}
         orders |= dict.fromkeys(range(380, 480, 8), "left")
         orders |= dict.fromkeys(range(580, 650, 5), "right")

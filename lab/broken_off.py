@@ -17,4 +17,4 @@ def why_it_broke_off(stack: str, engine: list[Path]) -> str:
     """
     if stack:
         return str(explain_hang(stack, TIME_LIMIT, engine))
-    return "The engine's process ended by itself. Does your code call os._exit?"
+    return "The engine's process ended on its own. Does your code call os._exit?"

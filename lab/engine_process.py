@@ -15,7 +15,7 @@ from lab.broken_off import TIME_LIMIT, why_it_broke_off
 
 LONGEST_LINE = 4_000_000  # bytes in one answer
 GRACE = 0.4  # s, in addition to the child's own time limit
-TOO_MUCH = "The scene draws too many things to show. Does your code create objects without end?"
+TOO_MUCH = "The scene draws more than the lab can show. Does your code keep creating objects?"
 START = 15.0  # s, extra time for a new process to import its modules
 LONGEST_RECORDING = 120.0  # s
 
@@ -123,5 +123,5 @@ async def recording(engine: str, given: str, scene: str, values: dict[str, str])
             raise ValueError(f"the recording took longer than {LONGEST_RECORDING:g} s") from None
         if process.returncode:
             lines = words.decode(errors="replace").strip().splitlines()
-            raise ValueError(lines[-1] if lines else "the recording ended by itself")
+            raise ValueError(lines[-1] if lines else "the recording ended without an error message")
         return (Path(folder) / f"{scene}.gif").read_bytes()

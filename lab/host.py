@@ -80,7 +80,7 @@ class Host:
         self.scene = None
         kind = load(name)
         if peer and peer not in kind.peers:
-            raise ValueError(f"{name} cannot be run by {peer}")
+            raise ValueError(f"{peer} cannot run {name}")
         self.kind, self.values = kind.peers.get(peer, kind), {}
         refused = [
             answer for parameter, value in values.items() for answer in self._keep(parameter, value)

@@ -21,4 +21,4 @@ def scenes_with(part: str) -> list[Scene]:
     if found := [scene for scene in every if part in scene.name]:
         return found
     names = "; ".join(scene.name for scene in every)
-    raise ValueError(f"scene must be a part of a scene's name, got {part!r}: {names}")
+    raise ValueError(f"scene must be part of one of these names, got {part!r}: {names}")

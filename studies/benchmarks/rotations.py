@@ -1,4 +1,4 @@
-"""Compare the cost of quaternions and matrices with each other and with other libraries."""
+"""Compare the cost of quaternions and matrices, both with each other and with other libraries."""
 
 from __future__ import annotations
 

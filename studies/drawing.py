@@ -104,7 +104,7 @@ def axes_3d(figure: Figure, place: Any, size: float) -> Any:
 
 
 def slope(x: Sequence[float], y: Sequence[float]) -> float:
-    """Return the power of x with which y grows, from a line fitted on logarithmic axes.
+    """Return the exponent p of y ~ x^p, from a line fitted on logarithmic axes.
 
     Return NaN if a value is not positive.
     """

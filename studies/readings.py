@@ -56,7 +56,7 @@ def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
 def numbers(v: Any) -> Numbers:
     """Return the components of an engine's vector, with NaN for any that is not a number.
 
-    If the engine is wrong, the plot then lacks a curve but can still be drawn.
+    A wrong engine then leaves a gap in a plot, but the plot can still be drawn.
     """
     return (
         number(getattr(v, "x", None)),

@@ -1,6 +1,6 @@
 """Run the bridge and the platform of chapter 8 for ten minutes each, and check their energy.
 
-Each of them runs at 30, 60 and 120 steps per second. A run passes if all numbers stay finite, the
+Each scene runs at 30, 60 and 120 steps per second. A run passes if all numbers stay finite, the
 energy never exceeds its initial value, and it varies by less than 0.1 % over the last minute.
 """
 

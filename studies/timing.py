@@ -41,7 +41,7 @@ class Target:
         return f"{self.side} {self.bound:,g}"
 
     def is_met(self, figure: float) -> bool:
-        """Return whether ``figure`` meets the bound, which it also does if the two are equal."""
+        """Return whether ``figure`` meets the bound. If the two are equal, it does."""
         return figure >= self.bound if self.side == "at least" else figure <= self.bound
 
 
@@ -99,8 +99,8 @@ def both(first: Timer, second: Timer) -> tuple[float, float]:
 def warm(timed: Timer) -> float:
     """Measure a time, or the mean of several if the first is shorter than LEAST.
 
-    The mean leaves out the first run, which finds the caches full of other data. That would
-    dominate a short time.
+    The mean leaves out the first run, which finds the caches full of other data. In a short
+    measurement it would dominate.
     """
     taken = timed()
     if taken >= LEAST:

@@ -177,7 +177,7 @@ def cloth_frame_rates() -> Picture:
 
 
 def penalty_bounces() -> Picture:
-    """Plot falls onto soft and stiff penalty ground, which may throw a body back up too high."""
+    """Plot falls onto soft and stiff penalty ground, which can throw a body higher than it fell."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     rows: list[Sequence[object]] = []
     falls = [0.5 + i / 40.0 for i in range(21)]

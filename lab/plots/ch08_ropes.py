@@ -162,7 +162,7 @@ def hanging_rope() -> Picture:
 
 
 def _late(run: Track, since: float) -> float:
-    """Return the largest value from time ``since`` on, in s.
+    """Return the largest value from ``since`` on, a time in s.
 
     If the engine failed, return infinity.
     """

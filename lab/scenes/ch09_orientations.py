@@ -112,7 +112,7 @@ class Orientations(Scene):
     def errors(self) -> list[float]:
         """Measure how far each box's worst axis is from the exact one.
 
-        The errors are in percent of the length of an axis.
+        The errors are in percent of an axis's length.
         """
         speed = self.velocity.magnitude()
         right = Quaternion.from_axis_angle(self.velocity, speed * self.time)

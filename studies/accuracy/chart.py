@@ -205,9 +205,8 @@ def told(side: Side) -> str:
 def told_ratio(found: Row) -> str:
     """Format pymunk's time as a multiple of ours, such as "5.51", "~ 5.51" or "> 120".
 
-    A "~" marks a time of pymunk's that is extrapolated, and ">" or "<" a ratio that is only a
-    bound. If one side can never reach the tolerance, or if neither side did, return an empty
-    string.
+    A "~" means that pymunk's time is extrapolated, and ">" or "<" that the ratio is only a bound.
+    If one side can never reach the tolerance, or if neither side did, return an empty string.
     """
     low, high = found.bounds
     if found.ratio:

@@ -4,8 +4,8 @@ The error and work of a model never vary, so they are measured only once. Times 
 measured in several rounds. Each round times all models in random order, so that a burst of load on
 the machine does not always hit the same one.
 
-The results are saved after every round. The next run picks up from there if this one is
-interrupted, as long as the code and the versions have not changed.
+The results are saved after every round. If a run is interrupted, the next one picks up from there,
+as long as the code and the versions have not changed.
 """
 
 from __future__ import annotations

@@ -75,7 +75,7 @@ class Row:
 
 
 def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
-    """Return the index of the first point from which all points meet ``tolerance``.
+    """Return the index of the first point that meets ``tolerance`` along with all points after it.
 
     ``ordered`` is sorted by number of steps. One point inside the tolerance is not enough, because
     its error may be small by chance. If even the last point is outside, return None.
@@ -105,9 +105,9 @@ def time_to(points: Sequence[Point], tolerance: float) -> float | None:
 def stalls(points: Sequence[Point]) -> bool:
     """Return whether taking more steps no longer reduces a model's error.
 
-    A model stalls if eight times as many steps do not even halve its error, which order 1 would
-    reduce to an eighth. We assume that the error of such a model never gets any smaller. It is too
-    early to say so while the error is still a tenth of the scale or more.
+    A model stalls if eight times as many steps do not even halve its error, when at order 1 they
+    would cut it to an eighth. We assume that its error never gets any smaller. While the error is
+    still a tenth of the scale or more, it is too early to tell.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     before = [point for point in ordered if EIGHTFOLD * point.steps <= ordered[-1].steps]

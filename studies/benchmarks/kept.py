@@ -50,7 +50,7 @@ def rounded(figure: float) -> float:
 
 
 def kept(file: Path = FILE) -> dict[str, float]:
-    """Return the stored ratios of the last run by description.
+    """Return the stored ratios of the last run, keyed by description.
 
     The dict is empty if nothing has been stored yet.
     """

@@ -4,7 +4,7 @@
   form is exact.
 - If all contacts come from rods and cables, a net can solve for all tensions at once.
 - If all contacts come from detectors, time division can stop at each impact.
-- With any kind of contacts, a model can take a step and then resolve them.
+- With contacts of any kind, a model can take a step and then resolve them.
 """
 
 from __future__ import annotations

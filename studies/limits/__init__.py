@@ -1,7 +1,7 @@
 """Find the largest stable stiffness and drag of each method, and compare them with theory.
 
 The limits are found by bisection. At 1.02 times a limit, the command computes how many steps an
-oscillation takes to grow a million times as large. Well inside the limits, it measures how the
+oscillation takes to grow by a factor of a million. Well inside the limits, it measures how the
 energy changes over ten thousand oscillations. It also maps the growth around the limits, and plots
 how soon a simulation diverges just outside them.
 """
@@ -31,7 +31,7 @@ WORST = 0.05  # largest relative error allowed for a limit
 
 
 def main(arguments: list[str]) -> int:
-    """Print, draw and write the results. Return 1 if a limit is more than 5 % off its theory."""
+    """Print, draw and write the results. Return 1 if a limit is more than 5 % off the theory."""
     parser = argparse.ArgumentParser(prog="python -m studies limits", description=__doc__)
     parser.add_argument(
         "--out",
@@ -77,7 +77,7 @@ def main(arguments: list[str]) -> int:
     maps.draw_divergence(losses, drifts, SWINGS, curves)
     console.print(
         f"The column 'steps' shows how many steps an oscillation at {search.OUTSIDE} times the\n"
-        "limit takes to grow 1e6 times as large. A limit of 0 means that oscillations\n"
+        "limit takes to grow by a factor of 1e6. A limit of 0 means that oscillations\n"
         f"grow even at {search.LEAST:g}.\n"
         "Energies are relative to the initial energy, at k h^2 / m = "
         f"{search.STIFFNESS * search.FRAME**2:.3g},\n"

@@ -1,4 +1,4 @@
-"""Draw methods' stability limits: the growth around them, and the time to divergence outside.
+"""Draw stability limits: the growth around them, and the time to divergence outside them.
 
 The curves are predictions from the eigenvalues of one step, and the marks come from simulations.
 """
@@ -175,8 +175,8 @@ def _draw_errors(axes: Axes, losses: Sequence[Loss]) -> None:
 
     An oscillation released from rest is the sum of two eigenvectors, which are almost parallel near
     a limit. The growing part may then be much larger than the sum, or half of it, so the
-    oscillation grows a million times as large sooner or later than predicted. Far outside the
-    limit, rounding to whole steps makes a difference.
+    oscillation needs fewer or more steps than predicted to grow by a factor of a million. Far
+    outside the limit, rounding to whole steps makes a difference.
     """
     for name in LOST:
         own = [row[2:] for row in losses if row[0] == name]

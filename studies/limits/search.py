@@ -253,8 +253,8 @@ def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
     """Measure how the energy of a spring drifts over many oscillations with each method.
 
     Return the energy after each number of oscillations in ``swings``, relative to the initial
-    energy. These numbers must ascend. Explicit Euler is left out, because it explodes at this
-    stiffness.
+    energy. ``swings`` must be in ascending order. Explicit Euler is left out, because it explodes
+    at this stiffness.
     """
     ways = methods(STIFFNESS) | {"pymunk's spring": solving(PYMUNK["pymunk's spring"], STIFFNESS)}
     del ways["explicit Euler"]

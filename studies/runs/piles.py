@@ -63,9 +63,10 @@ def pile(rows: int, overlap: float, speed: float) -> tuple[list[Particle], list[
 def residuals(iterations: int, in_order: bool, rows: int = 4) -> tuple[float, float]:
     """Resolve the contacts of a pile ``iterations`` times, and measure the errors that remain.
 
-    They are the largest closing velocity in m/s, and the largest depth in m at the final positions.
-    If ``in_order`` is true, the contacts are resolved in sweeps through the list, skipping those
-    that need no resolution. Otherwise a ContactResolver resolves the worst contact first.
+    The errors are the largest closing velocity in m/s, and the largest depth in m at the final
+    positions. If ``in_order`` is true, the contacts are resolved in sweeps through the list,
+    skipping those that need no resolution. Otherwise a ContactResolver resolves the worst contact
+    first.
     """
     spheres, contacts = pile(rows, 0.01, 1.0)
     if iterations and in_order:
@@ -87,7 +88,7 @@ def _sweep(
     wants: Callable[[Contact], bool],
     resolve: Callable[[Contact], object],
 ) -> None:
-    """Resolve contacts in sweeps through the list, at most ``limit`` times in total."""
+    """Resolve contacts in sweeps through the list, with at most ``limit`` resolutions in total."""
     used = 0
     while True:
         before = used

@@ -119,8 +119,8 @@ def cables() -> list[tuple[int | tuple[float, float], int, float]]:
 def hanging(extra: float = 0.0) -> list[Place]:
     """Compute where the rows on one side come to rest, at the least potential energy.
 
-    There the tensions of the cables balance the weights, and all cables are taut. Each cable is
-    longer than normal by ``extra``, in m.
+    There the tensions of the cables balance the weights, and all cables are taut. ``extra`` is
+    added to the length of each cable, in m.
     """
     held = cables()
 

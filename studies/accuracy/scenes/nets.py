@@ -77,7 +77,7 @@ def hung() -> list[tuple[float, float]]:
 def settled(plane: Plane, wind: float = 0.0) -> Plane:
     """Let a net come to rest in a steady wind, and return it with its knots where they settle.
 
-    ``wind`` is an acceleration along X in m/s^2. It no longer blows in the net that is returned.
+    ``wind`` is an acceleration along X in m/s^2. The net that is returned no longer feels it.
     """
     knots = plane.particles()
     for knot in knots:

@@ -47,7 +47,7 @@ class Plane:
     gravity: float = 9.81
 
     def load(self, time: float, places: Any) -> Any:
-        """Return the load on each knot in N: its own weight, and any part of the walker's."""
+        """Return the load on each knot in N: its own weight plus its part of the walker's."""
         forces = numpy.outer(self.masses, (0.0, -self.gravity))
         if self.walker:
             start, pace, weight = self.walker

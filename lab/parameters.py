@@ -82,13 +82,13 @@ class Slider(Parameter):
         return float(value)
 
     def described(self) -> dict[str, Any]:
-        """Return the data from which a page creates the slider."""
+        """Return what a page needs to create the slider."""
         own = {"kind": "slider", "low": self.low, "high": self.high}
         return super().described() | own | {"step": self.step, "log": self.log}
 
 
 class Choice(Parameter):
-    """A choice between several options, which are numbers or texts."""
+    """A choice between several options, which are numbers or strings."""
 
     def __init__(
         self,

@@ -118,7 +118,7 @@ def _shrunk(animation: Path) -> list[Image.Image]:
 
 
 def _still(animation: Path, seconds: float) -> Image.Image:
-    """Return the picture of ``animation`` at ``seconds``, in its full size."""
+    """Return the frame of ``animation`` at ``seconds``, at full size."""
     left = 1000.0 * seconds
     with Image.open(animation) as frames:
         for frame in ImageSequence.Iterator(frames):

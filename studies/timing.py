@@ -204,5 +204,5 @@ def against_peers(
 
 
 def geometric_mean(figures: Sequence[Figure]) -> Figure:
-    """Combine several figures into one figure, which is their geometric mean."""
+    """Combine several figures into one: their geometric mean."""
     return lambda: statistics.geometric_mean([once() for once in figures])

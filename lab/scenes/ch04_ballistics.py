@@ -162,7 +162,7 @@ def best_of_three(scene: Artillery) -> int:
 
 
 class Artillery(Scene):
-    """Calculates where a shell will land before it is fired."""
+    """Predicts where a shell will land before it is fired."""
 
     chapter = 4
     title = "Where will the shell land?"

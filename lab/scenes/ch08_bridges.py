@@ -68,7 +68,7 @@ class Bridge(WorldScene):
         self.contacts.draw(pen, 1.0)
 
     def too_long(self) -> float:
-        """Return by how many percent the worst cable is too long."""
+        """Return how much too long the worst cable is, in percent."""
         return over_length(self.bridge.world.contact_generators)
 
     def chart(self) -> dict[str, float]:

@@ -131,7 +131,7 @@ def fastest_exact(scene: Scene) -> Model:
 
 
 def is_exact(model: Model) -> bool:
-    """Return whether a model has no steps to choose."""
+    """Return whether a model has no step count to choose."""
     return tuple(model.steps) == (1,)
 
 

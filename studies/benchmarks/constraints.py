@@ -28,7 +28,7 @@ RATE = 240  # Hz, at which DirectChain keeps every rod to 1e-6 of its length
 
 
 def lines() -> list[Measurement]:
-    """Return the measurements of how much time contacts take."""
+    """Return the measurements of what contacts cost."""
     many, few = spread(1000), spread(100)
     rate = matching_rate()
     return [

@@ -14,7 +14,7 @@ FRAMES = [FRAME] * STEPS
 
 
 def lines() -> list[Measurement]:
-    """Return the measurements of how much time forces take."""
+    """Return the measurements of what forces cost."""
     chapter_3 = timer(lambda: steps(make_particle(PROJECTILE), FRAMES))
     free = timer(lambda: steps(make_particle_with_forces(), FRAMES))
     forced = timer(lambda: forced_steps(FRAMES))

@@ -15,7 +15,7 @@ ROUNDS = 51
 
 
 def lines() -> list[Measurement]:
-    """Return the measurements of how much time a particle's step takes."""
+    """Return the measurements of what a particle's step costs."""
     even = [FRAME] * STEPS
     uneven = [FRAME * random.uniform(0.8, 1.2) for _ in even]
     step = timer(lambda: steps(make_particle(PROJECTILE), even))

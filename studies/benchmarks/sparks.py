@@ -24,7 +24,7 @@ RULE = FireworkRule(1, 1e6, 1e6, (-5.0, -5.0, -5.0), (5.0, 5.0, 5.0), DAMPING)
 
 
 def lines() -> list[Measurement]:
-    """Return the measurements that compare two ways to compute sparks."""
+    """Return the measurements that compare two ways of computing sparks."""
     show = burst()
     speeds, one = speeds_of(show), show.fireworks[0].particle
     frames = round(SECONDS / FRAME)

@@ -28,7 +28,7 @@ ROUNDS = 21
 
 
 def lines() -> list[Measurement]:
-    """Return the measurements of how long a cloth of springs takes.
+    """Return the measurements of what a cloth of springs costs.
 
     Each cloth is built once and keeps falling from round to round.
     """

@@ -25,7 +25,7 @@ DOWN = Vector3(0.0, -GRAVITY)
 
 
 def lines() -> list[Measurement]:
-    """Return the measurements of how much time worlds and ropes take."""
+    """Return the measurements of what worlds and ropes cost."""
     bare = flying()
     return [
         Measurement(

@@ -1,6 +1,6 @@
 """Draw a chapter's plots with an engine, and write PNG and CSV files to build/plots/.
 
-Each chapter's modules in lab/plots/ have a tuple PLOTS of functions that return a Picture. If a
+Each chapter has a module in lab/plots/ with a tuple PLOTS of functions that return a Picture. If a
 plot takes longer than TIME_LIMIT, the run ends and prints a stack trace.
 """
 
@@ -47,7 +47,7 @@ def main(arguments: list[str]) -> int:
 
 
 def note_engine(folder: Path, engine: Path) -> None:
-    """Record which engine drew the pictures, so that students see only pictures from their own."""
+    """Record which engine drew the pictures, so that students see only those drawn by their own."""
     if [*folder.glob("*.png")]:
         (folder / DRAWN_WITH).write_text(f"{engine.resolve()}\n", encoding="utf-8")
 

@@ -53,7 +53,7 @@ Loss = tuple[str, float, float, float, int, int]
 
 
 def draw_maps(png: Path) -> None:
-    """Draw a heat map for each method of how stiffness and damping affect its stability.
+    """For each method, draw a heat map of how stiffness and damping affect its stability.
 
     Colors show the factor by which an oscillation grows per step. A line shows the theoretical
     limit, and dots show the limits found by bisection.

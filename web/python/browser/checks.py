@@ -43,9 +43,9 @@ class Progress(ProgressBar):
 class Runs:
     """Runs the checks for one request from the page, and remembers the results of other chapters.
 
-    Checking another chapter takes seconds, so the page shows the failure found in the requested
-    chapter first. If a loop does not end, no other chapter is checked at all: the failure already
-    names the line, and the other chapters would run into the same loop.
+    Checking another chapter takes seconds, so the page first shows the failure found in the
+    requested chapter. If a loop does not end, no other chapter is checked at all. The failure
+    already names the line, and the other chapters would run into the same loop.
     """
 
     def __init__(

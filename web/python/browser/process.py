@@ -1,7 +1,7 @@
 """Run checks as if in a new process, although a browser cannot start one.
 
-The end of a run undoes everything that would go away along with a process: imported modules,
-entries in sys.path, and the working folder.
+When a run ends, everything that would have vanished along with a process is undone: imported
+modules, entries in sys.path, and the working folder.
 """
 
 from __future__ import annotations

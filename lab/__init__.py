@@ -1,1 +1,1 @@
-"""Run interactive scenes with a student's own engine, in a browser, in a window or as a picture."""
+"""Run interactive scenes on a student's engine: in a browser, in a window, or as a recording."""

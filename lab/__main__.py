@@ -1,4 +1,4 @@
-"""Serve the lab's page, play a scene in a window, or record a scene to files."""
+"""Serve the lab's page, play a scene in a window, or record one to files."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ def _serve(options: argparse.Namespace) -> int:
 def _play(options: argparse.Namespace) -> int:
     """Play a scene in a window.
 
-    If there is no display, or if the options ask for it, record the scene to files instead.
+    Record it to files instead if the options ask for that, or if there is no display.
     """
     find(options.scene)
     if options.seconds is not None and not 0.0 < options.seconds < math.inf:
@@ -116,14 +116,15 @@ def _play(options: argparse.Namespace) -> int:
 
 
 def settings_of(options: argparse.Namespace) -> dict[str, str]:
-    """Return the scene parameters that were set on the command line, by name."""
+    """Return the scene parameters given on the command line, by name."""
     return dict(setting.partition("=")[::2] for setting in options.set)
 
 
 def first_query(scene: str, chapter: int | None, settings: dict[str, str]) -> str:
-    """Return the query string of the address that the browser opens first.
+    """Return the query string of the page to open first.
 
-    It contains ``scene``, or else the first scene of ``chapter``, and the values in ``settings``.
+    It names ``scene`` or, failing that, the first scene of ``chapter``, along with the values in
+    ``settings``.
 
     Raises:
         ValueError: The scene does not exist, or the chapter has no scenes.

@@ -1,4 +1,4 @@
-"""Explain to a student why their engine stopped before it had answered a message."""
+"""Tell a student why their engine stopped before it could answer a message."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ TIME_LIMIT = 2.5  # s per message; a message normally takes a few milliseconds
 
 
 def why_it_broke_off(stack: str, engine: list[Path]) -> str:
-    """Explain why the process that ran a student's engine stopped.
+    """Explain why the process running a student's engine stopped.
 
-    ``stack`` is the stack trace that the process wrote if it ran out of time. If ``stack`` is
-    empty, the process ended by itself.
+    ``stack`` is the stack trace that the process writes when it runs out of time. If ``stack`` is
+    empty, the process ended on its own.
     """
     if stack:
         return str(explain_hang(stack, TIME_LIMIT, engine))
-    return "The engine's process ended by itself. Does your code call os._exit?"
+    return "The engine's process ended on its own. Does your code call os._exit?"

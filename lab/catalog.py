@@ -1,4 +1,4 @@
-"""Find the scenes of the lab. Each module in lab/scenes/ lists its scenes in a tuple SCENES."""
+"""Find the lab's scenes, which each module in lab/scenes/ lists in a tuple called SCENES."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ FOLDER = Path(__file__).parent / "scenes"
 
 @dataclass(frozen=True)
 class Entry:
-    """A scene that the lab can open, with the module that defines it.
+    """A scene that the lab can open, and the module that defines it.
 
-    Entries are read from the source of the modules, so no engine is imported yet.
+    Entries are read from the modules' source, so listing them does not import an engine.
     """
 
     name: str
@@ -29,7 +29,7 @@ class Entry:
 
 @cache  # the scenes are part of the program, so they do not change while it runs
 def entries() -> tuple[Entry, ...]:
-    """Return the entries of all scenes, sorted by chapter, in the order of their modules."""
+    """Return the entries of all scenes, by chapter and then in the order of their modules."""
     found = []
     for file in sorted(FOLDER.glob("ch??_*.py")):
         tree = ast.parse(file.read_text(encoding="utf-8"))
@@ -62,7 +62,7 @@ def find(name: str) -> Entry:
 
 
 def load(name: str) -> type[Scene]:
-    """Import a scene and return its class. This also imports chapters of the engine."""
+    """Import a scene, along with the chapters of the engine that it uses, and return its class."""
     entry = find(name)
     scene: type[Scene] = getattr(importlib.import_module(entry.module), entry.kind)
     return scene
@@ -77,7 +77,7 @@ def _listed(tree: ast.Module) -> list[str]:
 
 
 def _title(node: ast.ClassDef) -> str:
-    """Return the title of a scene class. If it has no title, return the name of the class."""
+    """Return the title of a scene class, or the name of the class if it has no title."""
     for line in node.body:
         if isinstance(line, ast.Assign) and ast.unparse(line.targets[0]) == "title":
             return str(ast.literal_eval(line.value))

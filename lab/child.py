@@ -1,7 +1,7 @@
-"""Run a student's engine in its own process, which exchanges JSON messages with the lab's server.
+"""Run a student's engine in a process of its own, which talks to the lab's server in JSON.
 
 Each line is one message. If an answer takes longer than TIME_LIMIT, the process writes a stack
-trace to the file that ``--stack`` names, and exits.
+trace to the file given by ``--stack`` and exits.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ def main() -> None:
 def answered(host: Host, line: bytes) -> list[str]:
     """Return the answers to one message as lines of JSON.
 
-    If the line is not a message, the only answer says that it could not be read.
+    If the line cannot be read as a message, the only answer says so.
     """
     try:
         message = json.loads(line)
@@ -64,7 +64,7 @@ def as_json(answer: Message) -> str:
     """Format ``answer`` as one line of JSON.
 
     Raises:
-        ValueError: The answer contains an infinite number or NaN. JSON allows neither.
+        ValueError: The answer contains NaN or an infinite number, which JSON does not allow.
         TypeError: The answer contains a value that is not plain data.
     """
     return json.dumps(answer, separators=(",", ":"), allow_nan=False)

@@ -15,15 +15,15 @@ from lab.broken_off import TIME_LIMIT, why_it_broke_off
 
 LONGEST_LINE = 4_000_000  # bytes in one answer
 GRACE = 0.4  # s, in addition to the child's own time limit
-TOO_MUCH = "The scene draws too many things to show. Does your code create objects without end?"
+TOO_MUCH = "The scene draws more than the lab can show. Does your code keep creating objects?"
 START = 15.0  # s, extra time for a new process to import its modules
 LONGEST_RECORDING = 120.0  # s
 
 
 class EngineProcess:
-    """A process that runs a student's engine for one open page.
+    """The process that runs a student's engine for one open page.
 
-    The process starts when the first message arrives.
+    It starts when the first message arrives.
     """
 
     def __init__(self, engine: str, given: str = "") -> None:
@@ -36,8 +36,8 @@ class EngineProcess:
     async def ask(self, message: str) -> AsyncIterator[str]:
         """Send a message to the process, and yield its answers as lines of JSON.
 
-        If the process exits or takes too long, it is killed. The last answer then explains what
-        happened.
+        A process that takes too long is killed. Its last answer then explains what happened, and so
+        does that of a process that exits early.
         """
         limit = TIME_LIMIT + GRACE
         if self.process is None:
@@ -101,7 +101,7 @@ class EngineProcess:
 
 
 async def recording(engine: str, given: str, scene: str, values: dict[str, str]) -> bytes:
-    """Record an animation of a scene in a separate process, and return it as a GIF.
+    """Record an animation of a scene in a separate process, and return the GIF.
 
     Raises:
         ValueError: The recording failed. The message is the last line that the process printed.
@@ -123,5 +123,5 @@ async def recording(engine: str, given: str, scene: str, values: dict[str, str])
             raise ValueError(f"the recording took longer than {LONGEST_RECORDING:g} s") from None
         if process.returncode:
             lines = words.decode(errors="replace").strip().splitlines()
-            raise ValueError(lines[-1] if lines else "the recording ended by itself")
+            raise ValueError(lines[-1] if lines else "the recording ended without an error message")
         return (Path(folder) / f"{scene}.gif").read_bytes()

@@ -1,8 +1,8 @@
 """Run one scene on an engine, controlled by messages from a page.
 
-The host does not depend on pages, sockets or processes, so both the local server and the course's
-site can use it. A message is a dict with a ``kind``. It contains only numbers, texts, lists and
-dicts, so that it can be sent as JSON.
+The host knows nothing about pages, sockets or processes, so the local server and the course's site
+can share it. A message is a dict with a ``kind``. It holds only numbers, strings, lists and dicts,
+so that it can be sent as JSON.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ FAR = 1e12  # m, J and so on; a larger number means that the scene has exploded
 class Host:
     """Runs a scene and answers messages about it.
 
-    ``explain`` is a function that turns an exception in the student's code into an explanation.
+    ``explain`` turns an exception raised by the student's code into an explanation.
     """
 
     def __init__(self, explain: Callable[[BaseException], str]) -> None:
@@ -35,7 +35,7 @@ class Host:
         self.cost = 0.0  # microseconds per frame, a running mean
 
     def receive(self, message: Message) -> list[Message]:
-        """Carry out a message, and return the answers. Even an invalid message gets an answer."""
+        """Act on a message, and return the answers. Even an invalid message gets one."""
         try:
             return self._answer(message)
         except (Exception, SystemExit) as error:
@@ -75,12 +75,12 @@ class Host:
     def _load(self, name: str, values: dict[str, object], peer: str) -> list[Message]:
         """Build the scene with this name, and return its description and its first frame.
 
-        An invalid value of a parameter is reported, and the default is used instead.
+        If the value of a parameter is invalid, report that and use the default instead.
         """
         self.scene = None
         kind = load(name)
         if peer and peer not in kind.peers:
-            raise ValueError(f"{name} cannot be run by {peer}")
+            raise ValueError(f"{peer} cannot run {name}")
         self.kind, self.values = kind.peers.get(peer, kind), {}
         refused = [
             answer for parameter, value in values.items() for answer in self._keep(parameter, value)
@@ -98,8 +98,8 @@ class Host:
     def _set(self, name: str, value: object) -> list[Message]:
         """Change a parameter of the scene.
 
-        If the parameter is live, a running scene continues with the new value. Otherwise the scene
-        is built again.
+        If the parameter is live, the running scene carries on with the new value. Otherwise the
+        scene is rebuilt.
         """
         assert self.kind is not None, "a scene must be loaded first"
         if refused := self._keep(name, value):
@@ -110,7 +110,7 @@ class Host:
         return [self._frame()]
 
     def _keep(self, name: str, value: object) -> list[Message]:
-        """Store the value of a parameter, or return a message that says why it is invalid."""
+        """Store the value of a parameter, or return a message saying why it is invalid."""
         assert self.kind is not None
         parameter = parameters_of(self.kind).get(name)
         if parameter is None:
@@ -131,7 +131,7 @@ class Host:
         return [self._frame()]
 
     def _frame(self) -> Message:
-        """Describe the current state of the scene, with everything that the page shows of it."""
+        """Describe the scene's current state, with everything that the page shows."""
         scene = self.scene
         assert scene is not None
         pen = Pen()

@@ -1,4 +1,4 @@
-"""Define the parameters of a scene: the numbers and choices that the reader can change."""
+"""Define a scene's parameters: the numbers and options that the reader can change."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from typing import Any
 class Parameter:
     """A value of a scene that the reader can change, defined as an attribute of the scene's class.
 
-    On an instance of the scene, the attribute is the current value, so ``self.stiffness`` is a
-    number. A ``live`` parameter can change while the scene runs. When any other parameter changes,
-    the scene is built again.
+    On an instance, the attribute is the current value, so ``self.stiffness`` is a number. A
+    ``live`` parameter can change while the scene runs. Changing any other parameter rebuilds the
+    scene.
     """
 
     def __init__(self, default: Any, label: str, unit: str, *, live: bool) -> None:
@@ -29,11 +29,11 @@ class Parameter:
         return self if scene is None else scene.values[self.name]
 
     def checked(self, value: object) -> Any:
-        """Convert ``value`` to the right type. Raise ValueError if it is not allowed."""
+        """Convert ``value`` to the right type, or raise ValueError if it is not allowed."""
         raise NotImplementedError
 
     def described(self) -> dict[str, Any]:
-        """Return the data from which a page creates the control for this parameter."""
+        """Return what a page needs to create the control for this parameter."""
         return {
             "name": self.name,
             "label": self.label,
@@ -46,7 +46,7 @@ class Parameter:
 class Slider(Parameter):
     """A number that the reader sets with a slider between ``low`` and ``high``.
 
-    The slider moves in steps of ``step``. If ``log`` is true, its scale is logarithmic.
+    The slider moves in increments of ``step``, on a logarithmic scale if ``log`` is true.
     """
 
     def __init__(
@@ -68,7 +68,7 @@ class Slider(Parameter):
         self.log = log
 
     def checked(self, value: object) -> float:
-        """Convert ``value`` to a float. Raise ValueError if it is outside the range."""
+        """Convert ``value`` to a float, or raise ValueError if it is out of range."""
         if isinstance(value, str):
             try:
                 value = float(value)
@@ -82,13 +82,13 @@ class Slider(Parameter):
         return float(value)
 
     def described(self) -> dict[str, Any]:
-        """Return the data from which a page creates the slider."""
+        """Return what a page needs to create the slider."""
         own = {"kind": "slider", "low": self.low, "high": self.high}
         return super().described() | own | {"step": self.step, "log": self.log}
 
 
 class Choice(Parameter):
-    """A choice between several options, which are numbers or texts."""
+    """A choice between several options, which are numbers or strings."""
 
     def __init__(
         self,
@@ -105,8 +105,8 @@ class Choice(Parameter):
     def checked(self, value: object) -> Any:
         """Return the option with this name.
 
-        To make options easy to type on a command line, the name may contain hyphens instead of
-        spaces, and case does not matter.
+        Hyphens may stand for spaces, and case does not matter, so that options are easy to type on
+        a command line.
 
         Raises:
             ValueError: No option has this name.
@@ -118,11 +118,11 @@ class Choice(Parameter):
         raise ValueError(f"{self.name} must be one of {options}, got {value!r}")
 
     def described(self) -> dict[str, Any]:
-        """Return the data from which a page creates the list of options."""
+        """Return what a page needs to create the list of options."""
         return super().described() | {"kind": "choice", "options": self.options}
 
 
 def _plain(name: object) -> str:
-    """Convert an option's name to the form in which it is typed on a command line."""
+    """Convert an option's name to the form that people type on a command line."""
     text = f"{name:g}" if isinstance(name, float) else str(name)
     return text.lower().replace(" ", "-")

@@ -1,6 +1,6 @@
-"""Play a scene in a window, or record a scripted run of the scene to files.
+"""Play a scene in a window, or record a scripted run of it to files.
 
-The files are an animation, an overview with still pictures, and a table of the charted values.
+The files are an animation, an overview made of stills, and a table of the charted values.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ SIZE = (8.0, 5.0)  # inches
 def record(scene: Scene, folder: Path, seconds: float | None = None) -> list[Path]:
     """Record a scripted run of ``scene`` to files in ``folder``, and return their paths.
 
-    The files are an animation, an overview and a table. Older files with the same names are deleted
-    first. If the scene fails, none of the three files remains.
+    The files are an animation, an overview and a table. Files left over from an earlier recording
+    are deleted first, so a scene that fails leaves none behind.
     """
     name = name_of(type(scene))
     folder.mkdir(parents=True, exist_ok=True)
@@ -113,7 +113,7 @@ def show(scene: Scene) -> None:
 
 
 def _row(scene: Scene) -> dict[str, float | None]:
-    """Return a row of the table: the time, the charted values and, if it is known, the error."""
+    """Return a row of the table: the time, the charted values and, if known, the error."""
     error = scene.error()
     found: dict[str, float | None] = {"time, s": round(scene.time, 6), **scene.chart()}
     return found if error is None else found | {f"error, {scene.error_unit}": error}

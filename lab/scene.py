@@ -17,8 +17,8 @@ FRAME = 1.0 / 60.0  # s per frame
 class Question:
     """A prediction that the reader makes before the scene runs.
 
-    ``answer`` is a function that returns the index of the correct option for the current
-    parameters. After the scene has run for ``seconds``, ``why`` explains what the reader has seen.
+    ``answer`` returns the index of the correct option for the current parameters. Once the scene
+    has run for ``seconds``, ``why`` explains what happened.
     """
 
     words: str
@@ -32,7 +32,7 @@ class Scene:
     """The base class of all scenes. Lengths are in meters unless a scene says otherwise.
 
     A subclass sets the class attributes, defines parameters, and overrides ``build``, ``step``,
-    ``draw`` and any other methods that it needs. ``peers`` maps names, such as "exact" or "pymunk",
+    ``draw`` and whichever other methods it needs. ``peers`` maps names such as "exact" or "pymunk"
     to subclasses that run the same scene by another method.
     """
 
@@ -50,7 +50,7 @@ class Scene:
     cost: float | None = None  # microseconds per frame, if the scene measures it itself
 
     def __init__(self, **values: object) -> None:
-        """Build the scene with these values of its parameters, and defaults for the others.
+        """Build the scene with these parameter values, and with defaults for all others.
 
         Raises:
             ValueError: A parameter does not exist, or its value is not allowed.
@@ -86,7 +86,7 @@ class Scene:
         return []
 
     def exact(self, time: float) -> list[float] | None:  # noqa: ARG002 - subclasses use it
-        """Return the exact coordinates at ``time``. If there is no exact solution, return None."""
+        """Return the exact coordinates at ``time``, or None if there is no exact solution."""
         return None
 
     def say(self) -> str:
@@ -104,12 +104,12 @@ class Scene:
         """Respond to a click on the point (x, y)."""
 
     def drag(self, name: str, x: float, y: float) -> None:
-        """Move the circle named ``name``, which the reader is dragging, to the point (x, y)."""
+        """Move the circle called ``name``, which the reader is dragging, to (x, y)."""
 
     def play(self, time: float) -> None:
-        """Do what a player would do at ``time``, which is in s, such as aiming and firing.
+        """Do what a player would do at ``time``, in s: aim and fire, for example.
 
-        Recordings and tests call this method before each frame, because they have no player.
+        Recordings and tests, which have no player, call this before each frame.
         """
 
     def advance(self, duration: float = FRAME) -> None:
@@ -118,7 +118,7 @@ class Scene:
         self.time += duration
 
     def error(self) -> float | None:
-        """Return the largest difference between a coordinate and its exact value.
+        """Return the largest deviation of a coordinate from its exact value.
 
         If the scene has no exact solution, return None.
         """
@@ -130,7 +130,7 @@ class Scene:
 
 
 def parameters_of(scene: type[Scene]) -> dict[str, Parameter]:
-    """Return the parameters of a scene by name, with those of its base classes last."""
+    """Return a scene's parameters by name, with those of its base classes last."""
     found: dict[str, Parameter] = {}
     for kind in scene.__mro__:
         for name, value in vars(kind).items():
@@ -140,13 +140,13 @@ def parameters_of(scene: type[Scene]) -> dict[str, Parameter]:
 
 
 def name_of(scene: type[Scene]) -> str:
-    """Return a scene's name for addresses and commands. OneSpring, for example, is one-spring."""
+    """Return a scene's name as it appears in addresses and commands: OneSpring is one-spring."""
     letters = [f"-{c.lower()}" if c.isupper() else c for c in scene.__name__]
     return "".join(letters).removeprefix("-")
 
 
 def described(scene: type[Scene]) -> dict[str, Any]:
-    """Return the data with which a page shows a scene before it runs."""
+    """Return what a page needs to show a scene before it runs."""
     question = scene.predict
     return {
         "name": name_of(scene),

@@ -1,4 +1,4 @@
-"""Run the lab's web server, which serves the page and gives every open page its own engine."""
+"""Run the lab's web server, which serves the page and gives each open page an engine of its own."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ REFERENCE = "solutions"
 
 
 class Lab(Site):
-    """The state that all requests share: the available engines, and the sockets of open pages."""
+    """What all requests share: the available engines, and the sockets of the open pages."""
 
     def __init__(self, engine: str, given: str = "") -> None:
         super().__init__()
@@ -47,7 +47,7 @@ class Lab(Site):
         )
 
     async def watch(self) -> None:
-        """Tell every open page when the student saves a file of their engine."""
+        """Notify every open page when the student saves a file of their engine."""
         async for changes in awatch(find_engine(self.engines["yours"])[0]):
             files = sorted({Path(path).name for _, path in changes if path.endswith(".py")})
             for socket in list(self.sockets) if files else ():
@@ -65,7 +65,7 @@ class Scenes(Handler):
 
 
 class Recording(Handler):
-    """Serves an animation of a scene, with the parameters that the query names."""
+    """Serves an animation of a scene, with the parameters given in the query."""
 
     site: Lab
 
@@ -99,7 +99,7 @@ class EngineSocket(WebSocketHandler):
             raise HTTPError(403)
 
     def check_origin(self, origin: str) -> bool:
-        """Return whether our own page opens the socket. Other pages are refused."""
+        """Return whether our own page asked for the socket. No other page may open one."""
         return is_own_page(self.request, origin)
 
     def open(self) -> None:
@@ -124,7 +124,7 @@ class EngineSocket(WebSocketHandler):
     async def saved(self, files: list[str]) -> None:
         """Stop the old engine, and tell the page which files have changed.
 
-        The page then loads its scene again, which starts a new engine.
+        The page then reloads its scene, which starts a new engine.
         """
         if self.engine is not None and self.get_query_argument("engine", "yours") == "yours":
             async with self.turn:
@@ -141,7 +141,7 @@ class EngineSocket(WebSocketHandler):
 async def serve(lab: Lab, port: int, ready: Any) -> None:
     """Serve until the user presses Ctrl-C.
 
-    When the server accepts connections, it calls ``ready`` once with its address.
+    ``ready`` is called once with the address, as soon as the server accepts connections.
     """
     lab.listen(lab.application(), port)
     ready(lab.address)

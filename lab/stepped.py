@@ -1,4 +1,4 @@
-"""A base class for scenes in which the reader chooses the integrator and the step rate."""
+"""A base class for scenes that let the reader choose the integrator and the step rate."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ RATES = (15.0, 30.0, 60.0, 120.0, 240.0, 480.0)
 
 
 class Stepped(Scene):
-    """A scene whose particles move under the forces of a registry.
+    """A scene whose particles move under the forces in a registry.
 
-    The method ``build`` of a subclass must create ``particles`` and ``registry``.
+    The ``build`` method of a subclass must create ``particles`` and ``registry``.
     """
 
     integrator = Choice("semi-implicit Euler", "integrator", [*STEPS], live=True)
@@ -34,9 +34,9 @@ class Stepped(Scene):
     owed = 0.0  # s that have passed but have not been simulated yet
 
     def step(self, duration: float) -> None:
-        """Advance the scene by a frame of ``duration`` s, in as many steps as fit into it.
+        """Advance the scene by a frame of ``duration`` s at the chosen step rate.
 
-        Time that is left over is used in the next frame.
+        Whole steps rarely fill a frame exactly, so the difference carries over to the next frame.
         """
         length = 1.0 / self.rate
         self.owed += duration

@@ -1,6 +1,6 @@
 """A base class for scenes that run a ParticleWorld.
 
-The reader can change the step rate and the iteration limit while such a scene runs.
+The reader can change the step rate and the iteration limit while the scene runs.
 """
 
 from __future__ import annotations
@@ -18,22 +18,22 @@ from studies.runs.links import ends_of
 
 
 class WorldScene(Scene):
-    """A scene that advances a particle world. The ``build`` of a subclass must call ``run``."""
+    """A scene that runs a particle world. The ``build`` method of a subclass must call ``run``."""
 
     rate = Choice(60, "steps per second", [30, 60, 120, 240], "Hz", live=True)
     iterations = Choice(100, "most iterations per phase", [1, 3, 10, 30, 100, 300], live=True)
 
     def run(self, step: Callable[[float], object], world: ParticleWorld) -> None:
-        """From now on, advance ``world`` with the function ``step``, and record its contacts."""
+        """Use ``step`` to advance ``world`` from now on, and record the contacts."""
         self.make_step = step
         self.owed = 0.0  # s that have passed but have not been simulated yet
         self.contacts = ContactView(world.resolver)
         world.resolver = self.contacts
 
     def step(self, duration: float) -> None:
-        """Advance the scene by a frame of ``duration`` s, in as many steps as fit into it.
+        """Advance the scene by a frame of ``duration`` s at the chosen step rate.
 
-        Time that is left over is used in the next frame.
+        Whole steps rarely fill a frame exactly, so the difference carries over to the next frame.
         """
         length = 1.0 / self.rate
         self.owed += duration
@@ -48,12 +48,12 @@ class WorldScene(Scene):
         self.make_step(duration)
 
     def used(self) -> dict[str, float]:
-        """Return the number of iterations in the last step, to be plotted over time."""
+        """Return the number of iterations in the last step, for the chart."""
         return {"iterations used": float(self.contacts.iterations_used)}
 
 
 def draw_cables(pen: Pen, generators: Iterable[object]) -> None:
-    """Draw the cables of a world: taut cables in black, slack cables in gray."""
+    """Draw a world's cables, black where they are taut and gray where they are slack."""
     anchors: list[tuple[float, float]] = []
     taut: list[tuple[tuple[float, float], tuple[float, float]]] = []
     slack: list[tuple[tuple[float, float], tuple[float, float]]] = []

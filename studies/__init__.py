@@ -1,1 +1,1 @@
-"""Study an engine: plot its results, and measure its speed, its accuracy and its stability."""
+"""Study an engine: plot its results, and measure how fast, accurate and stable it is."""

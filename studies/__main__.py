@@ -13,7 +13,7 @@ COMMANDS = ("plot", "figures", "bench", "charts", "choose", "limits", "economy",
 
 
 def main() -> int:
-    """Run the study that the first argument names, and return its exit status."""
+    """Run the study named by the first argument, and return its exit status."""
     there = [name for name in COMMANDS if importlib.util.find_spec(f"studies.{name}")]
     name = sys.argv[1] if len(sys.argv) > 1 else ""
     if name not in there:

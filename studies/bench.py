@@ -1,6 +1,6 @@
 """Measure how fast the engine is, and report which speed targets it meets.
 
-Every figure is a ratio of two times, because ratios are similar on all machines.
+Every figure is a ratio of two times, because ratios barely change from one machine to the next.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from studies.timing import Line, Measurement, measure
 def main(arguments: list[str]) -> int:
     """Take all measurements, print them, and write them to a file.
 
-    Return 0 even if some targets are missed.
+    Return 0 even if the engine misses a target.
     """
     parser = argparse.ArgumentParser(prog="python -m studies bench", description=__doc__)
     parser.add_argument("--out", type=Path, default=FILE, help="file for the figures")
@@ -32,12 +32,12 @@ def main(arguments: list[str]) -> int:
     sys.path[:0] = [str(ROOT / "solutions"), str(ROOT / "chapters")]
     console = plain_console()
     start = time.monotonic()
-    with console.status("preparing the scenes and finding the number of steps for each"):
+    with console.status("preparing the scenes and finding how many steps each one needs"):
         measurements = every(console)
-    console.print(f"Taking {len(measurements)} measurements in turn takes about seven minutes.")
+    console.print(f"Taking all {len(measurements)} measurements takes about seven minutes.")
     lines = measure(measurements)
     console.print("Each figure is a ratio of two times, first / second, unless stated otherwise.")
-    console.print("It is the median of several rounds, followed by their quartiles.\n")
+    console.print("It is the median of several rounds, with the quartiles in parentheses.\n")
     for line in lines:
         console.print(line.what)
         console.print(f"    {told(line)}", style="bold")
@@ -54,7 +54,7 @@ def main(arguments: list[str]) -> int:
 
 
 def every(console: Console) -> list[Measurement]:
-    """Prepare all measurements, in the order of the report. Print which libraries are missing."""
+    """Prepare all measurements in the order of the report, printing which libraries are missing."""
     # These modules import chapters.
     from studies.benchmarks import (
         accuracy,
@@ -78,13 +78,13 @@ def every(console: Console) -> list[Measurement]:
 
 
 def told(line: Line) -> str:
-    """Format the result of a measurement: its median, its quartiles and its verdict."""
+    """Format the result of a measurement: the median, the quartiles and the verdict."""
     spread = f"{number(line.median)} ({number(line.low)} to {number(line.high)})"
     return f"{spread}, target {line.target}: {line.verdict}" if line.target else spread
 
 
 def number(figure: float) -> str:
-    """Format a figure with two decimals, or without decimals from 100 on."""
+    """Format a figure with two decimals, or with none from 100 up."""
     return f"{figure:.2f}" if figure < 100.0 else f"{figure:,.0f}"
 
 

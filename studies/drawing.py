@@ -44,7 +44,7 @@ GROWTH = ListedColormap(
 
 @dataclass(frozen=True)
 class Picture:
-    """A figure and the numbers that it shows, which are written to a CSV file beside it."""
+    """A figure, and the numbers it shows, which are written to a CSV file next to it."""
 
     figure: Figure
     columns: Sequence[str]
@@ -52,9 +52,9 @@ class Picture:
 
 
 def tell(figure: Figure, notes: Sequence[str]) -> None:
-    """Write notes below the picture that explain why some scenes ended early.
+    """Add notes below the picture that explain why some scenes ended early.
 
-    At most three notes are shown in full.
+    No more than three notes are shown in full.
     """
     lines = [line for note in notes[:3] for line in textwrap.wrap(note, 150)[:2]]
     if len(notes) > 3:
@@ -66,7 +66,7 @@ def tell(figure: Figure, notes: Sequence[str]) -> None:
 def arrow(
     axes: Axes, tip: Numbers, label: str, color: str, *, tail: Numbers = (0, 0, 0), style: str = "-"
 ) -> None:
-    """Draw an arrow in the X-Y plane with its label. If a coordinate is NaN, draw nothing."""
+    """Draw a labeled arrow in the X-Y plane, unless a coordinate is NaN."""
     if not is_drawable(tip, tail):
         return
     arrowprops = {"arrowstyle": "-|>", "color": color, "linestyle": style, "lw": 2.0}
@@ -78,9 +78,9 @@ def arrow(
 def arrow_3d(
     axes: Any, tip: Numbers, label: str, color: str, style: str = "-", tail: Numbers = (0, 0, 0)
 ) -> None:
-    """Draw an arrow in a view where +Y points up. If a coordinate is NaN, draw nothing.
+    """Draw an arrow in a view with +Y pointing up, unless a coordinate is NaN.
 
-    The label is placed beyond the tip and may be empty.
+    The label goes beyond the tip and may be empty.
     """
     if not is_drawable(tip, tail):
         return
@@ -104,7 +104,7 @@ def axes_3d(figure: Figure, place: Any, size: float) -> Any:
 
 
 def slope(x: Sequence[float], y: Sequence[float]) -> float:
-    """Return the power with which y grows with x, from a line fitted on logarithmic axes.
+    """Return the exponent p of y ~ x^p, from a line fitted on logarithmic axes.
 
     Return NaN if a value is not positive.
     """
@@ -116,10 +116,10 @@ def slope(x: Sequence[float], y: Sequence[float]) -> float:
 def growth_map(
     axes: Axes, x: Sequence[float], y: Sequence[float], grown: Sequence[Sequence[float]]
 ) -> Any:
-    """Draw a map in which the color of a cell shows the growth of oscillations per step.
+    """Draw a heat map of the growth of oscillations per step.
 
-    ``grown`` has one row per y. If a value is beyond an end of the color scale, its cell gets the
-    color of this end. Pass the result to ``growth_bar``.
+    ``grown`` has one row per y. Values outside the color scale are clamped to its nearest end. Pass
+    the result to ``growth_bar``.
     """
     shades = [[_shade(value) for value in row] for row in grown]
     return axes.pcolormesh(x, y, shades, cmap=GROWTH, norm=LogNorm(0.25, 4.0))
@@ -136,7 +136,7 @@ def growth_bar(figure: Figure, panels: Any, colored: Any) -> None:
 def _shade(growth: float) -> float:
     """Move a growth factor away from 1, so that its color shows whether an oscillation grows.
 
-    Even slow growth becomes at least 1.001, which is drawn in red. Any other factor becomes at most
-    0.999, which is drawn in blue. This includes a factor of 1 with a rounding error.
+    Even slow growth becomes at least 1.001, which is drawn in red. Any other factor, including a 1
+    with a rounding error, becomes at most 0.999, which is drawn in blue.
     """
     return max(growth, 1.001) if growth > 1.0 + 1e-12 else max(min(growth, 0.999), 0.25)

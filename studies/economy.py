@@ -1,8 +1,8 @@
 """Measure how much time a simulation spends on parts that its scene does not need.
 
 In the scene, two hundred particles fall, and nothing else happens. Each bar of the chart shows the
-time per frame with one unnecessary part, divided by the time per frame without this part. The two
-times are measured directly one after the other.
+time per frame with one unnecessary part, divided by the time without it. The two times are measured
+back to back.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ Move = Callable[[], object]
 
 
 def main(arguments: list[str]) -> int:
-    """Measure what the unnecessary parts cost, and print and draw the results. Return 0."""
+    """Measure what the unnecessary parts cost, then print and draw the results. Return 0."""
     parser = argparse.ArgumentParser(prog="python -m studies economy", description=__doc__)
     parser.add_argument(
         "--out",
@@ -60,7 +60,7 @@ def main(arguments: list[str]) -> int:
 
 
 def draw(lines: list[Line], png: Path) -> None:
-    """Draw the costs as bars, with the most expensive part at the top."""
+    """Draw the costs as bars, with the most expensive part on top."""
     pyplot.switch_backend("agg")
     figure, axes = pyplot.subplots(figsize=(11, 5), layout="constrained")
     ordered = sorted(lines, key=lambda line: line.median)
@@ -83,8 +83,8 @@ def draw(lines: list[Line], png: Path) -> None:
 def parts() -> list[tuple[str, Move, Move]]:
     """Return the parts whose cost is measured, such as gravity as a force generator.
 
-    Each part has a name, a function that makes a frame with the part, and a function that makes the
-    same frame without it.
+    Each part comes with its name, a function that runs a frame with it, and one that runs the same
+    frame without it.
     """
     # These modules import chapters.
     from ch02_vectors.vector import Vector3
@@ -103,7 +103,7 @@ def parts() -> list[tuple[str, Move, Move]]:
     )
 
     def falling(acceleration: bool = True) -> list[Particle]:
-        """Return two hundred falling particles, far from the ground and from each other."""
+        """Return two hundred falling particles, far from the ground and from one another."""
         return [
             Particle(Vector3(10.0 * i, 1e7), acceleration=DOWN if acceleration else None)
             for i in range(COUNT)
@@ -145,23 +145,23 @@ def parts() -> list[tuple[str, Move, Move]]:
         ("a world around the particles", in_world(), bare()),
         ("a search for the ground, which is far below", in_world(GroundPlane), in_world()),
         (
-            "a search for pairs, none of which are near",
+            "a search for pairs, with none close together",
             in_world(lambda particles: ParticlePairs(particles, 0.5)),
             in_world(),
         ),
         (
-            "four evaluations per step where one is exact enough",
+            "four evaluations per step where one is accurate enough",
             stepping_bare(runge_kutta_4, falling()),
             bare(),
         ),
         (
-            "two evaluations (Verlet) where one is as exact (leapfrog)",
+            "two evaluations (Verlet) where one is as accurate (leapfrog)",
             stepping_bare(velocity_verlet, falling()),
             stepping_bare(leapfrog, falling()),
         ),
         ("a third dimension, in plain numbers", plain(3), plain(2)),
         (
-            "keeping balls awake of which nine in ten are at rest",
+            "keeping all balls awake, with nine in ten at rest",
             stepping(on_the_ground(ParticleWorld)),
             stepping(on_the_ground(SleepingWorld)),
         ),

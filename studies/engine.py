@@ -1,4 +1,4 @@
-"""Choose the engine from which plots, scenes and measurements import their chapters."""
+"""Choose the engine whose chapters the plots, scenes and measurements import."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ def add_engine_options(parser: argparse.ArgumentParser) -> None:
 def use_engine(parser: argparse.ArgumentParser, engine: str, given: str = "") -> None:
     """Import chapters from the folder ``engine``, and ``given`` chapters from the reference.
 
-    The code in the folder has the same restrictions as in grading. If a folder or a chapter does
-    not exist, ``parser`` ends the command with a usage error.
+    The code in the folder is restricted as in grading. If a folder or a chapter does not exist,
+    ``parser`` exits with a usage error.
     """
     try:
         chapters = select_chapters(given) if given else []

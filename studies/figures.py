@@ -1,7 +1,7 @@
-"""Draw the pictures of all lessons again with the reference solution, for `make figures`.
+"""Redraw the pictures of all lessons with the reference solution, for `make figures`.
 
 The pictures are plots of `make plot` and scenes of the lab, reduced to fewer colors. Scenes are
-also smaller and have fewer pictures per second, so that a page loads quickly.
+also scaled down and have fewer frames per second, so that pages load quickly.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ TIME_LIMIT = 600.0  # s for one plot; the reference has no endless loop, but mac
 
 
 def main(arguments: list[str]) -> int:
-    """Draw all pictures into the folders of the chapters. Return 1 if one could not be drawn."""
+    """Draw all pictures into the chapters' folders. Return 1 if one could not be drawn."""
     parser = argparse.ArgumentParser(prog="python -m studies figures", description=__doc__)
     parser.add_argument("--engine", default="solutions", help="the engine to draw with")
     parser.add_argument("--out", type=Path, default=ROOT / "chapters", help="the chapters' folder")
@@ -90,12 +90,12 @@ def main(arguments: list[str]) -> int:
         _write(_shrunk(animation), options.out / f"{name}.gif")
         _write([_still(animation, still)], options.out / f"{name}_still.png")
         done.append(True)
-    print(f"{sum(done)} of {len(done)} pictures drawn by {options.engine}")
+    print(f"{sum(done)} of {len(done)} pictures drawn with {options.engine}")
     return 0 if all(done) else 1
 
 
 def _shrunk(animation: Path) -> list[Image.Image]:
-    """Return the pictures of an animation, one per PICTURE_TIME, reduced to a width of WIDTH px."""
+    """Return the frames of an animation, one per PICTURE_TIME, reduced to a width of WIDTH px."""
     pictures: list[Image.Image] = []
     time = 0.0
     with Image.open(animation) as frames:
@@ -118,7 +118,7 @@ def _shrunk(animation: Path) -> list[Image.Image]:
 
 
 def _still(animation: Path, seconds: float) -> Image.Image:
-    """Return the picture of ``animation`` at ``seconds``, in its full size."""
+    """Return the frame of ``animation`` at ``seconds``, at full size."""
     left = 1000.0 * seconds
     with Image.open(animation) as frames:
         for frame in ImageSequence.Iterator(frames):
@@ -129,16 +129,16 @@ def _still(animation: Path, seconds: float) -> Image.Image:
 
 
 def _palette(picture: Image.Image, count: int) -> Image.Image:
-    """Reduce ``picture`` to ``count`` colors, which cover the widest possible range.
+    """Reduce ``picture`` to ``count`` colors that cover as wide a range as possible.
 
-    If the most frequent colors were chosen, the many grays at the edges of letters would take most
-    of the palette, and the few colored lines would lose their colors.
+    If the most frequent colors were chosen instead, the many grays along the edges of letters would
+    take up most of the palette, and the few colored lines would lose their colors.
     """
     return picture.quantize(count, method=Image.Quantize.MAXCOVERAGE, kmeans=1)
 
 
 def _write(pictures: list[Image.Image], place: Path) -> None:
-    """Write a picture, or several pictures as an endless animation. Print its path and size."""
+    """Write a picture, or several as an endless animation, and print its path and size."""
     place.parent.mkdir(parents=True, exist_ok=True)
     if len(pictures) == 1:
         pictures[0].save(place, optimize=True)

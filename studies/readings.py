@@ -1,6 +1,6 @@
 """Read numbers and vectors from an engine that may be wrong or unfinished.
 
-Vectors are returned as tuples of plain numbers.
+Vectors come back as tuples of plain numbers.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ Found = TypeVar("Found")
 
 
 def is_written(call: Callable[[], object]) -> bool:
-    """Return whether ``call`` runs without reaching a function that is not written yet."""
+    """Return whether ``call`` runs without hitting a function that is not written yet."""
     try:
         call()
     except NotImplementedError:
@@ -36,7 +36,7 @@ def stopped(act: Callable[[], object]) -> str:
 
 
 def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
-    """Run the scenes for which all code is written, and return their results by key.
+    """Run those scenes whose code is written, and return their results by key.
 
     Raises:
         NotImplementedError: Every scene needs code that is not written yet.
@@ -54,9 +54,9 @@ def written(scenes: dict[Key, Callable[[], Found]]) -> dict[Key, Found]:
 
 
 def numbers(v: Any) -> Numbers:
-    """Return the components of an engine's vector. A component that is not a number becomes NaN.
+    """Return the components of an engine's vector, with NaN for any that is not a number.
 
-    If the engine is wrong, a curve is then missing from the plot, but the plot can still be drawn.
+    A wrong engine then leaves a gap in a plot, but the plot can still be drawn.
     """
     return (
         number(getattr(v, "x", None)),
@@ -66,7 +66,7 @@ def numbers(v: Any) -> Numbers:
 
 
 def number(value: Any) -> float:
-    """Convert ``value`` to a float. If it is not a number, return NaN."""
+    """Convert ``value`` to a float, or to NaN if it is not a number."""
     try:
         return float(value)
     except (TypeError, ValueError):
@@ -88,7 +88,7 @@ def cross(a: Numbers, b: Numbers) -> Numbers:
 
 
 def angle_between(a: Numbers, b: Numbers) -> float:
-    """Return the angle between ``a`` and ``b`` in degrees. If one of them is zero, return NaN."""
+    """Return the angle between ``a`` and ``b`` in degrees, or NaN if either of them is zero."""
     if not math.hypot(*a) * math.hypot(*b) > 0.0:
         return math.nan
     return math.degrees(math.atan2(math.hypot(*cross(a, b)), dot(a, b)))

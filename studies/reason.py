@@ -1,4 +1,4 @@
-"""Explain in pictures and scenes why a student's code could not be run."""
+"""Explain, in pictures and scenes, why a student's code could not be run."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from autograder.manifest import ROOT
 
 
 def reason(error: BaseException) -> str:
-    """Describe ``error``: its text, the line that raised it, and its most likely cause."""
+    """Describe ``error``: its text, the line that raised it, and its likeliest cause."""
     if isinstance(error, NotImplementedError):
         return f"not written yet: {error}"
     if isinstance(error, SyntaxError) and error.filename:
@@ -31,5 +31,5 @@ def reason(error: BaseException) -> str:
 
 
 def shown(path: Path) -> Path:
-    """Shorten a path for a message, by making it relative to the current folder if possible."""
+    """Shorten a path for a message by making it relative to the current folder, if possible."""
     return path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path

@@ -1,7 +1,7 @@
 """Run the bridge and the platform of chapter 8 for ten minutes each, and check their energy.
 
-Each of them runs at 30, 60 and 120 steps per second. A run passes if all numbers remain finite, the
-energy never exceeds its initial value, and it changes by less than 0.1 % during the last minute.
+Each scene runs at 30, 60 and 120 steps per second. A run passes if all numbers stay finite, the
+energy never exceeds its initial value, and it varies by less than 0.1 % over the last minute.
 """
 
 from __future__ import annotations
@@ -54,9 +54,9 @@ def soak(
     rate: int,
     minutes: int,
 ) -> tuple[bool, str]:
-    """Run a scene for some minutes, and check its energy after every step.
+    """Run a scene for some minutes, checking its energy after every step.
 
-    Return whether the scene passed, and a text that says what its energy did.
+    Return whether the scene passed, and a description of what its energy did.
     """
     start = energy()
     last: list[float] = []

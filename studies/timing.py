@@ -1,8 +1,8 @@
-"""Measure times as ratios. Ratios are similar on all machines, while seconds are not.
+"""Measure times as ratios. Unlike seconds, ratios barely change from one machine to the next.
 
-The two times of a ratio are measured directly one after the other, in one run on one machine. The
-rounds of all measurements are mixed, so that a slow minute of the machine affects all of them a
-little instead of one of them a lot. The report shows the median and the quartiles of the rounds.
+The two times of a ratio are measured back to back, in one run on one machine. The rounds of all
+measurements are shuffled, so that when the machine is slow for a minute, all of them suffer a
+little rather than one of them a lot. The report shows the median and the quartiles of the rounds.
 """
 
 from __future__ import annotations
@@ -41,13 +41,13 @@ class Target:
         return f"{self.side} {self.bound:,g}"
 
     def is_met(self, figure: float) -> bool:
-        """Return whether ``figure`` meets the bound. A figure that equals the bound meets it."""
+        """Return whether ``figure`` meets the bound. If the two are equal, it does."""
         return figure >= self.bound if self.side == "at least" else figure <= self.bound
 
 
 @dataclass(frozen=True)
 class Measurement:
-    """A figure that is measured in several rounds.
+    """A figure measured in several rounds.
 
     ``what`` describes the figure, and ``once`` measures it in one round.
     """
@@ -70,14 +70,14 @@ class Line:
 
     @property
     def verdict(self) -> str:
-        """Whether the target is "met" or "missed". Without a target, this is an empty string."""
+        """Whether the target is "met" or "missed", or an empty string if there is no target."""
         if self.target is None:
             return ""
         return "met" if self.target.is_met(self.median) else "missed"
 
 
 def timer(run: Callable[[], object], times: int = 1) -> Timer:
-    """Return a function that calls ``run`` this number of times, and returns the time in s."""
+    """Return a function that calls ``run`` this many times, and returns the time in s."""
     return lambda: timeit.timeit(run, number=times)
 
 
@@ -88,7 +88,7 @@ def statement_timer(code: str, setup: str) -> Timer:
 
 
 def both(first: Timer, second: Timer) -> tuple[float, float]:
-    """Measure both times directly one after the other, in random order, and return them."""
+    """Measure both times back to back, in random order, and return them."""
     if random.random() < 0.5:
         a = warm(first)
         return a, warm(second)
@@ -97,10 +97,10 @@ def both(first: Timer, second: Timer) -> tuple[float, float]:
 
 
 def warm(timed: Timer) -> float:
-    """Measure a time, or the mean of several times if the first one is shorter than LEAST.
+    """Measure a time, or the mean of several if the first is shorter than LEAST.
 
-    The mean leaves out the first run, in which the caches still contain other data. This would
-    dominate a short time.
+    The mean leaves out the first run, which finds the caches full of other data. In a short
+    measurement it would dominate.
     """
     taken = timed()
     if taken >= LEAST:
@@ -123,9 +123,9 @@ def versus(first: Timer, second: Timer) -> Figure:
 
 
 def measure(measurements: Sequence[Measurement]) -> list[Line]:
-    """Take all rounds of all measurements, in mixed order. Return a line for each measurement.
+    """Take all rounds of all measurements in mixed order, and return a line for each measurement.
 
-    On a terminal, a bar shows the current measurement and the time left. It is drawn only between
+    On a terminal, a bar shows the current measurement and the time left. It is updated only between
     rounds, so that it does not slow them down.
     """
     figures: list[list[float]] = [[] for _ in measurements]
@@ -155,15 +155,15 @@ def measure(measurements: Sequence[Measurement]) -> list[Line]:
 def mixed(rounds: Sequence[int]) -> list[int]:
     """Return a random order in which the index ``i`` appears ``rounds[i]`` times.
 
-    For each index, the run is divided into as many equal parts as the index has rounds. The index
-    appears once in each part, at a random time. This spreads its rounds over the whole run.
+    For each index, the run is divided into as many equal parts as the index has rounds, and the
+    index appears once in each part, at a random time. That spreads its rounds over the whole run.
     """
     at = [((k + random.random()) / many, i) for i, many in enumerate(rounds) for k in range(many)]
     return [i for _, i in sorted(at)]
 
 
 def quartiles(values: Sequence[float]) -> tuple[float, float]:
-    """Return the lower and the upper quartile, which are both elements of the values."""
+    """Return the lower and upper quartiles, both of which are elements of ``values``."""
     ordered = sorted(values)
     return ordered[len(ordered) // 4], ordered[(3 * len(ordered)) // 4]
 
@@ -176,9 +176,9 @@ def against_peers(
 ) -> list[Measurement]:
     """Return measurements that compare other libraries' times with ours.
 
-    Each figure is the geometric mean of the ratios over the operations that both libraries have.
-    ``name`` is the name of our module, and a peer is given by its module, a title and a target. A
-    peer that is not installed is reported and left out.
+    Each figure is the geometric mean of the ratios for the operations that both libraries have.
+    ``name`` is the name of our module. A peer is given by its module, a title and a target. Peers
+    that are not installed are reported and skipped.
     """
     ours = statements["ours"]
     found = []
@@ -204,5 +204,5 @@ def against_peers(
 
 
 def geometric_mean(figures: Sequence[Figure]) -> Figure:
-    """Combine several figures into one figure, which is their geometric mean."""
+    """Combine several figures into one: their geometric mean."""
     return lambda: statistics.geometric_mean([once() for once in figures])

@@ -1,1 +1,1 @@
-"""Draw the scenes of the lab, with pens, cameras, and the shapes that several scenes use."""
+"""Draw the lab's scenes: pens, cameras, and shapes that several scenes share."""

@@ -1,4 +1,4 @@
-"""Draw a box in 3D. Each axis has a color, and faces that point away from the viewer are hidden."""
+"""Draw a box in 3D, with a color for each axis, leaving out faces that the viewer cannot see."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ def draw_box(
     turn: Callable[[Vector3], Vector3],
     center: tuple[float, float] = (0.0, 0.0),
 ) -> None:
-    """Draw a box whose sides have the lengths ``sides``, in m.
+    """Draw a box with sides of the lengths ``sides``, in m.
 
-    ``turn`` is a function that rotates a vector from the box's axes to the world's axes. ``center``
-    is the position of the box's center in the picture.
+    ``turn`` rotates a vector from the box's axes to the world's. ``center`` is where the center of
+    the box goes in the picture.
     """
     x0, y0 = center
     for face, axis in _faces(sides):
@@ -34,9 +34,9 @@ def draw_box(
 
 
 def _faces(sides: tuple[float, float, float]) -> list[tuple[list[Vector3], int]]:
-    """Return the corners of each face, and the index of the axis that is perpendicular to it.
+    """Return the corners of each face, and the index of the axis perpendicular to that face.
 
-    Seen from outside, the corners are counter-clockwise.
+    The corners run counter-clockwise, seen from outside the box.
     """
     around = ((-1, -1), (1, -1), (1, 1), (-1, 1))
     faces = []

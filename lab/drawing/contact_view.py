@@ -1,4 +1,4 @@
-"""Show how a contact resolver works, by drawing its contacts, impulses and iterations."""
+"""Show a contact resolver at work by drawing its contacts, impulses and iterations."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from lab.drawing.pen import Pen
 
 
 class ContactView(ContactResolver):
-    """A resolver that lets a scene draw which contacts and impulses occurred in the last step.
+    """A wrapper for a resolver that lets a scene draw the contacts and impulses of the last step.
 
-    It records them while another resolver does the actual work.
+    The wrapped resolver does the actual work, and the wrapper records it.
     """
 
     def __init__(self, resolver: ContactResolver) -> None:
@@ -22,7 +22,7 @@ class ContactView(ContactResolver):
         self.pairs: list[tuple[Vector3, Vector3]] = []
 
     def resolve_contacts(self, contacts: Iterable[Contact], duration: float) -> None:
-        """Resolve the contacts, and record how much the momentum of each particle changes."""
+        """Resolve the contacts, and record the change in each particle's momentum."""
         listed = [*contacts]
         touched = {id(one): one for c in listed for one in (c.particle, c.other) if one is not None}
         before = {key: one.velocity.copy() for key, one in touched.items()}
@@ -43,15 +43,14 @@ class ContactView(ContactResolver):
     def forget(self) -> None:
         """Clear the record of the last step.
 
-        Call this method before each step, because a step without contacts does not call the
-        resolver.
+        Call this before each step, because a step without contacts never reaches the resolver.
         """
         self.impulses, self.pairs, self.iterations_used = [], [], 0
 
     def draw(self, pen: Pen, scale: float) -> None:
-        """Draw each impulse as an arrow and each contact between two particles as a dot.
+        """Draw each impulse as an arrow, and each contact between two particles as a dot.
 
-        ``scale`` is the length of the arrows in m per N s.
+        ``scale`` is the arrows' length in m per N s.
         """
         for position, impulse in self.impulses:
             pen.arrow(position, impulse * scale, "pink", "contact")

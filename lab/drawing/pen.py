@@ -1,8 +1,8 @@
-"""Record what a scene draws as plain data, which a page or matplotlib draws later.
+"""Record what a scene draws as plain data, for a page or matplotlib to draw later.
 
 Coordinates are in the scene's own units, with +x to the right and +y up. A point is either a
-Vector3 or a pair (x, y). Colors are given by name, so that a page can choose suitable shades for a
-light or a dark background.
+Vector3 or a pair (x, y). Colors are names rather than values, so that a page can pick shades that
+suit a light or a dark background.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ Item = list[Any]
 
 
 class Pen:
-    """The pen with which a scene draws. It records each item, so that it can be drawn later.
+    """The pen a scene draws with, which records each item instead of drawing it right away.
 
-    An item is a list that begins with its kind, such as "circle", and its color.
+    An item is a list that starts with its kind, such as "circle", and its color.
     """
 
     def __init__(self) -> None:
@@ -46,14 +46,14 @@ class Pen:
         grab: str = "",
         fill: bool = True,
     ) -> None:
-        """Draw a circle, which the reader can drag if ``grab`` is set.
+        """Draw a circle. If ``grab`` is set, the reader can drag it.
 
-        ``grab`` is the name that ``Scene.drag`` then receives.
+        ``grab`` is the name that is passed to ``Scene.drag`` when that happens.
         """
         self._add("circle", color, *_xy(center), _short(radius), fill, grab)
 
     def dots(self, centers: Iterable[Point], color: str = "blue", size: float = 4.0) -> None:
-        """Draw dots. ``size`` is in pixels, so it does not change when the view is scaled."""
+        """Draw dots. ``size`` is in pixels, so zooming does not change it."""
         self._add("dots", color, _flat(centers), size)
 
     def line(
@@ -74,7 +74,7 @@ class Pen:
         self._add("segments", color, _flat(end for pair in pairs for end in pair), width)
 
     def area(self, corners: Iterable[Point], color: str = "gray", *, solid: bool = False) -> None:
-        """Fill an area with a color. It is translucent, like water, unless ``solid`` is true."""
+        """Fill an area with a color, translucent like water unless ``solid`` is true."""
         self._add("area", color, _flat(corners), solid)
 
     def spring(self, a: Point, b: Point, color: str = "gray") -> None:
@@ -82,7 +82,7 @@ class Pen:
         self._add("spring", color, *_xy(a), *_xy(b))
 
     def arrow(self, start: Point, vector: Point, color: str = "green", kind: str = "") -> None:
-        """Draw an arrow. If ``kind`` is listed in ARROWS, the reader can show or hide the arrow."""
+        """Draw an arrow. The reader can show or hide arrows whose ``kind`` is listed in ARROWS."""
         self._add("arrow", color, *_xy(start), *_xy(vector), kind)
 
     def text(self, at: Point, words: str, color: str = "black", size: float = 14.0) -> None:
@@ -109,5 +109,5 @@ def _flat(points: Iterable[Point]) -> list[float]:
 
 
 def _short(value: float) -> float:
-    """Round ``value`` to five digits, which is enough for a picture and keeps messages short."""
+    """Round ``value`` to five digits: plenty for a picture, and it keeps messages short."""
     return float(f"{value:.5g}")

@@ -1,4 +1,4 @@
-"""Draw a scene with matplotlib, from the items that its pen has recorded."""
+"""Draw a scene with matplotlib from the items recorded by its pen."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ TURNS = 24  # corners of a spring
 
 
 class Picture:
-    """A matplotlib figure of a scene, which can be drawn again after every step."""
+    """A matplotlib figure of a scene, which can be redrawn after every step."""
 
     def __init__(self, scene: Scene, figure: Figure, *, arrows: bool = True) -> None:
         self.scene = scene

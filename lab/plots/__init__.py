@@ -1,1 +1,1 @@
-"""The pictures of the chapters, which `make plot` draws with the functions of an engine."""
+"""The chapters' plots, which `make plot` draws with the functions of an engine."""

@@ -1,6 +1,6 @@
-"""Pictures of chapter 2, drawn with the vectors of the chosen engine: make plot CH=2.
+"""Plots of chapter 2, drawn with the vectors of the chosen engine: make plot CH=2.
 
-Each title states a number that was measured in the picture without the engine, so a mistake in the
+Each title quotes a number measured from the picture without using the engine, so a bug in the
 engine shows up in the title.
 """
 
@@ -20,7 +20,7 @@ COLUMNS = ("vector", "x", "y", "z")
 
 
 def addition() -> Picture:
-    """Draw two vectors, and their sum as the diagonal of the parallelogram that they span."""
+    """Draw two vectors and their sum, the diagonal of the parallelogram that they span."""
     a, b = (4.0, 1.0, 0.0), (1.0, 3.0, 0.0)
     corner = (5.0, 4.0, 0.0)
     total = numbers(Vector3(*a) + Vector3(*b))
@@ -42,7 +42,7 @@ def addition() -> Picture:
 
 
 def projection() -> Picture:
-    """Draw a vector, its projection onto a direction, and what is left of it."""
+    """Draw a vector, its projection onto a direction, and the remainder."""
     a, b = (math.cos(0.3), math.sin(0.3), 0.0), (2.0, 4.0, 0.0)
     direction, v = Vector3(*a), Vector3(*b)
     along = direction * direction.dot(v)
@@ -61,7 +61,7 @@ def projection() -> Picture:
 
 
 def cross_product() -> Picture:
-    """Draw the vector product of two vectors, and plot its length against their angle."""
+    """Draw the vector product of two vectors, and plot its length against the angle they form."""
     a, b = (0.3, 0.1, 1.2), (1.0, 0.0, 0.2)
     product = numbers(Vector3(*a).cross(Vector3(*b)))
     figure = pyplot.figure(figsize=(10, 5), layout="constrained")
@@ -98,7 +98,7 @@ def cross_product() -> Picture:
 
 
 def basis() -> Picture:
-    """Draw an orthonormal basis, and the two vectors from which it was made."""
+    """Draw an orthonormal basis, along with the two vectors it was built from."""
     a, b = (1.6, 0.6, 0.4), (0.2, 1.3, 0.6)
     made = make_orthonormal_basis(Vector3(*a), Vector3(*b))
     first, second, third = (numbers(v) for v in made)

@@ -1,7 +1,6 @@
-"""Pictures of chapter 3, drawn with the particle of the chosen engine: make plot CH=3.
+"""Plots of chapter 3, drawn with the particle of the chosen engine: make plot CH=3.
 
-Each title states a number that was measured in the picture, so a mistake in the engine shows up in
-the title.
+Each title quotes a number measured from the picture, so a bug in the engine shows up there.
 """
 
 from __future__ import annotations
@@ -39,7 +38,7 @@ FORMS = (
 
 
 def damping_comparison() -> Picture:
-    """Plot how much velocity a fall loses in one second, against the frame rate (exercise 3.5)."""
+    """Plot how much velocity damping removes from a fall of 1 s, by frame rate (exercise 3.5)."""
     fall = DragFlight("fall of a second", AT_REST, GRAVITY, KEPT, duration=1.0)
     undamped = -GRAVITY[1] * fall.duration
     exact = 1.0 + fall.exact(fall.duration).velocity[1] / undamped
@@ -78,7 +77,7 @@ def damping_comparison() -> Picture:
 
 
 def integration_error() -> Picture:
-    """Plot the error of the position in free fall against the length of the step (exercise 3.4)."""
+    """Plot the position error in free fall against the length of a step (exercise 3.4)."""
     counts = (10, 20, 50, 100, 200, 500, 1000, 3000)
     time, g = FREE_FALL.duration, -GRAVITY[1]
     rows = []
@@ -105,7 +104,7 @@ def integration_error() -> Picture:
 
 
 def trajectories() -> Picture:
-    """Draw a throw with and without damping, in long time steps and along its exact path."""
+    """Draw a throw with and without damping, both in long time steps and along its exact path."""
     frame = 0.1
     frames = round(PROJECTILE.duration / frame)
     undamped = DragFlight("projectile", PROJECTILE.start, GRAVITY, 1.0, PROJECTILE.duration)
@@ -139,10 +138,10 @@ PLOTS = (damping_comparison, integration_error, trajectories)
 
 
 def _losses(rate: float, undamped: float) -> tuple[float, float, float]:
-    """Return the fraction of the velocity that each form of damping removes in 1 s of fall.
+    """Return the fraction of the velocity that each form of damping removes in a fall of 1 s.
 
-    The durations of the frames are random around 1 / ``rate``, and each fraction is the mean of
-    several runs.
+    Frames vary randomly around 1 / ``rate`` in length, and each fraction is the mean of several
+    runs.
     """
     gravity = Vector3(*GRAVITY)
     per_frame = KEPT ** (1.0 / TUNED_AT)

@@ -1,4 +1,4 @@
-"""Pictures of chapter 4: the five shots, all types of fireworks, and the error of a step."""
+"""Plots of chapter 4: the five shots, all types of fireworks, and the error of the book's step."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ LONGEST = 600  # frames, enough for every shot to land and every firework to bur
 
 
 def shots() -> Picture:
-    """Draw the paths of the five shots, and plot how much of its energy each shot keeps."""
+    """Draw the paths of the five shots, and plot how much of its energy each one keeps."""
     figure, (paths, energies) = pyplot.subplots(
         2, 1, figsize=(9, 7), height_ratios=(2, 1), layout="constrained"
     )
@@ -84,7 +84,7 @@ def shots() -> Picture:
 
 
 def fireworks() -> Picture:
-    """Draw every type of firework and the Catherine wheel, until all sparks have gone out."""
+    """Draw every type of firework and the Catherine wheel until the last spark goes out."""
     rules = [*FIREWORK_TYPES, *(own_types() if is_written(own_types) else [])]
     figure, panels = pyplot.subplots(3, 4, figsize=(12, 7.4), layout="constrained")
     rows = []
@@ -115,7 +115,7 @@ def fireworks() -> Picture:
 
 
 def step_error() -> Picture:
-    """Plot the error of the book's step against the duration of a frame.
+    """Plot the error of the book's step against the length of a frame.
 
     The error is the distance from the exact position after 2 s.
     """
@@ -157,9 +157,9 @@ PLOTS = (shots, fireworks, step_error)
 
 
 def _flight(name: str) -> Iterator[list[tuple[str, Numbers, Numbers]]]:
-    """Fire a shot, and yield the state of all its particles after each frame.
+    """Fire a shot, and yield the state of each of its particles after every frame.
 
-    The state of a particle is its type, its position and its velocity.
+    That state consists of the particle's type, position and velocity.
     """
     at = BallisticRange()
     at.fire(name)
@@ -175,16 +175,16 @@ def _seen(shot: Shot) -> tuple[str, Numbers, Numbers]:
 
 
 def _energy(name: str, velocity: Numbers, height: float) -> float:
-    """Return the kinetic plus the potential energy per kilogram of a shot, in J/kg."""
+    """Return the kinetic plus potential energy of a shot per kilogram, in J/kg."""
     return 0.5 * math.hypot(*velocity) ** 2 - SHOT_TYPES[name].acceleration[1] * height
 
 
 def _streaks(
     axes: Axes, show: FireworksShow, before: Callable[[], None], frames: int = LONGEST
 ) -> list[int]:
-    """Draw all frames of a fireworks show into one picture.
+    """Draw every frame of a fireworks show into a single picture.
 
-    Return the number of burning fireworks in each frame.
+    Return the number of fireworks burning in each frame.
     """
     seen: dict[int, tuple[list[float], list[float]]] = {}
     counts = []

@@ -1,4 +1,4 @@
-"""A picture of chapter 5 that shows how much time each force generator takes."""
+"""A plot of chapter 5 that shows how much time each force generator costs."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ DOWN = (0.0, -G, 0.0)
 def cost_of_a_generator() -> Picture:
     """Plot how much longer a frame takes with each force generator.
 
-    The time is divided by that of a particle of chapter 3 whose acceleration is gravity.
+    The baseline is a particle of chapter 3, with gravity as its acceleration.
     """
     place, motion = Vector3(3.0, 1.0, 0.0), Vector3(0.0, 0.0, 5.0)
     brake = Airbrake(0.5)

@@ -1,7 +1,7 @@
-"""Pictures of chapter 5: terminal speeds, a fall with drag, and an orbit that drifts.
+"""Plots of chapter 5: terminal speeds, a fall with drag, and an orbit that drifts.
 
-Each title states a number that was measured in the picture, so a mistake in the engine shows up in
-the title. The picture of what each generator costs is in ch05_cost.
+Each title quotes a number measured from the picture, so a bug in the engine shows up there. For
+what each generator costs, see ch05_cost.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ PERIOD = 2.0 * math.pi
 
 
 def terminal_speeds() -> Picture:
-    """Plot falls with linear and with quadratic drag, and their terminal speeds."""
+    """Plot falls with linear and quadratic drag, along with their terminal speeds."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.6), layout="constrained")
     rows: list[Sequence[object]] = []
     worst = 0.0
@@ -85,7 +85,7 @@ def terminal_speeds() -> Picture:
 
 
 def fall_with_drag() -> Picture:
-    """Plot a fall with quadratic drag in long frames, beside the exact solution, and its errors."""
+    """Plot a fall with quadratic drag in long frames, the exact solution, and the error."""
     k2, seconds, frame = 0.05, 4.0, 0.2
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4.6), layout="constrained")
     count = round(seconds / frame)
@@ -195,9 +195,9 @@ def _fall(
 
 
 def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers]]:
-    """Simulate an orbit with mu = 1 that starts from the farthest point.
+    """Simulate an orbit with mu = 1, starting from the farthest point.
 
-    Return the position and the velocity at the start and after every ``every`` frames.
+    Return the position and velocity at the start and after every ``every`` frames.
     """
     farthest = 1.0 + ECCENTRICITY
     slowest = math.sqrt((1.0 - ECCENTRICITY) / farthest)
@@ -213,19 +213,20 @@ def _orbit(frame: float, frames: int, every: int) -> list[tuple[Numbers, Numbers
 
 
 def _momentum_drift(h: float) -> float:
-    """Predict how much angular momentum the book's step adds during one orbit.
+    """Predict how much angular momentum the book's step adds per orbit.
 
     A step changes r x v by h^2 v x a, because r x a is 0. On an exact orbit, v x a is L / r^3 with
-    L = (1 - e^2)^(1/2), and the mean of 1 / r^3 over a turn is (1 - e^2)^(-3/2).
+    L = (1 - e^2)^(1/2), and 1 / r^3 averages (1 - e^2)^(-3/2) over an orbit.
     """
     return h * PERIOD / (1.0 - ECCENTRICITY**2)
 
 
 def _energy_drift(h: float) -> float:
-    """Predict how much energy the book's step adds during one orbit.
+    """Predict how much energy the book's step adds per orbit.
 
     A step adds h^2 / 2 times a^2 + v . H v, where H is the Hessian of -1 / r. On an exact orbit,
-    this is 1 / r^4 + (v^2 - 3 v_r^2) / r^3, which the function sums over the angles of a turn.
+    that sum equals 1 / r^4 + (v^2 - 3 v_r^2) / r^3, which is added up here over the angles of one
+    orbit.
     """
     p = 1.0 - ECCENTRICITY**2
     count = 2000

@@ -1,8 +1,8 @@
-"""Pictures of chapter 6: forces of springs, and the energy and error of oscillations.
+"""Plots of chapter 6: the forces of springs, and the energy and error of oscillations.
 
-Each title states a number that was measured in the picture, so a mistake in the engine shows up in
-the title. If some functions are not written yet, the rest is drawn without them. Pictures of
-stability limits are in ch06_stability.
+Each title quotes a number measured from the picture, so a bug in the engine shows up there.
+Anything that needs a function you have not written yet is left out. For the stability limits, see
+ch06_stability.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ FRAME = 1.0 / 60.0
 
 
 def force_against_length() -> Picture:
-    """Plot the forces of springs and ropes against their length, and of lifts against height."""
+    """Plot the force of springs and ropes against their length, and of lifts against height."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     k, rest = 10.0, 2.0
     other = Particle()
@@ -94,7 +94,7 @@ def force_against_length() -> Picture:
 
 
 def three_regimes() -> Picture:
-    """Plot a damped spring in its three regimes, as simulated and as the exact solution."""
+    """Plot a damped spring in its three regimes, both simulated and exact."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     k, frames = 100.0, 90
     times = [i * FRAME for i in range(frames + 1)]
@@ -133,7 +133,7 @@ def three_regimes() -> Picture:
 
 
 def energy_over_time() -> Picture:
-    """Plot the energy of an undamped spring over ten seconds, for each method."""
+    """Plot the energy of an undamped spring over ten seconds with each method."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5.2), layout="constrained")
     k, frames = 100.0, 600
     rows: list[Sequence[object]] = []
@@ -178,7 +178,7 @@ def energy_over_time() -> Picture:
 
 
 def error_against_work() -> Picture:
-    """Plot each method's largest error within 1 s against the number of force evaluations."""
+    """Plot each method's largest error within 1 s against its number of force evaluations."""
     figure, panels = pyplot.subplots(1, 4, figsize=(16, 5.6), layout="constrained", sharey=True)
     rows: list[Sequence[object]] = []
     words = []
@@ -242,9 +242,9 @@ PLOTS = (
 
 
 def _force(generator: ForceGenerator, place: float, axis: int) -> float:
-    """Return the force of a generator on a particle along one axis.
+    """Return the force of a generator on a particle, along one axis.
 
-    The particle is at the position ``place`` on this axis.
+    ``place`` is the particle's position on that axis.
     """
     particle = Particle(Vector3(*(place if i == axis else 0.0 for i in range(3))))
     generator.update_force(particle, FRAME)

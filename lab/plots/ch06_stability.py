@@ -1,7 +1,6 @@
-"""Pictures of chapter 6: where integrators, the faked spring, cloths and penalty forces explode.
+"""Plots of chapter 6: where integrators, faked springs, cloths and penalty forces blow up.
 
-Each title states a number that was measured in the picture, so a mistake in the engine shows up in
-the title.
+Each title quotes a number measured from the picture, so a bug in the engine shows up there.
 """
 
 from __future__ import annotations
@@ -36,7 +35,7 @@ CLOTH_SECONDS = 2
 
 
 def stability_map() -> Picture:
-    """Plot how oscillations grow per step over stiffness and damping, with the limits by theory."""
+    """Map the growth of oscillations per step by stiffness and damping, with theoretical limits."""
     figure, panels = pyplot.subplots(2, 4, figsize=(16, 8), layout="constrained")
     *maps, key = panels.flat
     kappas = [0.01 * 10.0 ** (i / 12.0) for i in range(49)]
@@ -85,7 +84,7 @@ def stability_map() -> Picture:
 
 
 def fake_spring() -> Picture:
-    """Plot the faked stiff spring beside the true spring, and show where its oscillations grow."""
+    """Plot the faked stiff spring against the true spring, and show where its oscillations grow."""
     figure, (bare, damped, right) = pyplot.subplots(1, 3, figsize=(15, 4.8), layout="constrained")
     k, frames = 400.0, 90
     times = [i * FRAME for i in range(frames + 1)]
@@ -143,7 +142,7 @@ def fake_spring() -> Picture:
 
 
 def cloth_frame_rates() -> Picture:
-    """Plot how long a spring cloth stays stable at each frame rate, for two integrators."""
+    """Plot how long a cloth of springs stays stable at each frame rate, with two integrators."""
     figure, axes = pyplot.subplots(figsize=(9, 5.2), layout="constrained")
     rows: list[Sequence[object]] = []
     book = (30, 60, 120, 240, 480, 960)
@@ -178,7 +177,7 @@ def cloth_frame_rates() -> Picture:
 
 
 def penalty_bounces() -> Picture:
-    """Plot falls onto soft and stiff penalty ground, which may throw a body higher than it fell."""
+    """Plot falls onto soft and stiff penalty ground, which can throw a body higher than it fell."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.8), layout="constrained")
     rows: list[Sequence[object]] = []
     falls = [0.5 + i / 40.0 for i in range(21)]

@@ -1,7 +1,7 @@
-"""Pictures of chapter 7: the errors that the resolver leaves in a pile, and how stacks sink.
+"""Plots of chapter 7: the errors that the resolver leaves in a pile, and how far stacks sink.
 
-Each title states a number that was measured in the picture, so a mistake in the engine shows up in
-the title. Curves of exercises that are not written yet are left out.
+Each title quotes a number measured from the picture, so a bug in the engine shows up there. Curves
+for exercises that are not written yet are left out.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from studies.runs.piles import pile, residuals, stack
 
 
 def resolver_convergence() -> Picture:
-    """Plot the errors that remain in a pile of spheres against the number of resolutions.
+    """Plot the errors left in a pile of spheres against the number of contacts resolved.
 
     The errors are the largest closing velocity and the largest depth.
     """
@@ -61,7 +61,7 @@ def resolver_convergence() -> Picture:
 
 
 def stack_height() -> Picture:
-    """Plot how far stacks of 3 and 10 spheres sink and overlap, by the iterations per contact."""
+    """Plot how far stacks of 3 and 10 spheres sink and overlap, by iterations per contact."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(12, 5.0), layout="constrained")
     numbers_of = (1, 2, 5, 10, 20, 50)
     found = written(

@@ -1,8 +1,8 @@
-"""Pictures of chapter 8: the energy of scenes at rest, and scenes whose frames are uneven.
+"""Plots of chapter 8: the energy of scenes at rest, and scenes with uneven frames.
 
-Each title states a number that was measured in the picture, so a mistake in the engine shows up in
-the title. Curves of exercises that are not written yet are left out. Cables and ropes are in
-ch08_ropes, and the scenes of the projects are in ch08_scenes.
+Each title quotes a number measured from the picture, so a bug in the engine shows up there. Curves
+for exercises that are not written yet are left out. For cables and ropes, see ch08_ropes. For the
+projects, see ch08_scenes.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ Way = tuple[Callable[[], MassAggregate], int, float, str]  # with rate, time, co
 
 
 def energy_of_bridge() -> Picture:
-    """Plot the energy of the bridge at three frame rates, and once with the default iterations."""
+    """Plot the energy of the bridge at three frame rates, and again with the default iterations."""
     ways: dict[str, Way] = {
         f"{rate} Hz": (Bridge, rate, seconds, color) for rate, (color, seconds) in RATES.items()
     }
@@ -57,7 +57,7 @@ def energy_of_bridge() -> Picture:
 
 
 def energy_of_platform() -> Picture:
-    """Plot the energy of the tilting platform with a weight on it, at three frame rates."""
+    """Plot the energy of the loaded, tilting platform at three frame rates."""
     ways: dict[str, Way] = {
         f"{rate} Hz": (loaded_platform, rate, seconds, color)
         for rate, (color, seconds) in RATES.items()
@@ -66,7 +66,7 @@ def energy_of_platform() -> Picture:
 
 
 def variable_frames() -> Picture:
-    """Plot a blob and a bridge in even and in uneven frames, two of which last 0.5 s."""
+    """Plot a blob and a bridge in even frames, and in uneven frames with two spikes of 0.5 s."""
     figure, panels = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
     spikes, seconds = (1.0, 2.5), 4.0
     rows: list[Sequence[object]] = []
@@ -128,9 +128,9 @@ PLOTS: tuple[Callable[[], Picture], ...] = (
 
 
 def _energies(what: str, ways: dict[str, Way]) -> Picture:
-    """Plot the energies of several runs, and how much they still vary when the scene is at rest.
+    """Plot the energies of several runs, and how much each still varies once the scene is at rest.
 
-    The deviation of each energy from the middle of its range is in percent.
+    That variation is plotted in percent, relative to the middle of the energy's range.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.2), layout="constrained")
     found = written(

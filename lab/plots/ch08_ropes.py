@@ -1,7 +1,6 @@
-"""Pictures of chapter 8: how well ropes and the cables of a bridge hold, and at what cost.
+"""Plots of chapter 8: how well ropes and the bridge's cables hold, and what that costs.
 
-Each title states a number that was measured in the picture, so a mistake in the engine shows up in
-the title.
+Each title quotes a number measured from the picture, so a bug in the engine shows up there.
 """
 
 from __future__ import annotations
@@ -33,7 +32,7 @@ THROUGH = 1e3  # %, where an infinite excess length is drawn
 
 
 def mass_ratios() -> Picture:
-    """Plot how far the bridge's cables stretch under balls of 1 kg to 1 t, with each method."""
+    """Plot how far each method lets balls of 1 kg to 1 t stretch the bridge's cables."""
     figure, axes = pyplot.subplots(figsize=(10, 5.8), layout="constrained")
     ratios = (1, 10, 30, 100, 300, 1000)
     # Cases that take the longest and are accurate enough anyway are left out.
@@ -89,7 +88,7 @@ def mass_ratios() -> Picture:
 
 
 def hanging_rope() -> Picture:
-    """Plot how far a rope between two nails sinks below its rest position, against the work."""
+    """Plot how far a rope between two nails sags below its rest position, against the work."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
     # A rope that starts at rest should stay there, and DirectChain keeps it there to 1e-8 m. So
     # DirectChain is also shown with a rope that starts in the shape of a V.
@@ -163,7 +162,7 @@ def hanging_rope() -> Picture:
 
 
 def _late(run: Track, since: float) -> float:
-    """Return the largest value from the time ``since`` in s on.
+    """Return the largest value from ``since`` on, a time in s.
 
     If the engine failed, return infinity.
     """
@@ -174,7 +173,7 @@ def _late(run: Track, since: float) -> float:
 def _ended(
     scene: Callable[[], Hanging], key: tuple[int, str], notes: list[str]
 ) -> Callable[[], Hanging | None]:
-    """Wrap a scene so that an error of the engine becomes a note, with None as the result."""
+    """Wrap a scene so that an error in the engine becomes a note, and the scene returns None."""
 
     def run() -> Hanging | None:
         hung: list[Hanging] = []

@@ -1,4 +1,4 @@
-"""Pictures of chapter 8: a trebuchet, a wheel, a blob that breaks, and sleeping balls."""
+"""Plots of chapter 8: a trebuchet, a wheel, a blob that breaks apart, and sleeping balls."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ FORCES = (1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0)
 
 
 def trebuchet_range() -> Picture:
-    """Plot the range of your trebuchet against its release angle, with several counterweights."""
+    """Plot the range of your trebuchet against its release angle, for several counterweights."""
     figure, (left, right) = pyplot.subplots(
         1, 2, figsize=(13, 5.4), layout="constrained", width_ratios=(3, 2)
     )
@@ -96,7 +96,7 @@ def trebuchet_range() -> Picture:
 
 
 def wheel_deformation() -> Picture:
-    """Plot how far a driven wheel is deformed, and how far its spin lags behind theory."""
+    """Plot how far a driven wheel deforms, and how far its spin lags behind theory."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
     deformations = {
         (driven, force): partial(deformation_of_wheel, force, driven, 60, 1.0)
@@ -157,7 +157,7 @@ def wheel_deformation() -> Picture:
 
 
 def blob_bonds() -> Picture:
-    """Plot how far a blob spreads on the ground, and how many of its bonds stay intact."""
+    """Plot how far a blob spreads on the ground, and how many of its bonds survive."""
     figure, panels = pyplot.subplots(1, 2, figsize=(13, 5.4), layout="constrained")
     ways = {(0.0, False): BLACK, (18.0, False): SKY, (18.0, True): BLUE}
     ways |= {(25.0, False): ORANGE, (25.0, True): RED}
@@ -197,7 +197,7 @@ def blob_bonds() -> Picture:
 
 
 def sleeping_balls() -> Picture:
-    """Plot the cost of balls that land one after another, until a late ball wakes them all."""
+    """Plot the cost of balls that land one by one, until a latecomer wakes them all."""
     figure, panels = pyplot.subplots(2, 1, figsize=(11, 6.4), layout="constrained", sharex=True)
     kinds: dict[type[ParticleWorld], tuple[str, str]] = {
         ParticleWorld: ("ParticleWorld", RED),
@@ -236,10 +236,7 @@ def sleeping_balls() -> Picture:
 
 
 def _released(found: Sequence[Release], angle: float) -> Release | None:
-    """Return the first release that a trebuchet with this release angle can make.
-
-    If it never releases the projectile, return None.
-    """
+    """Return the release of a trebuchet with this release angle, or None if it never lets go."""
     return next((release for release in found if release.angle <= angle), None)
 
 

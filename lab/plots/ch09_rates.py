@@ -1,4 +1,4 @@
-"""Pictures of chapter 9: the errors of Eq. 9.5, and the rates of Euler angles near gimbal lock."""
+"""Plots of chapter 9: the errors of Eq. 9.5, and the rates of Euler angles near gimbal lock."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ WAYS: dict[str, tuple[Step, Velocity, float, str, str]] = {
 
 
 def drift_of_first_order() -> Picture:
-    """Plot the errors of Eq. 9.5 in length and angle, and the errors of better methods."""
+    """Plot the errors of Eq. 9.5 in length and in angle, next to those of better methods."""
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.4), layout="constrained")
     rows: list[Sequence[object]] = []
     notes: list[str] = []
@@ -100,7 +100,7 @@ def drift_of_first_order() -> Picture:
 def gimbal_lock() -> Picture:
     """Plot what happens to Euler angles near 90°.
 
-    The map of their rates loses a direction there, and the rates grow without limit.
+    There the mapping to their rates loses a direction, and the rates grow without bound.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(13, 5.8), layout="constrained")
     x, z = 0.4, 1.1  # rad; any values would do
@@ -156,7 +156,7 @@ def gimbal_lock() -> Picture:
 
 
 def _errors_in_angle(axes: Any, rows: list[Sequence[object]], notes: list[str]) -> None:
-    """Plot the final error of each method in degrees against the length of the time step."""
+    """Plot each method's final error in degrees against the length of the time step."""
     found = written({way: partial(_ends, way, notes) for way in WAYS})
     steps = [1.0 / rate for rate in RATES]
     for way, errors in found.items():
@@ -186,7 +186,7 @@ def _errors_in_angle(axes: Any, rows: list[Sequence[object]], notes: list[str]) 
 def _drift(duration: float, steps: int) -> tuple[float, float]:
     """Return the length and the angle in degrees that first_order_drift predicts.
 
-    If it is not written yet, both are NaN.
+    If that function is not written yet, both are NaN.
     """
     found: list[object] = []
     if is_written(lambda: found.append(first_order_drift(TAU, duration, steps))):
@@ -196,7 +196,7 @@ def _drift(duration: float, steps: int) -> tuple[float, float]:
 
 
 def _of_drift(off: Sequence[float], unit: str) -> str:
-    """Say, as a part of a title, how far first_order_drift is from the measured error."""
+    """Return the part of a title that says how far first_order_drift is from the measured error."""
     if not is_written(lambda: first_order_drift(TAU, 1.0, 10)):
         return ""
     return f",\nfirst_order_drift differs from the measurement by {largest([*off]):.2g}{unit}"
@@ -216,10 +216,10 @@ def _ends(way: str, notes: list[str]) -> list[float]:
 
 
 def _worst_rate(x: float, distance: float, z: float) -> tuple[float, str]:
-    """Measure how large the Euler rates become near gimbal lock, about the worst axis.
+    """Measure how large the Euler rates get near gimbal lock, about the worst axis.
 
-    Return their magnitude in rad/s, and the text of any error. ``distance`` is the distance from
-    gimbal lock in degrees.
+    Return their magnitude in rad/s and the text of any error. ``distance`` is how far gimbal lock
+    is away, in degrees.
     """
     left = math.radians(distance)
     found: list[float] = []
@@ -233,6 +233,6 @@ def _worst_rate(x: float, distance: float, z: float) -> tuple[float, str]:
 
 
 def _refuses(x: float, z: float) -> bool:
-    """Return whether euler_rates rejects a rotation about the axis that gimbal lock has lost."""
+    """Return whether euler_rates rejects a rotation about the axis that is lost in gimbal lock."""
     lost = worst_axis(0.0, z)
     return bool(stopped(lambda: euler_rates(x, 0.5 * math.pi, z, Vector3(*lost))))

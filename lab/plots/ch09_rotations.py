@@ -1,8 +1,8 @@
-"""Pictures of chapter 9: a disc that rotates as it flies, and the order of two rotations.
+"""Plots of chapter 9: a disc that spins as it flies, and the order of two rotations.
 
-Each title states errors that were computed without the engine, so that mistakes in it show. Parts
-that are not written yet are left out. Pictures of Eq. 9.5 and of gimbal lock are in ch09_rates, and
-the box of stones is in ch09_stones.
+Each title quotes errors computed without the engine, so that bugs in the engine show up. Anything
+that is not written yet is left out. For Eq. 9.5 and gimbal lock, see ch09_rates. For the box of
+stones, see ch09_stones.
 """
 
 from __future__ import annotations
@@ -114,7 +114,7 @@ def turning_motion() -> Picture:
 
 
 def order_of_turns() -> Picture:
-    """Draw a letter L that is rotated by 90° about the world's X and Y, in both orders."""
+    """Draw a letter L rotated by 90° about the world's X and Y axes, in both orders."""
     figure = pyplot.figure(figsize=(10.5, 7.2), layout="constrained")
     grid = figure.add_gridspec(2, 3)
     quarter = {
@@ -173,7 +173,7 @@ PLOTS: tuple[Callable[[], Picture], ...] = (
 def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
     """Rotate the axes with the engine's quaternion.
 
-    If the engine raises an error, it is added to the notes.
+    An error in the engine is added to the notes.
     """
     found: list[Arrows] = []
     if message := stopped(lambda: found.append(arrows_by_engine(q))):
@@ -184,7 +184,7 @@ def _by_quaternion(q: Quaternion, notes: list[str]) -> Arrows:
 def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> list[Arrows]:
     """Rotate the axes with the engine's matrices.
 
-    Return them at the start, after the first rotation and after both.
+    Return the axes at the start, after the first rotation, and after both.
     """
     found: list[Arrows] = []
 
@@ -199,16 +199,16 @@ def _by_matrices(first: Quaternion, second: Quaternion, notes: list[str]) -> lis
 
 
 def _letter(space: Any, found: Arrows) -> None:
-    """Draw an upright letter L that faces along Z, rotated like the arrows ``found``."""
+    """Draw an upright letter L facing along Z, with its axes rotated to ``found``."""
     if is_drawable(*found):
         for x, y in (((-0.1, 0.1), (-0.1, 0.8)), ((0.1, 0.5), (-0.1, 0.1))):
             _block(space, found, (x, y, (-0.1, 0.1)))
 
 
 def _block(space: Any, found: Arrows, sides: Sequence[tuple[float, float]]) -> None:
-    """Draw a block that is rotated like the arrows ``found``.
+    """Draw a block with its axes rotated to ``found``.
 
-    ``sides`` are the ranges that it covers along its own X, Y and Z.
+    ``sides`` are the ranges that it spans along its own X, Y and Z.
     """
     corners = {c: _beyond(ORIGIN, found, c) for c in product(*sides)}
     faces = []
@@ -221,7 +221,7 @@ def _block(space: Any, found: Arrows, sides: Sequence[tuple[float, float]]) -> N
 
 
 def _disc(space: Any, place: Numbers, found: Arrows) -> None:
-    """Draw a disc with a radius of 0.45 m around its own Y axis, rotated like ``found``."""
+    """Draw a disc of radius 0.45 m around its own Y axis, with its axes rotated to ``found``."""
     if is_drawable(*found):
         around = [math.radians(angle) for angle in range(0, 360, 10)]
         rim = [(0.45 * math.cos(a), 0.0, 0.45 * math.sin(a)) for a in around]
@@ -230,10 +230,10 @@ def _disc(space: Any, place: Numbers, found: Arrows) -> None:
 
 
 def _beyond(place: Numbers, found: Arrows, own: Numbers) -> Numbers:
-    """Return where a point of a rotated object is in the world.
+    """Return the world position of a point on a rotated object.
 
-    ``own`` is the point in the object's own coordinates. The object is at ``place`` and is rotated
-    like the arrows ``found``.
+    ``own`` is the point in the object's own coordinates. The object is at ``place``, with its axes
+    rotated to ``found``.
     """
     x, y, z = (
         at + math.fsum(v[i] * c for v, c in zip(found, own, strict=True))
@@ -247,7 +247,7 @@ def _along(place: Numbers, v: Numbers, length: float) -> Numbers:
 
 
 def _point(v: Numbers) -> Numbers:
-    """Put a vector into matplotlib's order, in which the third axis points up."""
+    """Reorder a vector for matplotlib, where the third axis points up."""
     return v[2], v[0], v[1]
 
 

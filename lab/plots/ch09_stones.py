@@ -1,4 +1,4 @@
-"""A picture of chapter 9: the balance lines of a box of stones, and how exact they are."""
+"""A plot of chapter 9: the balance lines of a box of stones, and how exact they are."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ SMALL = LABEL | {"fontsize": 9}
 
 
 def balance_lines() -> Picture:
-    """Draw the box with your stones, its balance lines and the masses beside the lines (9.7)."""
+    """Draw the box with your stones, its balance lines, and the masses on either side (9.7)."""
     masses_beside([("a stone", 1.0, 0.0, 0.0)], 0.0)  # reports a stub even if the file is empty
     stones = read_stones(own_stones())
     if not stones:

@@ -1,1 +1,1 @@
-"""The interactive scenes of the lab, in modules that are named after the book's chapters."""
+"""The lab's interactive scenes, in modules named after the book's chapters."""

@@ -1,4 +1,4 @@
-"""Scenes of chapter 2: the scalar and the vector product of two vectors that the reader drags."""
+"""Scenes of chapter 2: the scalar and vector products of two vectors that the reader drags."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def rotated(x: float, y: float, angle: float) -> tuple[float, float]:
 class Projection(Scene):
     """Shows how much of one vector points along another.
 
-    This component is the scalar product with a unit vector.
+    That component is the scalar product with a unit vector.
     """
 
     chapter = 2
@@ -37,7 +37,7 @@ class Projection(Scene):
         self.a, self.b = Vector3(1.5, 2.5), Vector3(3.5, 0.5)
 
     def step(self, duration: float) -> None:
-        """Do nothing, because the vectors move only when the reader moves them."""
+        """Do nothing: the vectors move only when the reader drags them."""
 
     def shadow(self) -> Vector3:
         """Project a onto b with the student's Vector3."""
@@ -89,7 +89,7 @@ class Projection(Scene):
 
 
 class CrossProduct(Scene):
-    """Shows two vectors on the ground and their vector product, which points up or down."""
+    """Shows two vectors on the ground, and their vector product pointing up or down."""
 
     chapter = 2
     title = "Cross product: a direction and an area"
@@ -104,7 +104,7 @@ class CrossProduct(Scene):
         self.a, self.b = Vector3(0.5, 0.0, 1.8), Vector3(2.0, 0.0, 0.3)
 
     def step(self, duration: float) -> None:
-        """Do nothing, because the vectors move only when the reader moves them."""
+        """Do nothing: the vectors move only when the reader drags them."""
 
     def draw(self, pen: Pen) -> None:
         zero, product = Vector3(), self.a.cross(self.b)

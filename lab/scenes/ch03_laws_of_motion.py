@@ -1,4 +1,4 @@
-"""Scenes of chapter 3, which show how the length of a time step affects a throw and damping."""
+"""Scenes of chapter 3 that show how the length of a time step affects a throw and damping."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ COLORS = ("red", "orange", "blue")
 
 
 class FrameRates(Scene):
-    """Runs the same throw at three step rates, and draws the exact path beside them.
+    """Runs the same throw at three step rates, next to its exact path.
 
     The throw is simulated with the book's integrator.
     """
@@ -79,7 +79,7 @@ class FrameRates(Scene):
             pen.text((trail[-1][0] + 0.2, trail[-1][1] + 0.8), f"{rate} Hz", color)
 
     def off(self, i: int) -> float:
-        """Return how far ball ``i`` is from its exact position, in m."""
+        """Return the distance of ball ``i`` from its exact position, in m."""
         x, y, _ = self.flight.exact(self.steps[i] / self.rates[i]).position
         return math.hypot(self.balls[i].position.x - x, self.balls[i].position.y - y)
 
@@ -108,8 +108,7 @@ class FrameRates(Scene):
 class DampingForms(Scene):
     """Lets three identical pucks slide, each with a different form of damping.
 
-    The first puck follows Eq. 3.5 and the second follows Eq. 3.6, while the third is the exact
-    solution.
+    The first puck follows Eq. 3.5, the second follows Eq. 3.6, and the third is the exact solution.
     """
 
     chapter = 3
@@ -148,7 +147,7 @@ class DampingForms(Scene):
             self.speeds[1] = damp_per_second(self.speeds[1], Vector3(), self.kept, h)
 
     def slid(self) -> float:
-        """Return the distance in m that the exact puck has slid so far."""
+        """Return how far the exact puck has slid so far, in m."""
         k = -math.log(self.kept)
         return self.SPEED * -math.expm1(-k * self.steps / self.rate) / k
 

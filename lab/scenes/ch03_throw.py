@@ -16,7 +16,7 @@ Point = tuple[float, float]
 
 
 class Throw(Scene):
-    """A game in which the student's engine moves the ball. The exact path is drawn beside it."""
+    """A game in which the student's engine moves the ball, with the exact path for comparison."""
 
     chapter = 3
     title = "Throw a ball at the hoop"
@@ -64,11 +64,11 @@ class Throw(Scene):
 
     @property
     def hoop(self) -> Point:
-        """The center of the rim, in m. The hoop moves after each ball that goes in."""
+        """The center of the rim, in m. The hoop moves whenever a ball goes in."""
         return self.HOOPS[self.passed % len(self.HOOPS)]
 
     def flight(self) -> DragFlight:
-        """Return the throw that the player is aiming, as plain numbers with an exact solution."""
+        """Return the throw the player is aiming, as plain numbers that have an exact solution."""
         angle = math.radians(self.angle)
         velocity = (self.speed * math.cos(angle), self.speed * math.sin(angle), 0.0)
         return DragFlight("throw", State((*self.HAND, 0.0), velocity), GRAVITY, self.damping, 6.0)
@@ -120,7 +120,7 @@ class Throw(Scene):
                 self.land()
 
     def land(self) -> None:
-        """End the throw, and report by how much the ball and the exact path missed the hoop."""
+        """End the throw, and report how far the ball and the exact path were from the hoop."""
         yours, exact = self.past_hoop(self.path), self.past_hoop(self.truth)
         self.message = f"Your ball: {self.told(yours)}. The exact path: {self.told(exact)}."
         self.score += self.is_in(yours)
@@ -129,8 +129,8 @@ class Throw(Scene):
     def past_hoop(self, path: list[Point]) -> float | None:
         """Return how far beyond the center of the rim a path comes down, in m.
 
-        The distance is measured at the height of the rim. It is negative if the path comes down
-        before the center, and None if the path never comes down to this height.
+        The distance is measured at the height of the rim. It is negative if the path falls short of
+        the center, and None if the path never comes down through that height.
         """
         x, y = self.hoop
         for (x1, y1), (x2, y2) in pairwise(path):
@@ -141,7 +141,8 @@ class Throw(Scene):
     def is_in(self, beyond: float | None) -> bool:
         """Return whether a ball goes through the hoop.
 
-        ``beyond`` says how far from the center of the rim it comes down (see ``past_hoop``).
+        ``beyond`` is how far from the center of the rim it comes down, as returned by
+        ``past_hoop``.
         """
         return beyond is not None and abs(beyond) < self.RIM
 
@@ -209,9 +210,9 @@ class Throw(Scene):
             self.throw()
 
     def aim(self, angle: float, speed: float) -> None:
-        """Aim with an angle in degrees and a speed in m/s.
+        """Aim at an angle in degrees with a speed in m/s.
 
-        Both are limited to what a person can throw.
+        Both are clamped to what a person can throw.
         """
         self.values["angle"] = max(0.0, min(88.0, angle))
         self.values["speed"] = max(4.0, min(20.0, speed))
@@ -223,7 +224,7 @@ class Throw(Scene):
             self.throw()
 
     def play(self, time: float) -> None:
-        """Throw once at 60 steps per second, twice at 10, and then twice with damping."""
+        """Throw once at 60 steps per second, twice at 10, and twice more with damping."""
         if self.orders and self.orders[0][0] <= time:
             _, self.values["rate"], self.values["damping"], angle, speed = self.orders.pop(0)
             self.aim(angle, speed)

@@ -1,4 +1,4 @@
-"""Scenes of chapter 4: a ballistic range, and a shell whose landing point is known in advance."""
+"""Scenes of chapter 4: a ballistic range, and a shell whose landing point is predicted."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ MIDDLE = -20.0  # y at which the view from above is drawn, below the view from t
 
 
 class Ballistics(Scene):
-    """A range where the reader fires at blocks, seen from the side and, below that, from above."""
+    """A range where the reader fires at blocks, shown from the side and, below that, from above."""
 
     chapter = 4
     title = "The ballistic range"
@@ -107,7 +107,7 @@ class Ballistics(Scene):
     def muzzle(self) -> float:
         """Return the elevation of the muzzle in radians.
 
-        Until the reader changes it, it is the usual elevation of the shot type.
+        Until the reader changes it, that is the usual elevation for the type of shot.
         """
         vx, vy, vz = SHOT_TYPES[self.name].velocity
         own = math.atan2(vy, math.hypot(vx, vz))
@@ -138,7 +138,7 @@ class Ballistics(Scene):
             self.range.fire(self.name, self.azimuth, self.elevation)
 
     def click(self, x: float, y: float) -> None:
-        """Aim at the clicked point in the view from the side or from above, and fire."""
+        """Aim at the clicked point, in the side view or the view from above, and fire."""
         if x <= MUZZLE[2]:
             return
         if y > 0.5 * MIDDLE:
@@ -156,13 +156,13 @@ class Ballistics(Scene):
 
 
 def best_of_three(scene: Artillery) -> int:
-    """Return which elevation has the longest range: 0 for 30 degrees, 1 for 45, or 2 for 60."""
+    """Return which elevation reaches farthest: 0 for 30 degrees, 1 for 45, or 2 for 60."""
     lengths = [scene.landing(angle)[0] for angle in (30.0, 45.0, 60.0)]
     return lengths.index(max(lengths))
 
 
 class Artillery(Scene):
-    """Calculates where a shell will land before it is fired."""
+    """Predicts where a shell will land before it is fired."""
 
     chapter = 4
     title = "Where will the shell land?"
@@ -194,18 +194,18 @@ class Artillery(Scene):
         ]
 
     def shot(self, elevation: float) -> Particle:
-        """Return a shell that is fired from the ground. ``elevation`` is in degrees."""
+        """Return a shell fired from the ground. ``elevation`` is in degrees."""
         a = math.radians(elevation)
         velocity = Vector3(self.speed * math.cos(a), self.speed * math.sin(a))
         return Particle(Vector3(), velocity, Vector3(0.0, -9.81), damping=self.damping)
 
     def place_after(self, time: float, elevation: float) -> tuple[float, float]:
-        """Return the exact position of a shell at ``time`` in s. ``elevation`` is in degrees."""
+        """Return a shell's exact position at ``time`` in s. ``elevation`` is in degrees."""
         position, _ = state_after(self.shot(elevation), time)
         return position.x, position.y
 
     def landing(self, elevation: float) -> tuple[float, float]:
-        """Find how far a shell flies in m, and for how long in s, by bisection."""
+        """Find by bisection how far a shell flies, in m, and for how long, in s."""
         low, high = 0.01, 20.0  # s; the shell is above the ground at low and below it at high
         while high - low > 1e-9:
             middle = 0.5 * (low + high)

@@ -1,4 +1,4 @@
-"""A fireworks display that the player keeps alive by clicking on its rockets (project 4.1)."""
+"""A fireworks display that the player keeps going by clicking on its rockets (project 4.1)."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ WHEEL_SPARK = FireworkRule(12, 0.5, 0.9, (-1.5, -1.5, -1.5), (1.5, 1.5, 1.5), da
 
 
 class Fireworks(Scene):
-    """A display that lasts for as long as the player clicks on its rockets.
+    """A display that lasts for as long as the player keeps clicking on its rockets.
 
-    A Catherine wheel throws sparks beside it.
+    A Catherine wheel throws sparks next to it.
     """
 
     chapter = 4
@@ -58,7 +58,7 @@ class Fireworks(Scene):
     def ended(self) -> bool:
         """Return whether the game is over.
 
-        The game never ends as long as the student has not written its rules.
+        Until the student writes the rules of the game, it never ends.
         """
         return self.plays and is_over(self.display)
 
@@ -99,7 +99,7 @@ class Fireworks(Scene):
             click(self.display, x, y)
 
     def play(self, time: float) -> None:
-        """Click on each rocket just before it bursts. In the last 3 s, let the display end."""
+        """Click on each rocket just before it bursts. For the last 3 s, let the display die out."""
         if time > self.seconds - 3.0:
             return
         if not self.plays:
@@ -113,7 +113,7 @@ class Fireworks(Scene):
 
 
 def can_turn() -> bool:
-    """Return whether the student's Catherine wheel is written far enough to throw sparks."""
+    """Return whether enough of the student's Catherine wheel is written for it to throw sparks."""
     trial = FireworksShow([WHEEL_SPARK], capacity=9, seed=1)
     return is_written(lambda: make_wheel(trial, Vector3()).update(1.0))
 

@@ -1,4 +1,4 @@
-"""Scenes of chapter 5: two balls that fall through air, and an orbit that should close."""
+"""Scenes of chapter 5: two balls falling through air, and an orbit that should close."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ G = 9.81  # m/s^2
 
 
 def lands_first(scene: FallInAir) -> int:
-    """Return which ball lands first: 0 for the left, 1 for the right, or 2 if they land together.
+    """Return which ball lands first: 0 for the left, 1 for the right, or 2 for a tie.
 
-    The ball with the higher terminal speed lands first.
+    The ball with the higher terminal speed wins.
     """
     heavy, light = (terminal_speed(mass * G, 0.0, k2) for mass, k2, _ in scene.balls())
     return 0 if heavy > 1.001 * light else 1 if light > 1.001 * heavy else 2
 
 
 class FallInAir(Scene):
-    """Lets two balls fall from a tower through air, with quadratic drag."""
+    """Drops two balls from a tower, with quadratic drag from the air."""
 
     chapter = 5
     title = "Which ball lands first?"
@@ -49,7 +49,7 @@ class FallInAir(Scene):
     TOP = 100.0  # m
 
     def balls(self) -> list[tuple[float, float, str]]:
-        """Return the mass, the drag coefficient and the color of both balls."""
+        """Return the mass, drag coefficient and color of both balls."""
         return [
             (self.left_mass, self.left_drag, "blue"),
             (self.right_mass, self.right_drag, "orange"),
@@ -99,7 +99,7 @@ class FallInAir(Scene):
     def exact(self, time: float) -> list[float]:
         """Return the exact heights of both balls.
 
-        A ball that has landed no longer contributes to the error, so its own height is returned.
+        Once a ball has landed, its own height is returned, so that it no longer adds to the error.
         """
         heights = []
         for ball, landed, (mass, k2, _) in zip(
@@ -124,9 +124,9 @@ class FallInAir(Scene):
 
 
 class Orbit(Scene):
-    """A planet that orbits a star, with two forms of the time step.
+    """A planet orbiting a star, with a choice of two forms of the time step.
 
-    A step updates the position either before the velocity, as in the book, or after it.
+    Each step updates the position either before the velocity, as in the book, or after it.
     """
 
     chapter = 5

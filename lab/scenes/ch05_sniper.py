@@ -1,4 +1,4 @@
-"""The sniper range of chapter 5 (project 4.2): ten shots in a wind that changes after each one."""
+"""The sniper range of chapter 5 (project 4.2): ten shots in a wind that changes with each shot."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ COLORS = ("sky", "water", "blue")  # of the rings, from the outside in
 
 
 class Sniper(Scene):
-    """A shooting range with targets at four distances, seen through the scope of a rifle.
+    """A shooting range with targets at four distances, seen through a rifle scope.
 
     Coordinates in the view are angles in milliradians.
     """
@@ -120,7 +120,7 @@ class Sniper(Scene):
         self.range.shoot(*self.aim)
 
     def play(self, time: float) -> None:
-        """Shoot at the targets in turn, and correct each shot for the drop and the wind."""
+        """Shoot at each target in turn, correcting for drop and wind."""
         if self.waited < 1.0 or self.range.is_over():
             return
         target = TARGETS[(SHOTS - self.range.shots_left) % len(TARGETS)]
@@ -139,7 +139,7 @@ SCENES = (Sniper,)
 
 
 def seen(x: float, y: float, z: float) -> tuple[float, float]:
-    """Return where the scope shows the point (x, y, z), in milliradians.
+    """Return where the point (x, y, z) appears in the scope, in milliradians.
 
     The world's +x points to the left.
     """
@@ -148,5 +148,5 @@ def seen(x: float, y: float, z: float) -> tuple[float, float]:
 
 
 def limited(angle: float) -> float:
-    """Return the nearest angle to ``angle`` that the rifle can turn to."""
+    """Clamp ``angle`` to the range that the rifle can turn through."""
     return max(-SWING, min(SWING, angle))

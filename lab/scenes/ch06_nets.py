@@ -1,4 +1,4 @@
-"""Scenes of chapter 6 with many springs: a bridge and a cloth, both of which can explode."""
+"""Scenes of chapter 6 with many springs: a bridge and a cloth, either of which can explode."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from lab.stepped import STEPS, Stepped
 
 
 class SpringBridge(Stepped):
-    """A bridge of planks that hang on springs, with a walker (G6.2).
+    """A bridge of planks hanging from springs, with a walker on it (G6.2).
 
     If the springs are too stiff for the time step, the bridge explodes.
     """
@@ -46,7 +46,7 @@ class SpringBridge(Stepped):
         self.x, self.owed = 0.5, 0.0
 
     def step(self, duration: float) -> None:
-        """Make as many time steps as fit into ``duration``, which is in s.
+        """Advance the bridge by ``duration`` s at the chosen step rate.
 
         Before each step, the walker's weight is added to the nearest planks.
         """
@@ -86,9 +86,9 @@ class SpringBridge(Stepped):
     def limit(self) -> float:
         """Return the largest stiffness in N/m at which semi-implicit Euler is stable.
 
-        In a long row of planks, the fastest oscillation moves each plank against its neighbors.
-        Each plank then moves as if it hung on a single spring with stiffness 4 k and damping 4 c.
-        Such a spring is stable if 4 k h^2 / m + 2 (4 c) h / m < 4.
+        In a long row of planks, the fastest oscillation is the one in which neighboring planks move
+        in opposite directions. Each plank then moves as if it hung from a single spring with
+        stiffness 4 k and damping 4 c, which is stable if 4 k h^2 / m + 2 (4 c) h / m < 4.
         """
         limit: float = self.PLANK_MASS * self.rate**2 - 2.0 * self.DAMPING * self.rate
         return limit
@@ -109,7 +109,7 @@ class SpringBridge(Stepped):
 
 
 class Cloth(Stepped):
-    """A cloth that hangs from two corners, which the reader can drag."""
+    """A cloth hanging from two corners, which the reader can drag."""
 
     chapter = 6
     title = "A cloth of 180 springs"
@@ -163,5 +163,5 @@ SCENES = (SpringBridge, Cloth)
 
 
 def oblique(place: Vector3) -> tuple[float, float]:
-    """Return the picture coordinates of ``place``, seen from the side and slightly from above."""
+    """Return the picture coordinates of ``place``, viewed from the side and slightly from above."""
     return place.x + place.z / 3.0, place.y + place.z / 3.0

@@ -1,4 +1,4 @@
-"""A scene of chapter 6 that compares seven integrators by the position and velocity of a ball."""
+"""A scene of chapter 6 that compares seven integrators by a ball's position and velocity."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ FAR = 3.0  # m; a ball farther out is not drawn
 
 
 class IntegratorRace(Scene):
-    """Draws balls on identical springs, each moved by a different integrator.
+    """Shows balls on identical springs, each moved by a different integrator.
 
     The axes are position and velocity, scaled so that the exact motion is a circle.
     """
@@ -77,7 +77,7 @@ class IntegratorRace(Scene):
                 self.trails[name] = [*self.trails[name][-90:], self.phase(ball)]
 
     def phase(self, ball: Particle) -> tuple[float, float]:
-        """Return a ball's position, and its velocity scaled so that the exact path is a circle."""
+        """Return a ball's position and its velocity, scaled so that the exact path is a circle."""
         return ball.position.x, ball.velocity.x / math.sqrt(self.stiffness / self.MASS)
 
     def draw(self, pen: Pen) -> None:

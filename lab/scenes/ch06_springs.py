@@ -1,4 +1,4 @@
-"""A scene of chapter 6 with a single spring, for which the time steps may be too long."""
+"""A scene of chapter 6: a single spring, with time steps that may be too long for it."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from lab.stepped import Stepped
 
 
 def explodes(scene: OneSpring) -> int:
-    """Return 1 if the ball's swings grow according to the limits of chapter 6, or 0 otherwise."""
+    """Return 1 if the ball's swings grow according to the limits of chapter 6, and 0 if not."""
     number = scene.stiffness / scene.rate**2 / scene.mass
     limits = {"explicit Euler": 0.0, "leapfrog": 4.0, "Runge-Kutta 4": 8.0}
     return 1 if number > limits.get(scene.integrator, 4.0) else 0
 
 
 class OneSpring(Stepped):
-    """A ball on a spring that moves along a line, so that its exact motion is known."""
+    """A ball on a spring, confined to a line so that its exact motion is known."""
 
     chapter = 6
     title = "One spring, five integrators"
@@ -95,13 +95,13 @@ class OneSpring(Stepped):
         self.let_go(max(-2.0, min(2.0, x)), 0.0)
 
     def let_go(self, x: float, v: float) -> None:
-        """Release the ball in a new state, from which the exact motion starts again."""
+        """Release the ball in a new state, and restart the exact motion from there."""
         self.ball.position.x, self.ball.velocity.x = x, v
         self.since, self.x0, self.v0 = self.time, x, v
 
 
 class ExactSpring(OneSpring):
-    """The scene OneSpring, in which the closed form moves the ball instead of an integrator."""
+    """The scene OneSpring, with the closed form moving the ball instead of an integrator."""
 
     def step(self, duration: float) -> None:
         passed = self.time + duration - self.since
@@ -111,7 +111,7 @@ class ExactSpring(OneSpring):
 
 
 class PymunkSpring(OneSpring):
-    """The scene OneSpring in pymunk, whose own damped spring pulls the ball."""
+    """The scene OneSpring in pymunk, with the ball on pymunk's own damped spring."""
 
     def build(self) -> None:
         import pymunk  # not needed by the other scenes

@@ -1,4 +1,4 @@
-"""A scene of chapter 7 that simulates the same rope of rods with three methods."""
+"""A scene of chapter 7 that simulates the same rope of rods by three methods."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Ropes(Scene):
     """Three copies of a rope, each simulated by a different method.
 
     The methods are one step per frame, substeps, and a direct solve. A rope should keep its length,
-    so the picture shows by how much each of them is too long.
+    so the picture shows how much too long each copy is.
     """
 
     chapter = 7
@@ -59,7 +59,7 @@ class Ropes(Scene):
     def rope(self) -> list[Particle]:
         """Return the particles of a straight rope.
 
-        The first particle is immovable and holds the others.
+        The first particle is immovable, and the others hang from it.
         """
         a, link = math.radians(self.angle), LENGTH / self.count
         direction, down = Vector3(math.sin(a), -math.cos(a)), Vector3(0.0, -9.81)
@@ -78,7 +78,7 @@ class Ropes(Scene):
         self.chain.step(duration)
 
     def too_long(self, i: int) -> float:
-        """Return by how many meters rope ``i`` is too long, summed over its rods."""
+        """Return how much too long rope ``i`` is in m, summed over its rods."""
         return math.fsum(
             (b.position - a.position).magnitude() - LENGTH / self.count
             for a, b in pairwise(self.ropes[i])

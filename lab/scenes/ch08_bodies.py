@@ -26,7 +26,7 @@ def lower_end(scene: Platform) -> int:
 
 
 class Platform(WorldScene):
-    """A platform that tilts on a pivot, with a weight on it (mini-project 8.1).
+    """A weighted platform that tilts on a pivot (mini-project 8.1).
 
     The reader can move the weight and free the pivot.
     """
@@ -115,7 +115,7 @@ class Platform(WorldScene):
 class Blob(WorldScene):
     """A blob of particles, held together by bonds that break and heal.
 
-    The reader can push the blob, and hold it together with cables.
+    The reader can push the blob around, and use cables to keep it together.
     """
 
     chapter = 8
@@ -205,7 +205,7 @@ class Blob(WorldScene):
 
 
 def ends_on_screen(rod: Rod) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Return the positions in the picture of the two ends of a rod."""
+    """Return the picture coordinates of both ends of a rod."""
     a, b = ends_of(rod)
     return flat(a), flat(b)
 

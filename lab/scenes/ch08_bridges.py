@@ -1,4 +1,4 @@
-"""Scenes of chapter 8 with the rope bridge: a ball that walks across it, and a game."""
+"""Scenes of chapter 8 with the rope bridge: a ball that walks across it, and a ball game."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ LATE = 0.5  # s, duration of a late frame
 class Bridge(WorldScene):
     """A rope bridge that has to carry a heavy ball.
 
-    The reader can walk the ball across it, and can make some of the frames late.
+    The reader can walk the ball across it and make some of the frames late.
     """
 
     chapter = 8
@@ -68,7 +68,7 @@ class Bridge(WorldScene):
         self.contacts.draw(pen, 1.0)
 
     def too_long(self) -> float:
-        """Return by how many percent the worst cable is too long."""
+        """Return how much too long the worst cable is, in percent."""
         return over_length(self.bridge.world.contact_generators)
 
     def chart(self) -> dict[str, float]:
@@ -99,7 +99,7 @@ class Bridge(WorldScene):
 
 
 class BallGame(Scene):
-    """A game in which the ball must bounce from plank to plank without falling (project 8.1)."""
+    """A game of bouncing a ball from plank to plank without letting it fall (project 8.1)."""
 
     chapter = 8
     title = "A game on the bridge"
@@ -151,7 +151,7 @@ class BallGame(Scene):
             self.game.direction = {"left": -1, "down": 0, "right": 1}[key]
 
     def play(self, time: float) -> None:
-        """Win one game by always steering to the next unvisited row, and then lose another one."""
+        """Win one game by always steering to the next unvisited row, and then lose one."""
         frame = round(60.0 * time)
         if frame == 424:
             self.press("n")

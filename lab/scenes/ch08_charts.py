@@ -1,4 +1,4 @@
-"""Replay the scenes of the accuracy study with any of their models."""
+"""Replay any scene of the accuracy study with any of its models."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ METHODS = list(dict.fromkeys(model.name for scene in CHARTED.values() for model 
 
 
 class Charts(Scene):
-    """Replays a scene of the accuracy study with the model that the reader chooses.
+    """Replays a scene of the accuracy study with the model chosen by the reader.
 
-    The model computes all frames in advance, and then they are shown one by one.
+    The model computes every frame in advance, and the scene then plays them back one by one.
     """
 
     chapter = 8
@@ -51,9 +51,9 @@ class Charts(Scene):
         self.size = max(max(xs) - min(xs), max(ys) - min(ys), 1e-9)  # m
 
     def chosen(self) -> Model:
-        """Return the model that the reader has chosen.
+        """Return the model chosen by the reader.
 
-        If the scene has no such model, return its first one.
+        If the scene has no such model, fall back on its first one.
         """
         models = {model.name: model for model in self.scene.models}
         return models.get(self.method, self.scene.models[0])
@@ -62,7 +62,7 @@ class Charts(Scene):
         self.frame = min(self.frame + 1, len(self.places) - 1)
 
     def seen(self, place: Place) -> list[tuple[float, float]]:
-        """Return where to draw the points of ``place``, scaled so that the whole path fits."""
+        """Return where to draw the points of ``place``, at a scale that fits the whole path."""
         x0, y0 = self.middle
         return [(2.0 * (x - x0) / self.size, 2.0 * (y - y0) / self.size) for x, y in points(place)]
 
@@ -95,7 +95,7 @@ class Charts(Scene):
 
 
 def points(place: Place) -> list[tuple[float, float]]:
-    """Split the coordinates of a place into points (x, y). A single coordinate is a height."""
+    """Split the coordinates of a place into points (x, y). A lone coordinate is a height."""
     numbers = [float(number) for number in place]
     if len(numbers) == 1:
         return [(0.0, numbers[0])]

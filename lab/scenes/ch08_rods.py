@@ -1,4 +1,4 @@
-"""Scenes of chapter 8 with bodies made of rods: a wheel that is driven, and a cube that falls."""
+"""Scenes of chapter 8 with bodies made of rods: a driven wheel, and a falling cube."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from studies.runs.links import ends_of
 
 
 class Wheel(WorldScene):
-    """A wheel made of rods, which is driven at its rim (mini-project 8.3)."""
+    """A wheel made of rods and driven at its rim (mini-project 8.3)."""
 
     chapter = 8
     title = "A wheel of rods"
@@ -85,7 +85,7 @@ class Wheel(WorldScene):
 
 
 class PymunkWheel(Wheel):
-    """The scene Wheel in pymunk, where pin joints act as the rods."""
+    """The scene Wheel in pymunk, with pin joints as the rods."""
 
     def build(self) -> None:
         import pymunk  # not needed without this peer
@@ -116,7 +116,7 @@ class PymunkWheel(Wheel):
 
 
 class Cube(WorldScene):
-    """A cube of rods that falls on a corner (mini-project 8.2).
+    """A cube of rods that falls on one of its corners (mini-project 8.2).
 
     The reader can remove rods until the cube collapses.
     """
@@ -152,7 +152,7 @@ class Cube(WorldScene):
         return [(b - a).magnitude() for a, b in combinations(places, 2)]
 
     def changed(self) -> float:
-        """Return the largest change in the distance between two corners, in percent."""
+        """Return the largest change in the distance between any two corners, in percent."""
         pairs = zip(self.distances(), self.first, strict=True)
         return 100.0 * max(abs(now / then - 1.0) for now, then in pairs)
 
@@ -180,7 +180,7 @@ class Cube(WorldScene):
 
 
 def tilted(place: Vector3) -> tuple[float, float]:
-    """Return the picture coordinates of ``place``, seen from a corner and from above."""
+    """Return the picture coordinates of ``place``, viewed toward a corner and from above."""
     across, away = 0.87 * place.x - 0.5 * place.z, 0.5 * place.x + 0.87 * place.z
     return across, 0.94 * place.y + 0.34 * away
 

@@ -18,7 +18,7 @@ Point = tuple[float, float]
 
 
 class Trebuchet(WorldScene):
-    """The trebuchet that the student has designed.
+    """The trebuchet designed by the student.
 
     The reader can change its counterweight and its release angle.
     """
@@ -60,7 +60,7 @@ class Trebuchet(WorldScene):
             self.look()
 
     def look(self) -> None:
-        """Record the projectile's path and the energies, and notice when the projectile lands."""
+        """Record the projectile's path and the energies, and detect when the projectile lands."""
         engine = self.engine
         weight, projectile = engine.weight, engine.projectile
         self.way.append((projectile.position.x, max(0.0, projectile.position.y)))
@@ -96,7 +96,7 @@ class Trebuchet(WorldScene):
     def draw_machine(self, pen: Pen, scale: float, x0: float, y0: float) -> None:
         """Draw the frame, the beam, the counterweight and the sling.
 
-        The picture is enlarged by ``scale``, with its origin at (x0, y0).
+        The drawing is enlarged by ``scale``, with its origin at (x0, y0).
         """
         engine = self.engine
         pivot, weight, tip, stone = (

@@ -1,4 +1,4 @@
-"""A scene of chapter 9: a box that spins freely about one of its axes, or flips over."""
+"""A scene of chapter 9: a box that spins freely about one of its axes, or keeps flipping over."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SPINS = ("smallest", "middle", "largest")
 
 
 class Spin(Scene):
-    """A box like a thick book, which spins about one of its axes and a little about another."""
+    """A box shaped like a thick book, spinning about one of its axes and a little about another."""
 
     chapter = 9
     title = "A book thrown into the air"
@@ -54,7 +54,7 @@ class Spin(Scene):
         self.turned_over, self.before = 0, self.SPEED
 
     def momentum(self) -> Vector3:
-        """Compute the box's angular momentum in kg m^2/s from the state of its rotation."""
+        """Compute the box's angular momentum in kg m^2/s from its orientation and velocity."""
         own = self.box.own_velocity().component_product(self.box.inertia)
         return self.box.orientation.rotate(own)
 
@@ -81,7 +81,7 @@ class Spin(Scene):
     def state(self) -> list[float]:
         """Return what should stay constant: the energy in J and the angular momentum in kg m^2/s.
 
-        The scene's error is how much these have changed since the start.
+        The scene's error is how far they have changed since the start.
         """
         return [self.box.energy(), *numbers(self.momentum())]
 

@@ -1,4 +1,4 @@
-"""Scenes of chapter 9: three ways to store an orientation, and the error of Eq. 9.5."""
+"""Scenes of chapter 9: three ways of storing an orientation, and the error of Eq. 9.5."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ PLACES = {"matrix": -2.4, "quaternion": 0.0, "Euler angles": 2.4}
 class Orientations(Scene):
     """Three boxes that rotate with the same angular velocity.
 
-    They store their orientations as a matrix, as a quaternion and as Euler angles.
+    One stores its orientation as a matrix, one as a quaternion, and one as Euler angles.
     """
 
     chapter = 9
@@ -67,9 +67,10 @@ class Orientations(Scene):
             self.step_angles(h)
 
     def step_matrix(self, h: float) -> None:
-        """Rotate the matrix for one step of ``h`` s, by moving each of its columns.
+        """Rotate the matrix by one step of ``h`` s, column by column.
 
-        Each column is an axis of the box. The tip of this axis moves with the velocity w x column.
+        Each column is an axis of the box, and the tip of that axis moves with the velocity w x
+        column.
         """
         for column in self.columns:
             column.add_scaled(self.velocity.cross(column), h)
@@ -81,9 +82,9 @@ class Orientations(Scene):
             self.columns[2] = x.cross(y)
 
     def step_angles(self, h: float) -> None:
-        """Change the Euler angles for one step of ``h`` s, by adding their rates times ``h``.
+        """Advance the Euler angles by one step of ``h`` s, adding their rates times ``h``.
 
-        In gimbal lock, the rates do not exist, so the angles stay as they are.
+        In gimbal lock the rates are undefined, so the angles stay as they are.
         """
         a = self.angles
         try:
@@ -97,7 +98,7 @@ class Orientations(Scene):
         return Matrix3(x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z)
 
     def turns(self) -> dict[str, list[Vector3]]:
-        """Return where the axes of each box point, by the way it stores its orientation."""
+        """Return where each box's axes point, keyed by how the box stores its orientation."""
         angles = euler_to_quaternion(self.angles.x, self.angles.y, self.angles.z)
         q = self.quaternion.copy()
         q.normalize()
@@ -109,9 +110,9 @@ class Orientations(Scene):
         }
 
     def errors(self) -> list[float]:
-        """Measure for each box how far its worst axis is from the exact one.
+        """Measure how far each box's worst axis is from the exact one.
 
-        The errors are in percent of the length of an axis.
+        The errors are in percent of an axis's length.
         """
         speed = self.velocity.magnitude()
         right = Quaternion.from_axis_angle(self.velocity, speed * self.time)
@@ -122,7 +123,7 @@ class Orientations(Scene):
         ]
 
     def worst(self) -> int:
-        """Return the index of the box with the largest error, or 3 if no error is above 10 %."""
+        """Return the index of the box with the largest error, or 3 if no error exceeds 10 %."""
         errors = self.errors()
         return errors.index(max(errors)) if max(errors) > 10.0 else 3
 
@@ -146,10 +147,10 @@ class Orientations(Scene):
         return dict(zip(names, self.errors(), strict=True))
 
     def state(self) -> list[float]:
-        """Return how far the box of the quaternion is from its exact orientation.
+        """Return how far the quaternion's box is from its exact orientation.
 
-        The result is the distance between the tips of an exact and an actual axis, which have a
-        length of 1.
+        The result is the distance between the tips of an exact and an actual axis, each of length
+        1.
         """
         return [0.01 * self.errors()[1]]
 
@@ -170,9 +171,9 @@ class Orientations(Scene):
 
 
 class FirstOrder(Scene):
-    """A hand that rotates by Eq. 9.5, beside one that rotates steadily.
+    """A hand that rotates by Eq. 9.5, next to one that rotates steadily.
 
-    Each step of Eq. 9.5 moves the quaternion along a straight line, so the hand falls behind.
+    Each step of Eq. 9.5 moves the quaternion in a straight line, so the hand falls behind.
     """
 
     chapter = 9
@@ -213,7 +214,7 @@ class FirstOrder(Scene):
                 self.q.normalize()
 
     def half_angle(self) -> float:
-        """Return half of the angle by which the quaternion rotates about Z, in radians."""
+        """Return half the angle by which the quaternion rotates about Z, in radians."""
         return math.atan2(self.q.k, self.q.r)
 
     def passed(self) -> float:

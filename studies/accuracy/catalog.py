@@ -1,4 +1,4 @@
-"""List all scenes of the accuracy study, so that a command can select some of them by name."""
+"""List all scenes of the accuracy study, so that commands can select them by name."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from studies.accuracy.scenes.springs import SPRINGS
 
 
 def scenes_with(part: str) -> list[Scene]:
-    """Return the scenes whose names contain ``part``. If ``part`` is empty, return all scenes.
+    """Return the scenes whose names contain ``part``, which is all of them if ``part`` is empty.
 
     Raises:
         ValueError: No scene matches. The message lists all names.
@@ -21,4 +21,4 @@ def scenes_with(part: str) -> list[Scene]:
     if found := [scene for scene in every if part in scene.name]:
         return found
     names = "; ".join(scene.name for scene in every)
-    raise ValueError(f"scene must be a part of a scene's name, got {part!r}: {names}")
+    raise ValueError(f"scene must be part of one of these names, got {part!r}: {names}")

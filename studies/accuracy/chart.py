@@ -1,7 +1,7 @@
 """Draw the charts of the accuracy study.
 
-For each scene, one panel plots the error of every model over its processor time, and a second panel
-plots the error over the work. An overview compares our models with pymunk in all scenes.
+Each scene gets two panels, which plot the error of every model against its processor time and
+against its work. An overview compares our models with pymunk in all scenes.
 """
 
 from __future__ import annotations
@@ -44,9 +44,9 @@ COLUMNS = (
 
 
 def draw(points: Sequence[Point], counted: str, png: Path) -> None:
-    """Save the chart of one scene as ``png``, and its points as a CSV file beside it.
+    """Save the chart of one scene as ``png``, and its points as a CSV file next to it.
 
-    ``counted`` says what the models count as their work.
+    ``counted`` says what the models count as work.
     """
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(14, 6.5), layout="constrained")
     styles = styles_of(points)
@@ -96,9 +96,9 @@ def draw(points: Sequence[Point], counted: str, png: Path) -> None:
 def _draw_extrapolated(
     axes: Axes, points: Sequence[Point], styles: dict[str, dict[str, Any]]
 ) -> None:
-    """Extend pymunk's curve with a dotted line to errors that it did not reach.
+    """Continue pymunk's curve as a dotted line, to errors that pymunk did not reach.
 
-    The line ends at the tightest tolerance for which pymunk's time could be extrapolated.
+    The line ends at the tightest tolerance to which its time could be extrapolated.
     """
     sides = [(tolerance, row(points, tolerance).pymunk) for tolerance in TOLERANCES]
     found = [(tolerance, side) for tolerance, side in sides if side.order is not None]
@@ -115,17 +115,17 @@ def _draw_extrapolated(
 
 
 def draw_overview(rows: Sequence[Row], png: Path) -> None:
-    """Draw how many times as long as our best model pymunk takes, for each scene and tolerance.
+    """Plot pymunk's time as a multiple of our best model's, for each scene and tolerance.
 
-    A filled mark is a measured ratio. The other marks mean:
+    A filled mark is a measured ratio. Other marks:
 
-    - An open mark without an arrow is an estimate. Pymunk did not reach the tolerance in the time
-      limit, so its time is extrapolated from its order of convergence.
-    - An open mark with an arrow is only a bound, because one side did not reach the tolerance in
-      the time limit.
+    - An open mark without an arrow is an estimate. Pymunk did not reach the tolerance within the
+      time limit, so its time is extrapolated from its order of convergence.
+    - An open mark with an arrow is only a bound, because one side did not reach the tolerance
+      within the time limit.
     - The word "never" at the edge means that one side cannot reach the tolerance at all.
 
-    If neither side reaches the tolerance, there is no mark.
+    There is no mark if neither side reaches the tolerance.
     """
     scenes = list(dict.fromkeys(row.scene for row in rows))[::-1]
     tolerances = sorted({row.tolerance for row in rows}, reverse=True)
@@ -155,11 +155,11 @@ def draw_overview(rows: Sequence[Row], png: Path) -> None:
 
 
 def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None:
-    """Draw how pymunk's time compares with ours in one scene, as a mark at height ``y``.
+    """Mark pymunk's time relative to ours in one scene, at height ``y``.
 
-    The mark is filled if both times were measured. It is open if a time is extrapolated, and has an
+    The mark is filled if both times were measured, and open if one was extrapolated. It has an
     arrow if the ratio is only a bound. If one side can never reach the tolerance, the word "never"
-    is written at the edge instead.
+    appears at the edge instead.
     """
     if found.ratio:
         face = "none" if found.is_extrapolated else color
@@ -177,7 +177,7 @@ def _draw_ratio(axes: Axes, found: Row, y: float, color: str, mark: str) -> None
 
 
 def said(found: Row) -> str:
-    """Summarize a comparison with pymunk in one sentence, for the title of a chart."""
+    """Sum up a comparison with pymunk in a phrase for the title of a chart."""
     ours, theirs = found.ours, found.pymunk
     start = f"at an error of {found.tolerance:g} of the scale, "
     if ours.time is None or theirs.time is None:
@@ -192,9 +192,9 @@ def said(found: Row) -> str:
 
 
 def told(side: Side) -> str:
-    """Describe the fastest model of one side and its time, or say that no model met the tolerance.
+    """Name one side's fastest model and its time, or say that no model met the tolerance.
 
-    If the time is extrapolated, the text includes the order of convergence.
+    If the time is extrapolated, add the order of convergence.
     """
     if side.time is not None:
         time = f"{side.model}, {_number(1e3 * side.time)} ms"
@@ -205,8 +205,8 @@ def told(side: Side) -> str:
 def told_ratio(found: Row) -> str:
     """Format pymunk's time as a multiple of ours, such as "5.51", "~ 5.51" or "> 120".
 
-    A "~" means that pymunk's time is extrapolated, and ">" or "<" that only a bound is known. The
-    text is empty if one side can never reach the tolerance, or if neither side did.
+    A "~" means that pymunk's time is extrapolated, and ">" or "<" that the ratio is only a bound.
+    If one side can never reach the tolerance, or if neither side did, return an empty string.
     """
     low, high = found.bounds
     if found.ratio:
@@ -217,15 +217,15 @@ def told_ratio(found: Row) -> str:
 
 
 def _number(value: float) -> str:
-    """Format ``value`` with three significant digits, as in 0.0277, 5.51 or 4,190."""
+    """Format ``value`` to three significant digits, as in 0.0277, 5.51 or 4,190."""
     return f"{value:.3g}" if value < 1000.0 else f"{float(f'{value:.3g}'):,.0f}"
 
 
 def styles_of(points: Sequence[Point]) -> dict[str, dict[str, Any]]:
-    """Choose the color and the mark of each model in a chart.
+    """Choose a color and a marker for each model in a chart.
 
-    Pymunk's models are black and gray, and the book's are red. The integrators of chapter 6 have
-    the same colors in all charts. The other models share the remaining colors.
+    Pymunk's models are black and gray, and the book's are red. The integrators of chapter 6 keep
+    their colors from chart to chart, and all other models share what is left.
     """
     styles: dict[str, dict[str, Any]] = {}
     models = models_of(points)

@@ -1,11 +1,11 @@
-"""Measure the error, the work and the time of every model in some scenes.
+"""Measure the error, work and time of every model in some scenes.
 
-The error and the work of a model are the same in every run, so they are measured only once. Times
-vary, so they are measured in several rounds. Each round times all models in random order, so that
-other load on the machine does not affect only one of them.
+The error and work of a model never vary, so they are measured only once. Times do vary, so they are
+measured in several rounds. Each round times all models in random order, so that a burst of load on
+the machine does not always hit the same one.
 
-The results are saved after every round. If a run is interrupted, the next run resumes from the
-saved results, as long as the code and the versions have not changed.
+The results are saved after every round. If a run is interrupted, the next one picks up from there,
+as long as the code and the versions have not changed.
 """
 
 from __future__ import annotations
@@ -36,10 +36,10 @@ LONG, FEW = 1.0, 2  # a run that takes longer than LONG s is timed in only FEW r
 
 @dataclass
 class Point:
-    """The error and the time of one model in a scene, for one number of steps.
+    """The error and time of one model in a scene, at one number of steps.
 
-    ``steps`` is the number of steps per frame. For a model that takes a tolerance instead, it is 1
-    / tolerance. ``times`` has the time in s of each round.
+    ``steps`` is the number of steps per frame or, for a model that takes a tolerance, 1 /
+    tolerance. ``times`` holds the time of each round in s.
     """
 
     scene: str
@@ -57,13 +57,13 @@ class Point:
 
     @property
     def spread(self) -> tuple[float, float]:
-        """The lower and the upper quartile of the measured times in s."""
+        """The lower and upper quartiles of the measured times, in s."""
         return quartiles(self.times)
 
 
 @dataclass
 class Measured:
-    """All points of a study, and the number of rounds in which they have been timed."""
+    """All points of a study, and the number of rounds timed so far."""
 
     points: list[Point]
     rounds: int = 0
@@ -72,10 +72,10 @@ class Measured:
 def explore(
     scenes: Sequence[Scene], slowest: float, theirs: float, hear: Callable[[str], None]
 ) -> Measured:
-    """Measure the error and the work of every model in ``scenes``, but do not time them yet.
+    """Measure the error and work of every model in ``scenes``, without timing them yet.
 
-    Each model is run with more and more steps, until it is exact or a run takes longer than
-    ``slowest`` seconds. For pymunk's models, the limit is ``theirs`` seconds.
+    Each model is run with more and more steps until it is exact, or until a run takes longer than
+    ``slowest`` seconds, or ``theirs`` seconds for pymunk's models.
     """
     points = []
     for scene in scenes:
@@ -93,9 +93,9 @@ def explore(
 
 
 def run(model: Model, steps: int) -> Outcome | None:
-    """Run a model with this number of steps per frame, or return None if the run fails.
+    """Run a model with this number of steps per frame, or return None if that fails.
 
-    A run fails, for example, when its steps are so long that the motion explodes.
+    A run fails if, for example, its steps are so long that the motion explodes.
     """
     try:
         return model.run(steps)
@@ -104,7 +104,7 @@ def run(model: Model, steps: int) -> Outcome | None:
 
 
 def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], None]) -> None:
-    """Time every point in random order, and count this as one more round.
+    """Run one more timing round: time every point once, in random order.
 
     A run that takes longer than LONG is timed only in the first FEW rounds.
     """
@@ -119,7 +119,7 @@ def time_once(measured: Measured, scenes: Sequence[Scene], hear: Callable[[], No
 def seconds_of(model: Model, steps: int) -> float:
     """Return the processor time in s of a run with ``steps`` steps per frame.
 
-    A single short run cannot be timed precisely, so it is repeated and the mean is returned.
+    A short run cannot be timed precisely, so it is repeated and the times are averaged.
     """
     count = 0
     start = time.process_time()
@@ -130,10 +130,10 @@ def seconds_of(model: Model, steps: int) -> float:
 
 
 def save(measured: Measured, path: Path, sign: str) -> None:
-    """Save the results, so that an interrupted study can resume from them.
+    """Save the results, so that an interrupted study can pick up from them.
 
-    ``sign`` is the signature of the study, from ``sign_of``. The file is replaced atomically, so
-    that an interruption cannot damage it.
+    ``sign`` is the study's signature, from ``sign_of``. The file is replaced atomically, so an
+    interruption cannot corrupt it.
     """
     data = {"sign": sign, "rounds": measured.rounds, "points": [*map(asdict, measured.points)]}
     replace_bytes(path, json.dumps(data).encode())
@@ -142,7 +142,7 @@ def save(measured: Measured, path: Path, sign: str) -> None:
 def load(path: Path, sign: str) -> Measured | None:
     """Load the results of an interrupted study from ``path``.
 
-    Return None if there is no such file, or if its signature is not ``sign``.
+    Return None if the file does not exist or its signature is not ``sign``.
     """
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
@@ -154,10 +154,10 @@ def load(path: Path, sign: str) -> Measured | None:
 
 
 def sign_of(names: Sequence[str], slowest: float, theirs: float) -> str:
-    """Return a signature that changes when earlier results can no longer be used.
+    """Return a signature that changes whenever earlier results become invalid.
 
-    It covers the names of the scenes, the time limits, the code of the engine and of the studies,
-    and the versions of Python and pymunk.
+    It covers the names of the scenes, the time limits, the code of the engine and the studies, and
+    the versions of Python and pymunk.
     """
     digest = hashlib.sha256(f"{[*names]} {slowest} {theirs}".encode())
     for folder in ("solutions", "chapters", "studies"):

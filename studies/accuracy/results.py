@@ -1,6 +1,6 @@
-"""Find the fastest of our models and the fastest of pymunk's that meet a tolerance.
+"""Find the fastest model that meets a tolerance, among ours and among pymunk's.
 
-In the comparison, our models are one side, and pymunk's models are the other side.
+Our models are one side of the comparison, and pymunk's are the other.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ FARTHEST = 1000.0  # an error is extrapolated at most to a thousandth of the sma
 class Side:
     """The fastest model of one side, ours or pymunk's, that meets a tolerance. Its time is in s.
 
-    If no model meets the tolerance, ``model`` and ``time`` are None. Every model that might meet it
-    with more steps has then been run for at least ``longest`` seconds. ``never`` is true if no
-    model could meet it with any number of steps.
+    ``model`` and ``time`` are None if no model meets the tolerance. In that case, every model that
+    might have met it with more steps has been run for at least ``longest`` seconds. ``never`` is
+    true if no number of steps would have been enough for any model.
 
-    If ``order`` is not None, no run met the tolerance, and ``time`` is extrapolated with this order
+    If ``order`` is not None, no run met the tolerance, and ``time`` is extrapolated with that order
     of convergence.
     """
 
@@ -39,7 +39,7 @@ class Side:
 
 @dataclass(frozen=True)
 class Row:
-    """The comparison of our models with pymunk's, for one scene and one tolerance."""
+    """The comparison of our models with pymunk's in one scene, at one tolerance."""
 
     scene: str
     tolerance: float
@@ -48,7 +48,7 @@ class Row:
 
     @property
     def ratio(self) -> float | None:
-        """Pymunk's time as a multiple of ours, or None if a time is unknown."""
+        """Pymunk's time as a multiple of ours, or None if either time is unknown."""
         if self.ours.time is None or self.pymunk.time is None:
             return None
         return self.pymunk.time / self.ours.time
@@ -62,8 +62,8 @@ class Row:
     def bounds(self) -> tuple[float, float]:
         """The smallest and the largest value that the ratio can have.
 
-        They are needed when one side did not meet the tolerance. That side would take longer than
-        its longest run, so the ratio is known only from one end.
+        They matter when one side did not meet the tolerance. That side would need more time than
+        its longest run took, which bounds the ratio at one end only.
         """
         low = 0.0 if self.ours.time is None else self._of(self.pymunk) / self.ours.time
         high = math.inf if self.pymunk.time is None else self.pymunk.time / self._of(self.ours)
@@ -75,11 +75,10 @@ class Row:
 
 
 def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
-    """Return the index of the first point from which on all points meet ``tolerance``.
+    """Return the index of the first point that meets ``tolerance`` along with all points after it.
 
-    ``ordered`` is sorted by the number of steps. It is not enough that a single point meets the
-    tolerance, because its error may be small by chance. If even the last point does not meet it,
-    return None.
+    ``ordered`` is sorted by number of steps. One point inside the tolerance is not enough, because
+    its error may be small by chance. If even the last point is outside, return None.
     """
     outside = [i for i, point in enumerate(ordered) if not point.error <= tolerance]
     first = outside[-1] + 1 if outside else 0
@@ -87,9 +86,9 @@ def first_within(ordered: Sequence[Point], tolerance: float) -> int | None:
 
 
 def time_to(points: Sequence[Point], tolerance: float) -> float | None:
-    """Return the time in s in which a model meets ``tolerance``, or None if it never does.
+    """Return the time in s that a model takes to meet ``tolerance``, or None if it never does.
 
-    The time is interpolated between two measured numbers of steps, on logarithmic scales.
+    The time is interpolated between two measured step counts, on logarithmic scales.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     first = first_within(ordered, tolerance)
@@ -104,11 +103,11 @@ def time_to(points: Sequence[Point], tolerance: float) -> float | None:
 
 
 def stalls(points: Sequence[Point]) -> bool:
-    """Return whether a model's error no longer decreases when it makes more steps.
+    """Return whether taking more steps no longer reduces a model's error.
 
-    A model stalls if eight times as many steps do not even halve its error. At order 1, they would
-    reduce it to an eighth. We assume that a model that stalls never reaches a smaller error. While
-    the error is still a tenth of the scale or more, it is too early for this conclusion.
+    A model stalls if eight times as many steps do not even halve its error, when at order 1 they
+    would cut it to an eighth. We assume that its error never gets any smaller. While the error is
+    still a tenth of the scale or more, it is too early to tell.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     before = [point for point in ordered if EIGHTFOLD * point.steps <= ordered[-1].steps]
@@ -118,9 +117,9 @@ def stalls(points: Sequence[Point]) -> bool:
 def order_of(points: Sequence[Point]) -> float | None:
     """Measure a model's order of convergence from its runs with the most steps.
 
-    The order is the exponent p in an error that is proportional to 1 / steps^p. It is measured
-    while the number of steps grows eightfold. Return None if the error does not fall steadily, if
-    it is a tenth of the scale or more, or if there are fewer than four points.
+    The order is the exponent p of an error proportional to 1 / steps^p, measured over an eightfold
+    increase in the number of steps. Return None if the error does not fall steadily, if it is a
+    tenth of the scale or more, or if there are fewer than four points.
     """
     ordered = sorted(points, key=lambda point: point.steps)
     last = [point for point in ordered if EIGHTFOLD * point.steps >= ordered[-1].steps]
@@ -135,11 +134,11 @@ def order_of(points: Sequence[Point]) -> float | None:
 
 
 def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None:
-    """Estimate the time in s in which a model would meet ``tolerance`` with enough steps.
+    """Estimate how long a model would take to meet ``tolerance`` with enough steps, in s.
 
-    The number of steps follows from the model's order of convergence. Each step is assumed to take
-    as long as in the run with the most steps. Return None if the model has no steady order, or if
-    its smallest error is more than FARTHEST times the tolerance.
+    The number of steps follows from the model's order of convergence, and each step is assumed to
+    take as long as in the run with the most steps. Return None if the model has no steady order, or
+    if its smallest error is more than FARTHEST times the tolerance.
     """
     finest = max(points, key=lambda point: point.steps)
     order = order_of(points)
@@ -149,7 +148,7 @@ def extrapolated_time(points: Sequence[Point], tolerance: float) -> float | None
 
 
 def models_of(points: Sequence[Point]) -> dict[str, list[Point]]:
-    """Group measured points by their models, and keep the order of each model's points."""
+    """Group measured points by model, keeping each model's points in their order."""
     found: dict[str, list[Point]] = {}
     for point in points:
         found.setdefault(point.model, []).append(point)
@@ -169,8 +168,8 @@ def side_of(points: Sequence[Point], tolerance: float) -> Side:
 def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, Point | None]:
     """Return the cheapest point that reliably meets a tolerance, and the next cheaper point.
 
-    A point meets it reliably if its model also meets it with more steps. A point that does not
-    exist is None.
+    A point is reliable if its model also meets the tolerance at every larger number of steps.
+    Either point is None if it does not exist.
     """
     within = []
     for own in models_of(points).values():
@@ -183,7 +182,7 @@ def cheapest(points: Sequence[Point], tolerance: float) -> tuple[Point | None, P
 
 
 def split(points: Sequence[Point]) -> tuple[list[Point], list[Point]]:
-    """Split the points into ours and pymunk's. The book's own step counts as ours."""
+    """Split the points into ours and pymunk's, counting the book's own step as ours."""
     ours = [point for point in points if point.by != "pymunk"]
     return ours, [point for point in points if point.by == "pymunk"]
 
@@ -198,10 +197,10 @@ def row(points: Sequence[Point], tolerance: float) -> Row:
 
 
 def extrapolated(side: Side, points: Sequence[Point], tolerance: float) -> Side:
-    """Estimate a time for a side that did not meet ``tolerance``, by extrapolation.
+    """Extrapolate the time of a side that did not meet ``tolerance``.
 
-    It is the shortest time in which any of its models would meet the tolerance. If no model has a
-    steady order of convergence, the side is returned unchanged.
+    That time is the shortest in which any of its models would meet the tolerance. If none of them
+    has a steady order of convergence, return the side unchanged.
     """
     models = models_of(points)
     times = {name: extrapolated_time(own, tolerance) for name, own in models.items()}
@@ -223,8 +222,8 @@ def table(points: Sequence[Point]) -> list[Row]:
 def front(points: Sequence[Point]) -> list[Point]:
     """Return the points that no other point beats in both time and error, sorted by time.
 
-    These are the best trade-offs between speed and accuracy. Errors that come only from rounding
-    all count as equal.
+    They are the best trade-offs between speed and accuracy. All errors due to rounding count as
+    equal.
     """
     kept: list[Point] = []
     nearest = math.inf

@@ -1,9 +1,9 @@
-"""Define what a scene of the accuracy study consists of: its exact solution, and its models.
+"""Define what makes up a scene of the accuracy study: its exact solution, and its models.
 
-A model returns the positions at the end of every frame, at 60 frames per second. It may make any
+A model returns the positions at the end of every frame, at 60 frames per second, and may take any
 number of steps per frame. Its error is the largest deviation of any coordinate from the exact
-solution at the end of any frame, as a fraction of the scene's scale. This means that a model must
-be accurate all the time, and not only at the end of the run.
+solution at the end of any frame, as a fraction of the scene's scale. A model therefore has to be
+accurate all along, not just at the end of the run.
 """
 
 from __future__ import annotations
@@ -45,11 +45,11 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Model:
-    """One way to run a scene, such as an integrator, with a given number of steps per frame.
+    """A way to run a scene, such as an integrator, at a given number of steps per frame.
 
-    ``by`` says whose method it is: "ours", "the book" or "pymunk". An exact model has no steps to
-    choose, so its ``steps`` is (1,). If ``takes_tolerance`` is true, the model chooses its own
-    steps. The numbers in ``steps`` are then 1 / tolerance, so that a larger number still means a
+    ``by`` says whose method it is: "ours", "the book" or "pymunk". An exact model has no step count
+    to choose, so its ``steps`` is (1,). If ``takes_tolerance`` is true, the model chooses its own
+    steps, and the numbers in ``steps`` are 1 / tolerance, so that a larger number still means a
     more accurate run.
     """
 
@@ -65,11 +65,11 @@ class Scene:
     """A scene with its number of frames, its exact solution and its models.
 
     ``truth`` returns the exact position at a time in s. ``scale`` is the size of the scene in m.
-    ``counted`` describes what the models count as their work.
+    ``counted`` says what the models count as work.
 
-    The exact solution is usually a closed form, or SciPy's solution of a single equation. If it is
-    neither, ``differs`` checks it by computing the solution in two independent ways. It returns
-    their difference as a fraction of the scale.
+    The exact solution is usually a closed form, or SciPy's solution of a single equation. When it
+    is neither, ``differs`` checks it by solving the scene in two independent ways, and returns the
+    difference as a fraction of the scale.
     """
 
     name: str
@@ -83,7 +83,7 @@ class Scene:
     def error(self, outcome: Outcome) -> float:
         """Return the largest error of any coordinate in any frame, as a fraction of the scale.
 
-        If a coordinate is not a finite number, the error is infinite.
+        If a coordinate is not finite, the error is infinite.
         """
         worst = 0.0
         for frame, place in enumerate(outcome.places, 1):
@@ -98,12 +98,12 @@ def solved(
     place: Callable[[Any], Place],
     frames: int,
 ) -> Callable[[float], Place]:
-    """Return the exact solution of a scene that has no closed form, from its equations of motion.
+    """Return the exact solution of a scene without a closed form, from its equations of motion.
 
-    ``rates`` are the equations, as a function of time and state, in the form that SciPy expects.
-    ``start`` is the initial state, and ``place`` converts a state to positions. SciPy solves the
-    equations at the first call, for the end of every frame. Its error of about 1e-11 is far below
-    the tightest tolerance.
+    ``rates`` are the equations, as a function of time and state in the form that SciPy expects.
+    ``start`` is the initial state, and ``place`` converts a state to positions. The first call
+    makes SciPy solve the equations for the end of every frame. Its error of about 1e-11 is far
+    below the tightest tolerance.
     """
 
     @cache
@@ -121,7 +121,7 @@ def solved(
 def in_frames(
     step: Callable[[float], object], place: Callable[[], Place], frames: int, steps: int
 ) -> list[Place]:
-    """Run ``frames`` frames with ``steps`` steps each, and return the positions after every frame.
+    """Run ``frames`` frames of ``steps`` steps each, and return the positions after every frame.
 
     ``step`` advances the scene by a time in s, and ``place`` returns its current positions.
     """
@@ -151,7 +151,7 @@ def by_integrators(make: Callable[[], Made], frames: int) -> list[Model]:
 
 
 def by_tolerance(make: Callable[[], Made], frames: int) -> Model:
-    """Return the model that takes a tolerance and chooses its own steps in every frame."""
+    """Return the model that takes a tolerance and chooses its own steps within every frame."""
 
     def run(finer: int) -> Outcome:
         return by_forces(make, adaptive(1.0 / finer), frames)(1)
@@ -162,9 +162,9 @@ def by_tolerance(make: Callable[[], Made], frames: int) -> Model:
 def by_forces(
     make: Callable[[], Made], integrator: Integrator, frames: int
 ) -> Callable[[int], Outcome]:
-    """Return a function that runs a particle in the X-Y plane and counts force evaluations.
+    """Return a function that runs a particle in the X-Y plane and counts the force evaluations.
 
-    ``make`` returns a new particle and its force generators for every run.
+    ``make`` returns a new particle and its force generators for each run.
     """
 
     def run(steps: int) -> Outcome:
@@ -191,7 +191,7 @@ def by_forces(
 
 
 def by_formula(place_at: Callable[[float], Place], frames: int) -> Model:
-    """Return a model that needs no steps, because it evaluates a closed form once per frame."""
+    """Return a model that needs no steps, since it evaluates a closed form once per frame."""
 
     def run(_: int) -> Outcome:
         return Outcome([place_at(frame / RATE) for frame in range(1, frames + 1)], frames)
@@ -205,9 +205,9 @@ def by_pymunk(
     frames: int,
     pull: Pull | None = None,
 ) -> Model:
-    """Return a model that steps a pymunk body and evaluates its forces once per step.
+    """Return a model that steps a pymunk body, evaluating its forces once per step.
 
-    ``pull`` is a force that the model applies before every step. Without ``pull``, only gravity and
+    ``pull`` is a force that the model applies before every step. Without it, only gravity and
     pymunk's own springs act on the body.
     """
 
@@ -228,7 +228,7 @@ def by_pymunk(
 
 
 def space_with(place: Place, velocity: Place, mass: float) -> tuple[pymunk.Space, pymunk.Body]:
-    """Return a pymunk space without gravity, and the only body in it."""
+    """Return a pymunk space without gravity, along with the only body in it."""
     import pymunk  # here, because a chapter's plots do not need it
 
     space = pymunk.Space()

@@ -1,1 +1,1 @@
-"""The measurements of make bench. Each module covers one subject, and ``lines`` returns them."""
+"""The measurements of make bench, one subject per module, each with a function ``lines``."""

@@ -1,12 +1,12 @@
 """Compare the speed of our models with pymunk's at equal accuracy.
 
-Each figure is pymunk's time divided by the time of one of our models. The positions must be
-accurate in every frame, within a tolerance that is a fraction of the scene's size. Each side uses
-the smallest number of steps per frame, out of the powers of two, that meets the tolerance. If even
-MOST steps are too few for pymunk, its time is extrapolated from its order of convergence, and the
-report says so. If pymunk's error does not decrease steadily either, the figure is a lower bound.
+Each figure is pymunk's time divided by that of one of our models. The positions must be accurate in
+every frame, within a tolerance that is a fraction of the scene's size. Each side takes the fewest
+steps per frame that meet the tolerance, out of the powers of two. If even MOST steps are too few
+for pymunk, its time is extrapolated from its order of convergence, and the report says so. If
+pymunk's error does not fall steadily either, the figure is a lower bound.
 
-The last two figures compare `adaptive` with fixed steps, for an orbit.
+The last two figures compare `adaptive` with fixed steps on an orbit.
 """
 
 from __future__ import annotations
@@ -50,11 +50,11 @@ def lines() -> list[Measurement]:
 
 
 def lines_of_adaptive() -> list[Measurement]:
-    """Compare the cost of Runge-Kutta 4 with that of `adaptive`, for the orbit of a comet.
+    """Compare the cost of Runge-Kutta 4 with that of `adaptive` on a comet's orbit.
 
-    Each method uses the coarsest setting whose error is at most 1e-6 of the semi-major axis in
-    every frame. For Runge-Kutta 4, the setting is the number of steps per frame. For `adaptive`, it
-    is a tolerance, with four tolerances per decade to choose from.
+    Each method uses the coarsest setting that keeps its error within 1e-6 of the semi-major axis in
+    every frame. For Runge-Kutta 4, that setting is the number of steps per frame. For `adaptive`,
+    it is a tolerance, chosen from four per decade.
     """
     (scene,) = scenes_with("orbit of eccentricity 0.9")
     fixed, own = model_of(scene, RK4), model_of(scene, "adaptive")
@@ -76,7 +76,7 @@ def lines_of_adaptive() -> list[Measurement]:
 def coarsest(
     scene: Scene, model: Model, choices: Sequence[int], tolerance: float
 ) -> tuple[int, Outcome]:
-    """Find, by bisection, the coarsest setting that meets ``tolerance``. Return it and its run."""
+    """Find by bisection the coarsest setting that meets ``tolerance``. Return it and its run."""
 
     def is_within(choice: int) -> bool:
         outcome = run(model, choice)
@@ -94,10 +94,10 @@ def line(
     target: Target | None = None,
     tolerance: float = TOLERANCE,
 ) -> Measurement:
-    """Measure pymunk's time as a multiple of ours, at the same tolerance.
+    """Measure pymunk's time as a multiple of ours at the same tolerance.
 
-    ``part`` is a part of the scene's name, and ``ours`` and ``theirs`` are the names of the two
-    models. If ``ours`` is None, our fastest exact model is used.
+    ``part`` is part of the scene's name, and ``ours`` and ``theirs`` are the names of the two
+    models. If ``ours`` is None, use our fastest exact model.
     """
     (scene,) = scenes_with(part)
     mine = model_of(scene, ours) if ours else fastest_exact(scene)
@@ -125,28 +125,28 @@ def model_of(scene: Scene, name: str) -> Model:
 
 
 def fastest_exact(scene: Scene) -> Model:
-    """Return the fastest of our models that have no steps to choose."""
+    """Return the fastest of our models that have no step count to choose."""
     exact = [model for model in scene.models if model.by == "ours" and is_exact(model)]
     return min(exact, key=lambda model: seconds_of(model, 1))
 
 
 def is_exact(model: Model) -> bool:
-    """Return whether a model has no steps to choose."""
+    """Return whether a model has no step count to choose."""
     return tuple(model.steps) == (1,)
 
 
 def fewest_steps(scene: Scene, model: Model, tolerance: float) -> tuple[int, float]:
-    """Find the fewest steps per frame that meet ``tolerance``. Return their number and the error.
+    """Find the fewest steps per frame that meet ``tolerance``. Return that number and the error.
 
-    The number is a power of two. If even MOST steps per run do not meet the tolerance, return the
-    largest number that was tried.
+    The number is a power of two. If even MOST steps per run are not enough, return the largest
+    number that was tried.
     """
     finest = tried_steps(scene, model, tolerance)[-1]
     return finest.steps, finest.error
 
 
 def tried_steps(scene: Scene, model: Model, tolerance: float) -> list[Point]:
-    """Run a model with 1, 2, 4 and more steps per frame, and return a point for each run.
+    """Run a model with 1, 2, 4 and more steps per frame, and return one point per run.
 
     The number of steps doubles until a run meets ``tolerance`` or takes MOST steps.
     """
@@ -162,6 +162,6 @@ def tried_steps(scene: Scene, model: Model, tolerance: float) -> list[Point]:
 
 
 def told(model: Model, steps: int, error: float) -> str:
-    """Describe a model with its number of steps per frame and its error."""
+    """Describe a model by its number of steps per frame and its error."""
     chosen = "" if is_exact(model) else f"{steps:,} {'step' if steps == 1 else 'steps'} per frame, "
     return f"{model.name} ({chosen}error {error:.1g})"

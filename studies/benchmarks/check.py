@@ -10,7 +10,7 @@ from studies.timing import Measurement, Target, Timer, timer, versus
 
 
 def lines() -> list[Measurement]:
-    """Measure how long make check takes for one chapter, as a multiple of importing pytest."""
+    """Measure how long make check takes for one chapter, relative to importing pytest."""
     check = running("-m", "autograder", "check", "--chapter", "2")
     for _ in range(2):  # the first run compiles the modules
         check()

@@ -28,7 +28,7 @@ RATE = 240  # Hz, at which DirectChain keeps every rod to 1e-6 of its length
 
 
 def lines() -> list[Measurement]:
-    """Return the measurements of how much time contacts take."""
+    """Return the measurements of what contacts cost."""
     many, few = spread(1000), spread(100)
     rate = matching_rate()
     return [
@@ -91,7 +91,7 @@ def resolving(kind: type[ContactResolver], count: int) -> Timer:
 def spread(count: int) -> ParticlePairs:
     """Scatter ``count`` spheres in a cube, and return the detector of their contacts.
 
-    The spheres have a radius of 0.5 m, and on average there is one of them in 8 m^3.
+    The spheres have a radius of 0.5 m, with an average of one per 8 m^3.
     """
     rng = random.Random(1)
     size = 2.0 * count ** (1.0 / 3.0)
@@ -100,7 +100,7 @@ def spread(count: int) -> ParticlePairs:
 
 
 def by_direct_solve(rate: int) -> tuple[float, float]:
-    """Simulate a chain with a DirectChain for 1 s, and return the position of its tip.
+    """Simulate a chain for 1 s as a DirectChain, and return the position of its tip.
 
     ``rate`` is in steps per second.
     """
@@ -113,7 +113,7 @@ def by_direct_solve(rate: int) -> tuple[float, float]:
 
 
 def by_direct_net(rate: int) -> tuple[float, float]:
-    """Simulate the chain as a net of rods for 1 s, and return the position of its tip."""
+    """Simulate the chain for 1 s as a net of rods, and return the position of its tip."""
     particles = chain_particles(LINKS, ANGLE)[1:]
     first = AnchoredRod(particles[0], Vector3(), LINK)
     net = DirectNet([first, *(Rod(a, b, LINK) for a, b in pairwise(particles))])
@@ -124,9 +124,9 @@ def by_direct_net(rate: int) -> tuple[float, float]:
 
 
 def by_pymunk(rate: int) -> tuple[float, float]:
-    """Simulate the chain with pymunk's pin joints for 1 s, and return the position of its tip.
+    """Simulate the chain for 1 s with pymunk's pin joints, and return the position of its tip.
 
-    The solver makes its default of 10 iterations.
+    The solver makes 10 iterations, its default.
     """
     space = pymunk.Space()
     space.gravity = (0.0, -GRAVITY)
@@ -143,10 +143,10 @@ def by_pymunk(rate: int) -> tuple[float, float]:
 
 
 def matching_rate() -> int:
-    """Find the step rate at which pymunk is as accurate as DirectChain at the tip of the chain.
+    """Find the step rate at which pymunk places the chain's tip as accurately as DirectChain.
 
-    The search starts at four times our rate and doubles the rate until pymunk is accurate enough.
-    DirectChain at 16 times its rate serves as the exact position, because its error is then 256
+    Starting from four times our rate, the search doubles the rate until pymunk is accurate enough.
+    DirectChain at 16 times its rate stands in for the exact position, since its error is then 256
     times smaller.
     """
     true = by_direct_solve(16 * RATE)

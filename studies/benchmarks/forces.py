@@ -1,4 +1,4 @@
-"""Measure the cost of forces, compared with the step of chapter 3 and with plain arithmetic."""
+"""Measure the cost of forces, relative to the step of chapter 3 and to plain arithmetic."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ FRAMES = [FRAME] * STEPS
 
 
 def lines() -> list[Measurement]:
-    """Return the measurements of how much time forces take."""
+    """Return the measurements of what forces cost."""
     chapter_3 = timer(lambda: steps(make_particle(PROJECTILE), FRAMES))
     free = timer(lambda: steps(make_particle_with_forces(), FRAMES))
     forced = timer(lambda: forced_steps(FRAMES))
@@ -40,7 +40,7 @@ def lines() -> list[Measurement]:
 
 
 def make_particle_with_forces() -> Particle:
-    """Create the projectile of the benchmarks as a particle of chapter 5, which takes forces."""
+    """Create the benchmarks' projectile as a particle of chapter 5, which accepts forces."""
     start = PROJECTILE.start
     return Particle(
         Vector3(*start.position),
@@ -51,7 +51,7 @@ def make_particle_with_forces() -> Particle:
 
 
 def forced_steps(frames: list[float]) -> Numbers:
-    """Step a particle on which one force acts, and return its final position."""
+    """Step a particle with one force acting on it, and return its final position."""
     particle = make_particle_with_forces()
     force = Vector3(*FORCE)
     for frame in frames:
@@ -73,9 +73,9 @@ def generator_steps(frames: list[float]) -> Numbers:
 
 
 def forced_arithmetic(frames: list[float]) -> Numbers:
-    """Make the same steps as ``forced_steps`` in local variables, and return the final position.
+    """Take the same steps as ``forced_steps`` in local variables, and return the final position.
 
-    Like the engine, each step adds the force to a sum, uses the sum, and then clears it.
+    Like the engine, each step adds the force to a sum, uses that sum, and then clears it.
     """
     x, y, z = PROJECTILE.start.position
     vx, vy, vz = PROJECTILE.start.velocity

@@ -1,6 +1,6 @@
 """Measure what it costs to check students' code in isolated workers.
 
-The times are compared with those of checks that run the code in their own process.
+The baseline is checks that run the code in their own process.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ AT_A_TIME = 2
 
 
 def lines() -> list[Measurement]:
-    """Return the measurements of a single check, of a class of twenty, and of the sample class."""
+    """Return the measurements of a single check, a class of twenty, and the sample class."""
     behind = Behind(vars(best_level()))
     _, second, *_, last = load_chapters()
     # The target was set for chapter 3. Later chapters import more modules and do more work.
@@ -34,7 +34,7 @@ def lines() -> list[Measurement]:
 def _one_check(chapter: Chapter, behind: Behind, target: Target | None) -> Measurement:
     """Measure how many milliseconds longer a check takes in an isolated worker.
 
-    The result includes a part of the time that it takes to start the worker.
+    The result includes its share of the time it takes to start the worker.
     """
 
     def checked(where: Behind | None) -> int:
@@ -69,9 +69,9 @@ def _twenty(behind: Behind) -> Measurement:
 
 
 def _sample_class(behind: Behind) -> Measurement:
-    """Compare the time to grade the sample class with isolated workers and without them.
+    """Compare the time to grade the sample class with and without isolated workers.
 
-    Some of its submissions contain endless loops, which run until the time limit ends them.
+    Some of its submissions contain endless loops, which run until the time limit stops them.
     """
     submissions, _ = find_submissions(ROOT / "sample_class")
     chapters = load_chapters()

@@ -25,7 +25,7 @@ ROUNDS = 51
 
 
 def lines() -> list[Measurement]:
-    """Return the measurements of how much time a step of each integrator takes."""
+    """Return the measurements of how long a step takes with each integrator."""
     once = timer(stepping(semi_implicit_euler))
     return [
         Measurement(
@@ -55,9 +55,9 @@ def lines() -> list[Measurement]:
 
 
 def stepping(integrator: Integrator) -> Callable[[], None]:
-    """Return a function that makes STEPS steps of a particle on a spring.
+    """Return a function that takes STEPS steps of a particle on a spring.
 
-    Every call continues the motion of the previous call.
+    Every call picks up the motion where the last one left off.
     """
     particle = Particle(Vector3(1.0, 2.0, 3.0), Vector3(1.0, 2.0, 3.0), mass=MASS)
     registry = ForceRegistry()
@@ -72,7 +72,7 @@ def stepping(integrator: Integrator) -> Callable[[], None]:
 
 
 def arithmetic() -> tuple[float, float, float]:
-    """Make STEPS steps of semi-implicit Euler in local variables. Return the last position."""
+    """Take STEPS steps of semi-implicit Euler in local variables, and return the last position."""
     x, y, z = 1.0, 2.0, 3.0
     u, v, w = 1.0, 2.0, 3.0
     for _ in range(STEPS):

@@ -25,7 +25,7 @@ QUOTATION = re.compile(r"(<!-- bench: ([^>]*?) -->)(.*?)(<!-- end -->)", re.DOTA
 
 
 def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
-    """Store the results of a run, with the date, the Python version and the kind of machine."""
+    """Store a run's results, along with the date, the Python version and the type of machine."""
     found: dict[str, Any] = {
         "measured": date.today().isoformat(),
         "python": platform.python_version(),
@@ -45,14 +45,14 @@ def keep(lines: Sequence[Line], versions: str, file: Path = FILE) -> None:
 
 
 def rounded(figure: float) -> float:
-    """Round ``figure`` to three digits, because it varies too much for more digits."""
+    """Round ``figure`` to three digits, since any further digits would vary from run to run."""
     return float(f"{figure:.3g}")
 
 
 def kept(file: Path = FILE) -> dict[str, float]:
-    """Return the stored ratios of the last run, by their descriptions.
+    """Return the stored ratios of the last run, keyed by description.
 
-    If nothing has been stored yet, the dict is empty.
+    The dict is empty if nothing has been stored yet.
     """
     if not file.exists():
         return {}
@@ -61,7 +61,7 @@ def kept(file: Path = FILE) -> dict[str, float]:
 
 
 def with_quotations(page: str, ratios: dict[str, float]) -> str:
-    """Return the text of ``page`` with its quoted figures updated to ``ratios``.
+    """Return the text of ``page`` with the figures it quotes updated to ``ratios``.
 
     The figures are rounded to two digits.
 
@@ -80,12 +80,12 @@ def with_quotations(page: str, ratios: dict[str, float]) -> str:
 
 
 def pages() -> list[Path]:
-    """Return the READMEs and lessons that may quote a figure of make bench."""
+    """Return the READMEs and lessons that may quote figures of make bench."""
     return [path for pattern in PAGES for path in sorted(ROOT.glob(pattern))]
 
 
 def write_quotations() -> None:
-    """Update the figures that all pages quote to those of the last run.
+    """Update the figures quoted on all pages to those of the last run.
 
     Raises:
         ValueError: A quotation matches the descriptions of several ratios, or of none.

@@ -1,4 +1,4 @@
-"""Compare the step of a particle with plain arithmetic, with vector operators and with pymunk."""
+"""Compare a particle's step with plain arithmetic, with vector operators and with pymunk."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ ROUNDS = 51
 
 
 def lines() -> list[Measurement]:
-    """Return the measurements of how much time a particle's step takes."""
+    """Return the measurements of what a particle's step costs."""
     even = [FRAME] * STEPS
     uneven = [FRAME * random.uniform(0.8, 1.2) for _ in even]
     step = timer(lambda: steps(make_particle(PROJECTILE), even))
@@ -52,10 +52,10 @@ def lines() -> list[Measurement]:
 
 
 def _against_pymunk(bodies: int, *, read: bool) -> Measurement:
-    """Compare pymunk with our engine, for ``bodies`` bodies that fall with damping.
+    """Compare pymunk with our engine on ``bodies`` bodies that fall with damping.
 
-    If ``read`` is true, every x and y is read after each step. This is cheap for our engine, whose
-    positions are Python objects. Pymunk has to fetch each position from its C library.
+    If ``read`` is true, every x and y is read after each step. That is cheap for our engine, whose
+    positions are Python objects, while pymunk has to fetch each position from its C library.
     """
     frames = max(1, 4000 // bodies)
     particles = [make_particle(DAMPED_FALL) for _ in range(bodies)]
@@ -95,7 +95,7 @@ def steps(particle: Particle, frames: list[float]) -> None:
 def operator_steps(particle: Particle, frames: list[float]) -> None:
     """Step a particle with vector operators, each of which creates a new vector.
 
-    The particle also checks and copies every vector that is assigned to it.
+    The particle also checks and copies every vector assigned to it.
     """
     for frame in frames:
         particle.position = particle.position + particle.velocity * frame
@@ -104,7 +104,7 @@ def operator_steps(particle: Particle, frames: list[float]) -> None:
 
 
 def in_place_steps(particle: Particle, frames: list[float]) -> None:
-    """Step a particle with the methods of Vector3 that change a vector in place."""
+    """Step a particle with those methods of Vector3 that change a vector in place."""
     position, velocity = particle.position, particle.velocity
     for frame in frames:
         position.add_scaled(velocity, frame)
@@ -113,11 +113,11 @@ def in_place_steps(particle: Particle, frames: list[float]) -> None:
 
 
 def arithmetic(frames: list[float]) -> Numbers:
-    """Make the steps of Particle.integrate in local variables, and return the final position.
+    """Take the steps of Particle.integrate in local variables, and return the final position.
 
-    The time shows what a step costs without any objects. The comparison is not perfect, because
-    this function computes a power in every frame. Particle.integrate reuses its last power if the
-    frame is as long as the previous one.
+    Its time shows what a step costs without any objects. The comparison is not quite fair, because
+    this function computes a power in every frame, while Particle.integrate reuses the last one if
+    the frame is as long as the one before.
     """
     x, y, z = PROJECTILE.start.position
     vx, vy, vz = PROJECTILE.start.velocity

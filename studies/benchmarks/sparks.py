@@ -1,6 +1,6 @@
-"""Compare two ways to compute sparks: frame by frame, and with a closed form.
+"""Compare two ways of computing sparks: frame by frame, and in closed form.
 
-Both return the coordinates as lists, because a program needs these to draw the sparks.
+Both return the coordinates as lists, which a program needs to draw the sparks.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ RULE = FireworkRule(1, 1e6, 1e6, (-5.0, -5.0, -5.0), (5.0, 5.0, 5.0), DAMPING)
 
 
 def lines() -> list[Measurement]:
-    """Return the measurements that compare two ways to compute sparks."""
+    """Return the measurements that compare two ways of computing sparks."""
     show = burst()
     speeds, one = speeds_of(show), show.fireworks[0].particle
     frames = round(SECONDS / FRAME)
@@ -61,20 +61,20 @@ def lines() -> list[Measurement]:
 
 
 def burst() -> FireworksShow:
-    """Return a show with SPARKS sparks that have just been lit at START."""
+    """Return a show with SPARKS sparks, all of them just lit at START."""
     show = FireworksShow([RULE], SPARKS, seed=1)
     show.light([(1, SPARKS, Particle(Vector3(*START)))])
     return show
 
 
 def speeds_of(show: FireworksShow) -> list[list[float]]:
-    """Return the velocity components of all sparks along X, Y and Z, as three lists."""
+    """Return the velocity components of all sparks along X, Y and Z as three lists."""
     velocities = [firework.particle.velocity for firework in show.fireworks]
     return [[v.x for v in velocities], [v.y for v in velocities], [v.z for v in velocities]]
 
 
 def step(show: FireworksShow, frames: int, axes: str) -> list[list[float]]:
-    """Advance a show by ``frames`` frames. Return the sparks' coordinates along ``axes``."""
+    """Advance a show by ``frames`` frames, and return the sparks' coordinates along ``axes``."""
     for _ in range(frames):
         show.update(FRAME)
     places = [firework.particle.position for firework in show.fireworks]

@@ -1,6 +1,6 @@
-"""Measure what a cloth of springs costs if its springs are written in three different ways.
+"""Measure what a cloth of springs costs when its springs are written in three different ways.
 
-They are made with connect, with a separate Spring for each end, or without any objects.
+The springs are made with connect, with a separate Spring at each end, or without any objects.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ ROUNDS = 21
 
 
 def lines() -> list[Measurement]:
-    """Return the measurements of how much time a cloth of springs takes.
+    """Return the measurements of what a cloth of springs costs.
 
-    Each cloth is built once and continues to fall in every round.
+    Each cloth is built once and keeps falling from round to round.
     """
     whole, ends = make_cloth(DAMPING), make_cloth_of_ends()
     connected, apart = timer(lambda: steps(*whole)), timer(lambda: steps(*ends))
@@ -51,7 +51,7 @@ def lines() -> list[Measurement]:
 
 
 class VectorSpring(Spring):
-    """A spring written with vector operators, as most students write it at first."""
+    """A spring written with vector operators, the way most students write it at first."""
 
     def update_force(self, particle: Particle, duration: float) -> None:  # noqa: ARG002
         """Add the force of the spring on the particle."""
@@ -82,7 +82,7 @@ def steps(knots: list[Particle], registry: ForceRegistry) -> float:
 
 
 def cloth_arithmetic() -> float:
-    """Run the cloth without any objects, in lists of floats. Return the height of its lowest knot.
+    """Run the cloth as lists of floats, without any objects, and return its lowest knot's height.
 
     Each step computes the forces of all springs before it moves the knots.
     """

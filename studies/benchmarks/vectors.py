@@ -8,7 +8,7 @@ from studies.timing import Measurement, Statements, Target, against_peers
 
 
 def lines(console: Console) -> list[Measurement]:
-    """Measure each library's time as a multiple of Vector3's, for operations that both have."""
+    """Measure each library's time relative to Vector3's, for the operations they share."""
     peers = (
         ("pyglet", "pyglet Vec3", Target("at least", 2.4)),
         ("numpy", "NumPy array", Target("at least", 4.5)),

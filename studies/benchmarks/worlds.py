@@ -1,4 +1,4 @@
-"""Measure the cost of a world, of a world in which particles sleep, and of a rope of rods."""
+"""Measure the cost of a world, of a world with sleeping particles, and of a rope of rods."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ DOWN = Vector3(0.0, -GRAVITY)
 
 
 def lines() -> list[Measurement]:
-    """Return the measurements of how much time worlds and ropes take."""
+    """Return the measurements of what worlds and ropes cost."""
     bare = flying()
     return [
         Measurement(
@@ -56,7 +56,7 @@ def lines() -> list[Measurement]:
 def asleep(
     what: str, make: Callable[[type[ParticleWorld]], ParticleWorld], target: Target
 ) -> Measurement:
-    """Measure how much slower a world is with all balls awake than with nine tenths asleep."""
+    """Measure how much slower a world is with all balls awake than with nine in ten asleep."""
     worlds = make(ParticleWorld), make(SleepingWorld)
     return Measurement(
         f"{BALLS} balls {what}: ParticleWorld / SleepingWorld with nine tenths of them asleep",
@@ -69,7 +69,7 @@ def asleep(
 
 
 def rope(links: int, rounds: int) -> Measurement:
-    """Measure how much longer a rope of rods takes than the same rope as a DirectChain."""
+    """Measure how much longer a rope takes as rods than as a DirectChain."""
     rods = partial(hang_by_rods, links, 60, SUBSTEPS, 1.0)
     chain = partial(hang_by_direct_chain, links, RATE, 1.0)
     wanted = polygon_sag(links)
@@ -102,18 +102,18 @@ def stepping(world: ParticleWorld) -> Callable[[], None]:
 
 
 def stepping_bare(step: Integrator, particles: Sequence[Particle]) -> Callable[[], None]:
-    """Return a function that advances particles by one frame with an integrator only."""
+    """Return a function that advances particles by one frame with nothing but an integrator."""
     return lambda: step(particles, no_forces, FRAME)
 
 
 def on_the_ground(kind: type[ParticleWorld]) -> ParticleWorld:
-    """Return a world of balls on the ground. A tenth of them roll, and the others lie still."""
+    """Return a world of balls on the ground, of which a tenth roll and the rest lie still."""
     balls = [Particle(Vector3(2.0 * i), acceleration=DOWN) for i in range(BALLS)]
     return settled(kind(balls, [GroundPlane(balls)]))
 
 
 def on_springs(kind: type[ParticleWorld]) -> ParticleWorld:
-    """Return a world of balls on springs. A tenth of them fly away, and the others hang still."""
+    """Return a world of balls on springs, of which a tenth fly away and the rest hang still."""
     balls = [Particle(Vector3(2.0 * i)) for i in range(BALLS)]
     world = kind(balls)
     for i, ball in enumerate(balls):
@@ -122,7 +122,7 @@ def on_springs(kind: type[ParticleWorld]) -> ParticleWorld:
 
 
 def settled(world: ParticleWorld) -> ParticleWorld:
-    """Run ``world`` until resting balls have had time to fall asleep, and return it."""
+    """Run ``world`` long enough for resting balls to fall asleep, and return it."""
     for ball in world.particles[: BALLS // 10]:
         ball.velocity.z = 5.0
     for _ in range(FRAMES):

@@ -1,8 +1,8 @@
 """Compare speed and accuracy: run every scene with all of our models and with pymunk.
 
-The results are written to build/charts/. They are one page with all charts, a picture and its
-numbers for each scene, and a table of all scenes. A full run also updates the page and the overview
-that the repository keeps. If a run is interrupted, start it again and it resumes.
+The results go to build/charts/: one page with all charts, a picture and its numbers for each scene,
+and a table of all scenes. A full run also updates the page and the overview that are checked in. If
+a run is interrupted, start it again, and it will pick up where it left off.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ FULL = (9, 0.6, 6.0)
 def main(arguments: list[str]) -> int:
     """Measure all models and draw the charts.
 
-    Return 0, or end the command with a usage error if no scene has the given name.
+    Return 0, or exit with a usage error if no scene has the given name.
     """
     parser = argparse.ArgumentParser(prog="python -m studies charts", description=__doc__)
     parser.add_argument(
@@ -76,7 +76,7 @@ def main(arguments: list[str]) -> int:
             )
             progress.remove_task(task)
         elif measured.rounds:
-            console.print(f"resuming an earlier run with {measured.rounds} of {rounds} rounds")
+            console.print(f"resuming an earlier run after {measured.rounds} of {rounds} rounds")
         left = max(rounds - measured.rounds, 0)
         task = progress.add_task("timing", total=left * len(measured.points))
         for _ in range(left):
@@ -109,12 +109,12 @@ def main(arguments: list[str]) -> int:
     )
     if is_whole:
         files = ", ".join((kept.PICTURE, kept.PAGE, *kept.READMES))
-        console.print(f"updated for readers: {files}", soft_wrap=True)
+        console.print(f"updated in the repository: {files}", soft_wrap=True)
     return 0
 
 
 def _how(rounds: int, is_quick: bool) -> str:
-    """Describe when and how the numbers were measured, in a note for the page."""
+    """Say when and how the numbers were measured, for a note on the page."""
     quick = " in a quick run, with fewer steps for all models" if is_quick else ""
     versions = f"Python {platform.python_version()} and pymunk {metadata.version('pymunk')}"
     return (

@@ -1,4 +1,4 @@
-"""Define logarithmic axes for charts in SVG, with labels at powers of ten."""
+"""Define logarithmic axes for charts in SVG, labeled at powers of ten."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ MOST = 5  # labels on an axis
 class Axis:
     """A logarithmic axis for values from ``low`` to ``high``.
 
-    It is drawn from the coordinate ``start`` to the coordinate ``end``.
+    It is drawn from coordinate ``start`` to coordinate ``end``.
     """
 
     low: float
@@ -24,13 +24,13 @@ class Axis:
     def at(self, value: float) -> float:
         """Return the coordinate of ``value``, rounded to 0.1.
 
-        A value beyond an end of the axis is drawn at that end.
+        Values outside the axis are clamped to its nearest end.
         """
         share = math.log(value / self.low) / math.log(self.high / self.low)
         return round(self.start + min(max(share, 0.0), 1.0) * (self.end - self.start), 1)
 
     def ticks(self) -> list[tuple[float, str]]:
-        """Return where to draw labels on the axis, which are at most MOST powers of ten.
+        """Return where to label the axis, at no more than MOST powers of ten.
 
         Each label is a tuple of its coordinate and its text.
         """

@@ -1,6 +1,6 @@
-"""Update the files that a full `make charts` keeps in the repository.
+"""Update the checked-in files that come from a full `make charts`.
 
-These are the page with all charts, the overview picture, and its description in the READMEs.
+They are the page with all charts, the overview picture, and its description in the READMEs.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ SHOWN = re.compile(r"!\[[^\]]*\](?=\([^)]*overview\.png\))")
 def keep(rows: Sequence[Row], out: Path, root: Path = ROOT) -> None:
     """Copy the overview picture and the page from ``out`` into the repository.
 
-    The description of the picture in the READMEs is updated as well.
+    Also update the description of the picture in the READMEs.
     """
     replace_bytes(root / PICTURE, (out / "overview.png").read_bytes())
     replace_bytes(root / PAGE, (out / "index.html").read_bytes())
@@ -39,7 +39,7 @@ def _wrapped(alt: str) -> str:
 
 
 def described(rows: Sequence[Row]) -> str:
-    """Describe the overview picture in words, for readers who cannot see it."""
+    """Describe the overview picture in words for readers who cannot see it."""
     scenes = len({row.scene for row in rows})
     ratios = {row.ratio: row for row in rows if row.ratio}
     told = [
@@ -64,6 +64,6 @@ def described(rows: Sequence[Row]) -> str:
 
 
 def _rounded(value: float) -> str:
-    """Format ``value`` with two digits, because the picture does not show more."""
+    """Format ``value`` with two digits, since the picture shows no more than that."""
     digits = max(0, 1 - math.floor(math.log10(value)))
     return f"{float(f'{value:.2g}'):,.{digits}f}"

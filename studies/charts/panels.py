@@ -1,4 +1,4 @@
-"""Prepare what the page shows about a scene: a chart of error over time, and a table."""
+"""Prepare what the page shows for each scene: a chart of error over time, and a table."""
 
 from __future__ import annotations
 
@@ -62,9 +62,9 @@ SIDES = {"pymunk": "pymunk", "the book": "the book's step"}  # our own models ne
 
 @dataclass(frozen=True)
 class Drawn:
-    """The line of one model in the chart of a scene.
+    """The line of one model in a scene's chart.
 
-    Each of its ``points`` is a tuple of the two coordinates and the index of its row in the table.
+    Each of its ``points`` is a tuple of two coordinates and the index of its row in the table.
     """
 
     name: str
@@ -92,7 +92,7 @@ class Panel:
 
 
 def panel(scene: Scene, points: Sequence[Point]) -> Panel:
-    """Prepare the chart and the table of a scene from its measured points."""
+    """Prepare a scene's chart and table from its measured points."""
     # Errors that come only from rounding are drawn at the floor. Useless runs are not drawn.
     seen = [point for point in points if point.error < CEILING]
     x = axis_for([1e3 * point.time for point in seen] or [1.0], LEFT, RIGHT)
@@ -127,7 +127,7 @@ def panel(scene: Scene, points: Sequence[Point]) -> Panel:
 
 
 def _path(places: Sequence[tuple[float, float]]) -> str:
-    """Return an SVG path through ``places``. A single place becomes a dot."""
+    """Return an SVG path through ``places``, or a dot if there is only one place."""
     if len(places) == 1:
         return f"M{places[0][0]:g},{places[0][1]:g}h0"
     return "M" + "L".join(f"{a:g},{b:g}" for a, b in places) if places else ""

@@ -1,6 +1,6 @@
 """Prepare the last table of the page, which compares pymunk's time with ours.
 
-Each ratio is shown as a number and as a mark on an axis.
+It shows each ratio both as a number and as a mark on an axis.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ class Ratio:
     """One comparison of pymunk's time with ours, as a row of the table.
 
     ``at`` is the position of its mark in percent, or None if it has no mark. ``kind`` is "exact" or
-    "extrapolated", or it is "more" or "less" if the ratio is only a bound.
+    "extrapolated", or "more" or "less" if the ratio is only a bound.
     """
 
     scene: str
@@ -32,7 +32,7 @@ class Ratio:
 
 
 def ratios(rows: Sequence[Row]) -> tuple[Axis, list[Ratio]]:
-    """Prepare the table from its rows. Return the axis of the marks, and a Ratio for each row."""
+    """Prepare the table from its rows, and return the axis of the marks and a Ratio per row."""
     marks = [_mark(row) for row in rows]
     axis = axis_for([1.0, *(value for value, _ in marks if value)], 0.0, 100.0)
     return axis, [
@@ -50,7 +50,7 @@ def ratios(rows: Sequence[Row]) -> tuple[Axis, list[Ratio]]:
 
 
 def _mark(row: Row) -> tuple[float | None, str]:
-    """Return the ratio or bound at which the mark of a row is drawn, and the kind of the mark."""
+    """Return the ratio or bound at which to draw a row's mark, and what kind of mark it is."""
     if row.ratio:
         return row.ratio, "extrapolated" if row.is_extrapolated else "exact"
     low, high = row.bounds

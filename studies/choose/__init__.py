@@ -1,8 +1,8 @@
-"""Find the cheapest model that simulates a scene accurately enough, by measuring all models.
+"""Find the cheapest model that simulates a scene accurately enough, by measuring all of them.
 
-The command also shows the next cheaper model and its error. Choose one of our scenes by a part of
-its name, or write a Python file that describes your own scene, as studies/choose/example.py does.
-Your own scene has no exact solution, so its errors are estimated by halving the steps.
+The command also shows the next cheaper model and its error. Pick one of our scenes by part of its
+name, or describe your own scene in a Python file, as studies/choose/example.py does. Your own scene
+has no exact solution, so its errors are estimated by halving the steps.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ ROUNDS, SLOWEST = 3, 0.2  # s for the slowest run of a model
 
 
 def main(arguments: list[str]) -> int:
-    """Measure the models and report the cheapest one. Return 1 if no model is accurate enough."""
+    """Measure the models and report the cheapest. Return 1 if none is accurate enough."""
     parser = argparse.ArgumentParser(prog="python -m studies choose", description=__doc__)
     parser.add_argument("scene", help="part of a scene's name, such as pendulum, or a .py file")
     parser.add_argument(
@@ -87,7 +87,7 @@ def main(arguments: list[str]) -> int:
 
 
 def _told(scene: Scene, point: Point) -> str:
-    """Describe how a model runs a scene, with its steps, its time, its work and its error."""
+    """Describe a model's run of a scene: its steps, time, work and error."""
     model = next(model for model in scene.models if model.name == point.model)
     steps = "once" if point.steps == 1 else f"{point.steps} steps"
     choice = f"tolerance {1.0 / point.steps:g}" if model.takes_tolerance else f"{steps} per frame"

@@ -1,7 +1,7 @@
-"""An example of a scene: a lamp of 2 kg that swings on a springy cord, with drag.
+"""An example of a scene: a 2 kg lamp swinging on a springy cord, with drag.
 
-There is no closed form for its motion. To use your own scene, copy this file, describe the scene,
-and run `make choose SCENE=my_scene.py TOLERANCE=1e-3`.
+Its motion has no closed form. To study a scene of your own, copy this file, describe your scene in
+it, and run `make choose SCENE=my_scene.py TOLERANCE=1e-3`.
 """
 
 from ch02_vectors.vector import Vector3
@@ -14,7 +14,7 @@ DURATION = 2.0  # s
 
 
 def build() -> ParticleWorld:
-    """Return the scene in its initial state. Every run calls this function again."""
+    """Return the scene in its initial state. This is called again for every run."""
     lamp = Particle(Vector3(1.2, 0.0, 0.0), acceleration=Vector3(0.0, -9.81, 0.0), mass=2.0)
     world = ParticleWorld([lamp])
     world.registry.add(lamp, AnchoredSpring(Vector3(), 400.0, 1.0))
@@ -25,6 +25,6 @@ def build() -> ParticleWorld:
 def measure(world: ParticleWorld) -> Vector3:
     """Return the values that must be accurate in every frame.
 
-    If you leave this function out, these are the positions of all particles.
+    Without this function, they are the positions of all particles.
     """
     return world.particles[0].position

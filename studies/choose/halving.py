@@ -1,11 +1,11 @@
 """Estimate errors without an exact solution, by halving the steps (Richardson extrapolation).
 
 If a model has order p, halving its steps divides its error by 2^p. The difference d between a run
-and the same run with half the step size is therefore close to the error of the first run, and d /
-(2^p - 1) is close to the error of the second run.
+and the same run at half the step size is therefore close to the error of the first run, and d /
+(2^p - 1) is close to that of the second.
 
 This works only if the differences show a steady order. If bodies collide or the motion is chaotic,
-there is no steady order, and the error cannot be estimated.
+they do not, and the error cannot be estimated.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ LEAST = 0.7  # below this order, a model does not converge
 class Halved:
     """The estimated error of each run, and the observed orders, from coarse to fine steps.
 
-    If ``is_steady`` is false, the orders vary too much, and the errors are only guesses.
-    ``is_exact`` means that the runs differ only by rounding.
+    If ``is_steady`` is false, the orders vary too much, and the errors are only guesses. If
+    ``is_exact`` is true, the runs differ only by rounding.
     """
 
     errors: list[float]
@@ -41,14 +41,14 @@ def halved(
 ) -> Halved:
     """Estimate the errors of a model's runs.
 
-    From each run to the next, the steps become shorter by the factor ``ratio``. The error of a run
-    is its distance from the finest run, plus the estimated error of the finest run. A run that
-    failed is None. Its error is infinite, and so are the errors of all runs before it.
+    The steps get shorter by the factor ``ratio`` from each run to the next. The error of a run is
+    its distance from the finest run, plus the estimated error of the finest run itself. A run that
+    failed is None. Its error is infinite, as are the errors of all runs before it.
 
-    ``order`` is the highest order that the model can have. If a higher order is observed, it is a
-    coincidence and is not used.
+    ``order`` is the highest order that the model can have. A higher observed order is a coincidence
+    and is ignored.
 
-    Two equal runs normally show that both are exact. This is not true for a model that takes a
+    Two equal runs usually mean that both are exact. That does not hold for a model that takes a
     tolerance, because several tolerances can lead to the same steps. Set ``may_repeat`` for such a
     model.
     """
@@ -86,7 +86,7 @@ def _is_steady(orders: Sequence[float], order: float) -> bool:
 
 
 def distance(a: Run, b: Run) -> float:
-    """Return the largest difference between any two corresponding values of two runs."""
+    """Return the largest difference between corresponding values of two runs."""
     return max(
         abs(x - y)
         for mine, other in zip(a, b, strict=True)

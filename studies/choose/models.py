@@ -1,10 +1,10 @@
-"""Determine from the contents of a world which models can run it.
+"""Work out from the contents of a world which models can run it.
 
-- A world without contacts can use every integrator of chapter 6. If it has no forces either, the
-  closed form is exact.
+- A world without contacts can use every integrator of chapter 6. Without forces as well, the closed
+  form is exact.
 - If all contacts come from rods and cables, a net can solve for all tensions at once.
 - If all contacts come from detectors, time division can stop at each impact.
-- A world with any kind of contact can make a step and then resolve the contacts.
+- With contacts of any kind, a model can take a step and then resolve them.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ ORDERS = {"leapfrog": 2, "velocity Verlet": 2, "Runge-Kutta 4": 4}  # the others
 
 @dataclass(frozen=True)
 class Model:
-    """A method that steps a world, and the order of convergence that it should have.
+    """A method of stepping a world, and the order of convergence that it should have.
 
     ``step_of`` takes a new world and returns the function that steps it. The numbers in ``choices``
     are steps per frame. If ``takes_tolerance`` is true, they are 1 / tolerance instead, and the
@@ -51,9 +51,9 @@ class Model:
         return "once per frame" if choice == 1 else f"{choice} steps per frame"
 
     def steps_of(self, world: ParticleWorld, choice: int) -> tuple[Step, int]:
-        """Prepare a run of ``world`` with one of the choices.
+        """Prepare to run ``world`` at one of the choices.
 
-        Return the function that makes a step, and the number of steps per frame.
+        Return the function that takes a step, and the number of steps per frame.
         """
         if self.takes_tolerance:
             world.integrator = adaptive(1.0 / choice)
@@ -88,7 +88,7 @@ def _special(world: ParticleWorld) -> list[Model]:
 
 
 def _with(integrator: Integrator) -> Callable[[ParticleWorld], Step]:
-    """Return a function that steps the particles of a world that has no contacts."""
+    """Return a function that steps the particles of a world without contacts."""
 
     def step_of(world: ParticleWorld) -> Step:
         particles, forces = world.particles, world.registry.update_forces
@@ -102,7 +102,7 @@ def _adaptive(world: ParticleWorld) -> Step:
 
 
 def _resolving(name: str) -> Model:
-    """Return the model that steps with an integrator, and then resolves the contacts."""
+    """Return the model that steps with an integrator and then resolves the contacts."""
 
     def step_of(world: ParticleWorld) -> Step:
         world.integrator = INTEGRATORS[name]
@@ -112,7 +112,7 @@ def _resolving(name: str) -> Model:
 
 
 def _exact(world: ParticleWorld) -> Step:
-    """Step the particles by the closed form for a constant acceleration and linear drag."""
+    """Step the particles by the closed form for constant acceleration and linear drag."""
 
     def step(duration: float) -> None:
         for particle in world.particles:

@@ -1,4 +1,4 @@
-"""Report the cheapest model for a reader's scene, and warn if its error cannot be estimated."""
+"""Report the cheapest model for a reader's scene, with a warning if its error is uncertain."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ APART = 3.0  # factor of the estimated errors beyond which two models contradict
 
 
 def choose(path: Path, tolerance: float, console: Console) -> int:
-    """Measure all models of a reader's scene, and report the cheapest one.
+    """Measure all models of a reader's scene, and report the cheapest.
 
     Return 1 if no model meets the tolerance.
 
@@ -65,9 +65,9 @@ def _told(found: list[Tried], point: Point) -> str:
 
 
 def _table(found: list[Tried], scene: OwnScene, tolerance: float) -> Table:
-    """Create a table that shows what each model needs to meet the tolerance.
+    """Create a table of what each model needs to meet the tolerance.
 
-    If a model does not meet it, its row shows the finest run.
+    For a model that does not meet it, show the finest run.
     """
     table = Table("model", "steps / frame", box=SIMPLE_HEAD, pad_edge=False)
     for heading in ("error", "ms", "order"):
@@ -105,22 +105,22 @@ def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
     unsteady = [tried for tried in found if not tried.halved.is_steady]
     if unsteady:
         told.append(
-            "halving the steps does not converge with the expected order for some models, so their "
-            f"errors (marked ?) are only guesses: {'; '.join(map(_seen, unsteady))}"
+            "as their steps are halved, some models do not converge with the expected order, so "
+            f"their errors (marked ?) are only guesses: {'; '.join(map(_seen, unsteady))}"
         )
     if not chosen and len(unsteady) == len(found):
         told.append(
             "no model converges. If the motion is chaotic, shorten DURATION, or measure something "
-            "that depends less on the start. Where bodies collide or cables become taut, errors "
-            "fall irregularly: allow for a few times the error"
+            "less sensitive to the initial state. If bodies collide or cables go taut, errors "
+            "shrink unevenly, so allow for an error several times as large"
         )
     for tried in found:
         name, order, seen = tried.model.name, tried.model.order, tried.halved.orders
         # Leapfrog is expected to have only order 1 if a force depends on the velocity.
         if tried.halved.is_steady and seen and seen[-1] < LOW * order and name != "leapfrog":
             told.append(
-                f"{name} converges with order {seen[-1]:.1f} instead of {order}, as where a force "
-                "has a jump or a kink. Its error is estimated with the lower order"
+                f"{name} converges with order {seen[-1]:.1f} instead of {order}, which is typical "
+                "of a force with a jump or a kink. Its error is estimated from the lower order"
             )
     if chosen and (other := _contradicting(found, chosen)):
         told.append(other)
@@ -128,9 +128,9 @@ def warnings(found: list[Tried], chosen: Point | None) -> list[str]:
 
 
 def _seen(tried: Tried) -> str:
-    """Name a model that does not converge with the expected order, and the orders that it shows.
+    """Name a model that does not converge as expected, and the orders that it shows.
 
-    If its runs show no order at all, name the reason instead.
+    If its runs show no order at all, give the reason instead.
     """
     shown = ", ".join(f"{each:.1f}" for each in tried.halved.orders[-3:])
     if not shown:
@@ -139,7 +139,7 @@ def _seen(tried: Tried) -> str:
 
 
 def _contradicting(found: list[Tried], chosen: Point) -> str:
-    """Return a warning if the most accurate other model contradicts the chosen model.
+    """Return a warning if the most accurate other model contradicts the chosen one.
 
     Two models contradict each other if they differ by much more than their estimated errors.
     """
@@ -157,6 +157,6 @@ def _contradicting(found: list[Tried], chosen: Point) -> str:
     if apart <= APART * (chosen.error + other.halved.errors[-1]):
         return ""
     return (
-        f"{chosen.model} and {other.model.name} differ by {apart:.1g}, which is more than their "
-        "estimated errors, so at least one of them is wrong"
+        f"{chosen.model} and {other.model.name} differ by {apart:.1g}, more than their "
+        "estimated errors allow, so at least one of them is wrong"
     )

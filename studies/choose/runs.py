@@ -1,4 +1,4 @@
-"""Run a reader's scene with every model and ever shorter steps, and time the runs."""
+"""Run a reader's scene with every model at ever shorter steps, and time the runs."""
 
 from __future__ import annotations
 
@@ -22,10 +22,9 @@ STILL = 1e-12  # a change by less than this fraction of the measured values is o
 
 @dataclass
 class Tried:
-    """A model that has been tried, with its runs and the times of each run in s.
+    """A model that has been tried, with its runs and their times in s.
 
-    ``halved`` contains the estimated errors of the runs, and ``failure`` is the reason if the last
-    run failed.
+    ``halved`` holds the estimated errors of the runs. If the last run failed, ``failure`` says why.
     """
 
     model: Model
@@ -35,7 +34,7 @@ class Tried:
     failure: str = ""
 
     def add(self, run: Run | str, taken: float) -> None:
-        """Add a run and estimate the errors again. If the run failed, ``run`` is the reason."""
+        """Add a run, or the reason that it failed, and estimate the errors again."""
         if isinstance(run, str):
             self.failure = run
         self.runs.append(None if isinstance(run, str) else run)
@@ -49,19 +48,19 @@ class Tried:
     def is_enough(self, tolerance: float) -> bool:
         """Return whether the model needs no further runs.
 
-        This is so if its runs are exact, or if its errors are known and the last three meet
-        ``tolerance``.
+        It needs none if its runs are exact, or if its errors are known and the last three are
+        within ``tolerance``.
         """
         found = self.halved
         within = all(error <= tolerance for error in found.errors[-3:])
         return found.is_exact or (found.is_steady and within)
 
     def has_order(self) -> bool:
-        """Return whether there are enough runs to see whether the order is steady."""
+        """Return whether there are enough runs to tell whether the order is steady."""
         return len(self.halved.orders) >= ORDERS
 
     def points(self, scene: OwnScene) -> list[Point]:
-        """Return the runs as points of a study. Their work is the number of steps."""
+        """Return the runs as points of a study, with the number of steps as their work."""
         return [
             Point(
                 str(scene.path),
@@ -82,7 +81,7 @@ def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> l
     """Run the scene with each model until the model is accurate enough or takes too long.
 
     Raises:
-        SceneError: The scene cannot be run, or nothing that is measured changes.
+        SceneError: The scene cannot be run, or none of the measured values changes.
     """
     start = scene.check()
     found = []
@@ -101,7 +100,7 @@ def explore(scene: OwnScene, tolerance: float, hear: Callable[[str], None]) -> l
     size = max(map(abs, start))
     if all(distance(run, [start] * scene.frames) <= STILL * size for run in runs):
         seconds = scene.frames / RATE
-        raise SceneError(f"{scene.path}: nothing that is measured moves in {seconds:g} s")
+        raise SceneError(f"{scene.path}: none of the measured values changes in {seconds:g} s")
     return found
 
 
@@ -131,17 +130,18 @@ def run_once(scene: OwnScene, model: Model, choice: int) -> tuple[Run | str, flo
         raise SceneError(f"{scene.path}: {model.name} {why(error, scene.path)}") from error
     taken = time.process_time() - start
     if not all(math.isfinite(value) for place in values for value in place):
-        return f"{model.name} gave numbers that are not finite", taken
+        return f"{model.name} produced numbers that are not finite", taken
     if any(len(place) != len(values[0]) for place in values):
-        raise SceneError(f"{scene.path}: measure() must always return as many numbers")
+        raise SceneError(f"{scene.path}: measure() must always return the same number of values")
     return values, taken
 
 
 def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
-    """Time the runs that may be chosen again, in random order.
+    """Time again, in random order, the runs that the report may choose.
 
-    These are the runs of models whose error is known, up to the first run that reliably meets the
-    tolerance. The random order prevents other load on the machine from affecting only one model.
+    For each model whose error is known, they are the runs up to the first one that reliably meets
+    the tolerance. Thanks to the random order, other load on the machine does not hit just one
+    model.
     """
     every = []
     for tried in found:
@@ -158,7 +158,7 @@ def time_all(scene: OwnScene, found: Sequence[Tried], tolerance: float) -> None:
 
 
 def seconds_of(scene: OwnScene, model: Model, choice: int) -> float:
-    """Return the processor time of a run in s. Short runs are repeated and averaged."""
+    """Return a run's processor time in s, averaged over repeated runs if it is short."""
     total, count = 0.0, 0
     while total < LEAST:
         total += run_once(scene, model, choice)[1]

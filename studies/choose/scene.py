@@ -1,4 +1,4 @@
-"""Load a scene from a reader's file, with its duration and its measured values."""
+"""Load a scene from a reader's file, along with its duration and its measured values."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ NAME = "scene_file"  # name of the module that is made from a file
 
 
 class SceneError(ValueError):
-    """Raised when a reader's file does not describe a valid scene.
+    """Raised if a reader's file does not describe a valid scene.
 
-    The message explains what is wrong with the file.
+    The message says what is wrong with the file.
     """
 
 
@@ -32,7 +32,7 @@ class OwnScene:
     """A reader's own scene, which runs for a number of frames.
 
     ``build`` returns the scene in its initial state, and ``measure`` returns the values to compare.
-    The reader wrote both functions, so ``built`` and ``measured`` check what they return.
+    Since the reader wrote both, ``built`` and ``measured`` check what they return.
     """
 
     path: Path
@@ -77,8 +77,8 @@ class OwnScene:
         first, second = self.built(), self.built()
         if {*map(id, first.particles)} & {*map(id, second.particles)}:
             raise SceneError(
-                f"{self.path}: build() must make new particles at every call, because each run "
-                "starts anew; it returned the same particle twice"
+                f"{self.path}: build() must make new particles on every call, because each run "
+                "starts over; it returned the same particle twice"
             )
         values, again = self.measured(first), self.measured(second)
         if not values:
@@ -87,8 +87,8 @@ class OwnScene:
             raise SceneError(f"{self.path}: measure() must be finite at the start, got {values}")
         if values != again:
             raise SceneError(
-                f"{self.path}: build() must make the same scene at every call, but measure() is "
-                f"{values} at first and then {again}; give random numbers a seed"
+                f"{self.path}: build() must make the same scene on every call, but measure() gave "
+                f"{values} for the first and {again} for the second; seed any random numbers"
             )
         return values
 
@@ -100,7 +100,7 @@ class OwnScene:
 
 
 def load(path: Path) -> OwnScene:
-    """Load the scene that the file ``path`` describes.
+    """Load the scene described by the file ``path``.
 
     Raises:
         SceneError: The file does not exist, cannot be run, or does not define a required name.
@@ -109,11 +109,13 @@ def load(path: Path) -> OwnScene:
     build, measure = _function(path, module, "build"), _function(path, module, "measure")
     if build is None:
         raise SceneError(
-            f"{path}: build is missing: a function that returns a ParticleWorld, as in "
-            "studies/choose/example.py"
+            f"{path}: build is missing. Define it as a function that returns a ParticleWorld, as "
+            "in studies/choose/example.py"
         )
     if not hasattr(module, "DURATION"):
-        raise SceneError(f"{path}: DURATION is missing: the time in s that the scene runs")
+        raise SceneError(
+            f"{path}: DURATION is missing. Set it to the time in s that the scene should run"
+        )
     duration = module.DURATION
     is_number = isinstance(duration, (int, float)) and not isinstance(duration, bool)
     if not is_number or not 0.5 / RATE < duration < math.inf:
@@ -123,7 +125,7 @@ def load(path: Path) -> OwnScene:
 
 
 def why(error: BaseException, path: Path) -> str:
-    """Describe an exception by its message and the line of the reader's file that caused it."""
+    """Describe an exception by its message and by the line of the reader's file that caused it."""
     frames = traceback.extract_tb(error.__traceback__)
     lines = [frame.lineno for frame in frames if Path(frame.filename) == path.absolute()]
     if isinstance(error, SyntaxError) and Path(error.filename or "") == path.absolute():
@@ -154,7 +156,7 @@ def _run(path: Path) -> ModuleType:
 
 
 def _function(path: Path, module: ModuleType, name: str) -> Callable[..., Any] | None:
-    """Return the function ``name`` of the file. If the file does not define it, return None."""
+    """Return the file's function ``name``, or None if the file does not define it."""
     found = getattr(module, name, None)
     if found is not None and not callable(found):
         raise SceneError(f"{path}: {name} must be a function, got {found!r}")
@@ -162,7 +164,7 @@ def _function(path: Path, module: ModuleType, name: str) -> Callable[..., Any] |
 
 
 def _numbers(found: Any) -> Iterable[float]:
-    """Yield the numbers in the result of measure(). Raise TypeError for any other value."""
+    """Yield the numbers in what measure() returned, and raise TypeError for anything else."""
     if isinstance(found, (int, float)):
         yield float(found)
     elif isinstance(found, str):

@@ -1,7 +1,7 @@
-"""Compare the contact solvers of chapter 7 in stacks and ropes with several mass ratios.
+"""Compare the contact solvers of chapter 7 on stacks and ropes with various mass ratios.
 
-For each scene, the command prints how much time per frame a solver needs to stay within an error. A
-complete run stores its numbers for `make figures`, which draws the picture of the lesson.
+For each scene, the command prints how much time per frame each solver needs to stay within an
+error. A complete run stores its numbers for `make figures`, which draws the lesson's picture.
 """
 
 from __future__ import annotations
@@ -23,10 +23,12 @@ QUICK, FULL = (1, 0.02), (3, 0.3)  # rounds, and the time in s for the slowest r
 
 
 def main(arguments: list[str]) -> int:
-    """Measure all solvers, and print, draw and store the results. Return 0."""
+    """Measure all solvers, then print, draw and store the results. Return 0."""
     parser = argparse.ArgumentParser(prog="python -m studies contacts", description=__doc__)
     parser.add_argument(
-        "--quick", action="store_true", help="at most a minute: fewer steps, one round, not stored"
+        "--quick",
+        action="store_true",
+        help="take a minute at most: fewer steps, one round, not stored",
     )
     parser.add_argument(
         "--out", type=Path, default=ROOT / "build" / "contacts", help="the folder for the results"
@@ -60,9 +62,9 @@ def main(arguments: list[str]) -> int:
         table.add_column(heading, no_wrap=heading == "scene", min_width=longest)
     for row in chart.table(points):
         table.add_row(*row)
-    console.print("Time in ms per frame within which a solver stays within an error for 1 s:")
+    console.print("Time in ms per frame that a solver needs to stay within an error for 1 s:")
     console.print(table)
-    console.print("-: not reached by the longest run, or no model of this scene.")
+    console.print("-: the longest run is not accurate enough, or the solver does not apply.")
     options.out.mkdir(parents=True, exist_ok=True)
     png, numbers = options.out / "contact_solvers.png", options.out / "points.json"
     chart.draw(points).savefig(png, dpi=110)
@@ -71,7 +73,7 @@ def main(arguments: list[str]) -> int:
     if not options.quick:
         kept.keep(points)
         console.print(
-            f"Written to {shown(kept.FILE)}. Run make figures to draw the lesson's picture.",
+            f"Written to {shown(kept.FILE)}. Run make figures to redraw the lesson's picture.",
             soft_wrap=True,
         )
     return 0

@@ -44,19 +44,18 @@ def of_scene(points: Sequence[Point], scene: str) -> dict[str, list[Point]]:
 
 
 def time_within(points: Sequence[Point], scene: str, solver: str, tolerance: float) -> float | None:
-    """Return the time in ms per frame in which ``solver`` reaches an error of ``tolerance``.
+    """Return how long ``solver`` takes to get within ``tolerance``, in ms per frame.
 
-    If it does not reach this error in any run, return None.
+    If none of its runs is that accurate, return None.
     """
     own = of_scene(points, scene).get(solver)
     return time_to(own, tolerance) if own else None
 
 
 def table(points: Sequence[Point]) -> list[list[str]]:
-    """Create the table that the command prints, with a row for each scene and error.
+    """Create the table that the command prints, with a row per scene and error.
 
-    A row shows how long each solver takes to reach the error. A dash means that it did not reach
-    it.
+    A row shows how long each solver takes to get within the error, or a dash if it never does.
     """
     rows = []
     for scene in dict.fromkeys(point.scene for point in points):
@@ -71,7 +70,7 @@ def draw(points: Sequence[Point]) -> Figure:
     """Draw four panels that compare the contact solvers.
 
     The upper panels plot the error against the computing time, for a stack and a swinging rope. The
-    lower panels plot the time that a solver needs for an error below 1 % against the mass ratio,
+    lower ones plot the time that a solver needs to keep the error below 1 % against the mass ratio,
     for a stack and a rope.
     """
     figure, panels = pyplot.subplots(2, 2, figsize=(11, 8.4), layout="constrained")
@@ -91,7 +90,7 @@ def draw(points: Sequence[Point]) -> Figure:
 
 
 def contact_solvers() -> Picture:
-    """Draw the picture of the lesson from the points that are stored in the repository."""
+    """Draw the lesson's picture from the points that are checked in."""
     points = kept()
     return Picture(draw(points), COLUMNS, table(points))
 

@@ -1,4 +1,4 @@
-"""Store the points of the last complete run of `make contacts` in the repository, and read them."""
+"""Read and write the checked-in points of the last complete run of `make contacts`."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ FILE = Path(__file__).with_name("figures.json")
 
 
 def rounded(points: Sequence[Point]) -> list[Point]:
-    """Round each point to three digits, with the median of its times in ms per frame."""
+    """Round each point to three digits, and give its time as a median in ms per frame."""
 
     def digits(value: float) -> float:
         return float(f"{value:.3g}")
@@ -36,7 +36,7 @@ def keep(points: Sequence[Point], file: Path = FILE) -> None:
 
 
 def kept(file: Path = FILE) -> list[Point]:
-    """Return the points of the last complete run. Their times are in ms per frame."""
+    """Return the points of the last complete run, with times in ms per frame."""
     rows = json.loads(file.read_text(encoding="utf-8"))["points"]
     return [
         Point(scene, model, by, steps, error, 0, [time])

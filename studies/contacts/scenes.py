@@ -1,7 +1,7 @@
 """Stacks and ropes at rest, and a swinging rope, each run with every solver of chapter 7.
 
-Each scene measures one error, which would be 0 with an exact solver. It reports the largest value
-of this error at the end of any frame within 1 s. The error depends on the scene:
+Each scene measures one error, which an exact solver would keep at 0, and reports its largest value
+at the end of any frame within 1 s. What the error is depends on the scene:
 
 - For a stack, it is the largest overlap of touching spheres, as a fraction of their diameter.
 - For a rope at rest, it is the change in length, as a fraction of the rope's length.
@@ -49,9 +49,9 @@ Move = Callable[[float], object]
 
 @dataclass(frozen=True)
 class Bodies:
-    """Particles with the constraints that hold them, and a function that measures an error.
+    """Particles, the constraints that hold them, and a function that measures an error.
 
-    ``error`` takes the duration of a step in s and returns a number without a unit.
+    ``error`` takes the duration of a step in s and returns a dimensionless number.
     """
 
     particles: list[Particle]
@@ -60,7 +60,7 @@ class Bodies:
 
 
 class ColdStart(SequentialImpulses):
-    """Sequential impulses that start from zero, instead of from the impulses of the last step."""
+    """Sequential impulses that start from zero instead of from the last step's impulses."""
 
     def step(self, duration: float) -> None:
         self.impulses.clear()
@@ -86,7 +86,7 @@ SOLVERS: dict[str, Callable[[list[Particle], list[Any]], Move]] = {
 def stack(ratio: float) -> Bodies:
     """Return a stack of spheres on the ground that just touch each other.
 
-    The top sphere has the mass ``ratio`` in kg, and the measured error is the largest overlap.
+    The top sphere has a mass of ``ratio`` kg, and the error is the largest overlap.
     """
     spheres = [
         Particle(Vector3(0.0, (2 * i + 1) * RADIUS), acceleration=DOWN) for i in range(COUNT)
@@ -102,10 +102,9 @@ def stack(ratio: float) -> Bodies:
 
 
 def rope(ratio: float, angle: float = 0.0, two_sided: bool = True) -> Bodies:
-    """Return a straight rope of rods that hangs from an immovable particle at an angle.
+    """Return a straight rope of rods, hanging at an angle from an immovable particle.
 
-    The weight at its end has the mass ``ratio`` in kg, and the measured error is the change in
-    length.
+    The weight at its end has a mass of ``ratio`` kg, and the error is the change in length.
     """
     along = Vector3(LENGTH * math.sin(angle), -LENGTH * math.cos(angle))
     joints = [Particle(along * i, acceleration=DOWN) for i in range(COUNT + 1)]
@@ -121,7 +120,7 @@ def rope(ratio: float, angle: float = 0.0, two_sided: bool = True) -> Bodies:
 
 
 def swinging(two_sided: bool = True) -> Bodies:
-    """Return a rope without a weight that swings from an angle, to measure its change in energy."""
+    """Return a rope without a weight, released at an angle, whose error is the change in energy."""
     bodies = rope(1.0, ANGLE, two_sided)
     start = mechanical_energy(bodies.particles)
     lowest = mechanical_energy(rope(1.0).particles)
@@ -138,7 +137,7 @@ def swinging(two_sided: bool = True) -> Bodies:
 
 
 def run(make: Callable[[], Bodies], solver: str, steps: int) -> Outcome:
-    """Run a stack or a rope with ``solver``. Return its error at the end of every frame."""
+    """Run a stack or a rope with ``solver``, and return its error at the end of every frame."""
     bodies, duration = make(), 1.0 / (RATE * steps)
     step = SOLVERS[solver](bodies.particles, bodies.generators)
     places = in_frames(step, lambda: (bodies.error(duration),), FRAMES, steps)
@@ -146,9 +145,9 @@ def run(make: Callable[[], Bodies], solver: str, steps: int) -> Outcome:
 
 
 def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> Scene:
-    """Return a scene with one model for each solver.
+    """Return a scene with one model per solver.
 
-    SmallSteps runs with ordinary rods, because it does not need two-sided rods.
+    SmallSteps runs with ordinary rods, since it has no need for two-sided ones.
     """
     models = []
     for solver in solvers:
@@ -160,7 +159,7 @@ def scene_of(name: str, make: Callable[..., Bodies], solvers: Sequence[str]) -> 
 
 
 def exact(_: float) -> Place:
-    """Return the error of an exact solver, which is 0 at any time."""
+    """Return the error of an exact solver, which is always 0."""
     return (0.0,)
 
 
@@ -170,7 +169,7 @@ def named(name: str, ratio: int) -> str:
 
 
 def scenes() -> list[Scene]:
-    """Return all scenes of the comparison, in the order in which the table lists them."""
+    """Return all scenes of the comparison, in the order of the table."""
     of_stacks = [BOOK, COLD, IMPULSES, SMALL]
     of_ropes = [BOOK, IMPULSES, SMALL, NET]
     return [

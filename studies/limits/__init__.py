@@ -1,9 +1,9 @@
 """Find the largest stable stiffness and drag of each method, and compare them with theory.
 
 The limits are found by bisection. At 1.02 times a limit, the command computes how many steps an
-oscillation takes to become a million times as large. Far inside the limits, it measures how the
-energy changes over ten thousand oscillations. It also draws maps of the growth around the limits,
-and curves that show how soon a simulation diverges just outside them.
+oscillation takes to grow by a factor of a million. Well inside the limits, it measures how the
+energy changes over ten thousand oscillations. It also maps the growth around the limits, and plots
+how soon a simulation diverges just outside them.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ WORST = 0.05  # largest relative error allowed for a limit
 
 
 def main(arguments: list[str]) -> int:
-    """Print, draw and write the results. Return 1 if a limit and its theory differ by over 5 %."""
+    """Print, draw and write the results. Return 1 if a limit is more than 5 % off the theory."""
     parser = argparse.ArgumentParser(prog="python -m studies limits", description=__doc__)
     parser.add_argument(
         "--out",
@@ -76,9 +76,9 @@ def main(arguments: list[str]) -> int:
         maps.draw_maps(picture)
     maps.draw_divergence(losses, drifts, SWINGS, curves)
     console.print(
-        "Column 'steps': number of steps until an oscillation at "
-        f"{search.OUTSIDE} times the limit\n"
-        f"is 1e6 times as large. A limit of 0 means growth even at {search.LEAST:g}.\n"
+        f"The column 'steps' shows how many steps an oscillation at {search.OUTSIDE} times the\n"
+        "limit takes to grow by a factor of 1e6. A limit of 0 means that oscillations\n"
+        f"grow even at {search.LEAST:g}.\n"
         "Energies are relative to the initial energy, at k h^2 / m = "
         f"{search.STIFFNESS * search.FRAME**2:.3g},\n"
         "where explicit Euler is unstable.\n"

@@ -1,7 +1,6 @@
-"""Draw the stability limits of methods: growth around the limits, and the time to divergence.
+"""Draw stability limits: the growth around them, and the time to divergence outside them.
 
-The curves are predictions from the eigenvalues of one step, and the marks beside them come from
-simulations.
+The curves are predictions from the eigenvalues of one step, and the marks come from simulations.
 """
 
 from __future__ import annotations
@@ -54,10 +53,10 @@ Loss = tuple[str, float, float, float, int, int]
 
 
 def draw_maps(png: Path) -> None:
-    """Draw a map for each method that shows how stiffness and damping affect its stability.
+    """For each method, draw a heat map of how stiffness and damping affect its stability.
 
-    Colors show by which factor an oscillation grows in a step. A line shows the theoretical limit,
-    and dots show the limits that bisection has found.
+    Colors show the factor by which an oscillation grows per step. A line shows the theoretical
+    limit, and dots show the limits found by bisection.
     """
     figure, panels = pyplot.subplots(3, 3, figsize=(14, 12), layout="constrained")
     off = []
@@ -115,11 +114,11 @@ def divergence() -> list[Loss]:
 
 
 def steps_to_loss(name: str, damping: float, kappa: float, predicted: float) -> tuple[int, int]:
-    """Count the steps until an oscillation has grown by a factor of 1e6, in two ways.
+    """Count the steps that an oscillation takes to grow by a factor of 1e6, in two ways.
 
-    The first number counts from the release. The second number counts from 1e3 to 1e9 times the
-    initial size, when the initial state no longer matters. ``predicted`` is the expected number of
-    steps. The size of an oscillation combines x and v / sqrt(k / m).
+    The first count starts at the release. The second runs from 1e3 to 1e9 times the initial size,
+    when the initial state no longer matters. ``predicted`` is the number of steps to expect. The
+    size of an oscillation combines x and v / sqrt(k / m).
     """
     integrator, pull, d = stepping(name, kappa, damping)
     chi = math.sqrt(pull.stiffness)
@@ -149,9 +148,9 @@ def draw_divergence(
 
 
 def _draw_steps(axes: Axes, losses: Sequence[Loss]) -> None:
-    """Draw the number of steps from the release until an oscillation diverges.
+    """Draw how many steps after its release an oscillation diverges.
 
-    The marks come from simulations, and the lines are the prediction ln(1e6) / ln(growth).
+    The marks come from simulations, and the lines show the prediction ln(1e6) / ln(growth).
     """
     for name, damping in LOST.items():
         own = [row[2:] for row in losses if row[0] == name]
@@ -172,12 +171,12 @@ def _draw_steps(axes: Axes, losses: Sequence[Loss]) -> None:
 
 
 def _draw_errors(axes: Axes, losses: Sequence[Loss]) -> None:
-    """Draw the relative difference between the simulated and the predicted number of steps.
+    """Draw the relative difference between the simulated and predicted number of steps.
 
-    An oscillation from rest is the sum of two eigenvectors, which are almost equal near a limit.
-    The growing part may then be much larger than the sum, or half of it, so the oscillation reaches
-    a million times its size sooner or later than predicted. Far outside the limit, rounding to
-    whole steps makes a difference.
+    An oscillation released from rest is the sum of two eigenvectors, which are almost parallel near
+    a limit. The growing part may then be much larger than the sum, or half of it, so the
+    oscillation needs fewer or more steps than predicted to grow by a factor of a million. Far
+    outside the limit, rounding to whole steps makes a difference.
     """
     for name in LOST:
         own = [row[2:] for row in losses if row[0] == name]
@@ -200,9 +199,9 @@ def _draw_errors(axes: Axes, losses: Sequence[Loss]) -> None:
 
 
 def _draw_energies(axes: Axes, drifts: dict[str, list[float]], swings: Sequence[int]) -> None:
-    """Draw how the energy of each method changes over many oscillations.
+    """Draw how each method's energy changes over many oscillations.
 
-    A dashed line shows the energy of Runge-Kutta 4 by theory.
+    A dashed line shows the theoretical energy of Runge-Kutta 4.
     """
     for name, ratios in drifts.items():
         color, mark = SHADES[name], MARKS[name]

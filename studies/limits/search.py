@@ -1,9 +1,10 @@
-"""Measure by bisection where methods become unstable, and measure the energy inside these limits.
+"""Find by bisection where methods become unstable, and measure the energy inside these limits.
 
 There are limits for springs, for drag and for a penalty ground. A step is a linear map of position
-and velocity, so its eigenvalues show whether a motion grows. A spring is at its limit when the
-magnitude of the larger eigenvalue begins to exceed 1. Drag is at its limit when a step multiplies
-the velocity by a factor whose magnitude begins to exceed 1. Pymunk is measured in the same way.
+and velocity, so its eigenvalues show whether a motion grows. A spring reaches its limit when the
+magnitude of the larger eigenvalue starts to exceed 1. Drag reaches its limit when the factor by
+which a step multiplies the velocity starts to exceed 1 in magnitude. Pymunk is measured in the same
+way.
 """
 
 from __future__ import annotations
@@ -43,10 +44,10 @@ Growth = Callable[[float], float]
 
 
 class Bound(NamedTuple):
-    """The stability limit of a method in one case, as measured and as predicted by theory.
+    """The stability limit of a method in one case, both measured and theoretical.
 
-    Infinity means that there is no limit. ``steps`` is the number of steps in which an oscillation
-    just outside the limit grows by the factor HUGE. It is NaN if nothing grows.
+    Infinity means that there is no limit. ``steps`` is how many steps an oscillation just outside
+    the limit takes to grow by the factor HUGE. It is NaN if nothing grows.
     """
 
     method: str
@@ -59,10 +60,10 @@ class Bound(NamedTuple):
 def pymunk_step(
     by_hand: bool, x: float, v: float, k: float, c: float, mass: float, duration: float
 ) -> State:
-    """Make one step of a pymunk body on a spring, and return its position and velocity.
+    """Take one step of a pymunk body on a spring, and return its position and velocity.
 
-    If ``by_hand`` is true, the force of the spring is applied as a plain force instead of by
-    pymunk's own spring.
+    If ``by_hand`` is true, the force of the spring is applied as a plain force, and not by pymunk's
+    own spring.
     """
     space = pymunk.Space()
     body = pymunk.Body(mass, 1.0)
@@ -78,7 +79,7 @@ def pymunk_step(
 
 
 def pymunk_damping(x: float, v: float, k: float, c: float, mass: float, duration: float) -> State:
-    """Make one step of a pymunk body without a spring, in a space with damping d = e^(-c / m)."""
+    """Take one step of a pymunk body without a spring, in a space with damping d = e^(-c / m)."""
     del k
     space = pymunk.Space()
     space.damping = math.exp(-c / mass)
@@ -96,11 +97,11 @@ PYMUNK: dict[str, Solver] = {
 
 
 def stepping(name: str, kappa: float, damping: float) -> tuple[Integrator, Pull, float]:
-    """Set up a method and a spring, so that the growth of oscillations can be measured.
+    """Set up a method and a spring to measure the growth of oscillations.
 
     Return the method as an integrator, the spring, and the damping d of the particle. The spring
-    has k h^2 / m = ``kappa``. For an integrator, ``damping`` is d^h of the particle. For every
-    other method it is c h / m of the spring.
+    has k h^2 / m = ``kappa``. For an integrator, ``damping`` is the particle's d^h. For any other
+    method, it is the spring's c h / m.
     """
     k = kappa / FRAME**2
     if name in INTEGRATORS:
@@ -109,7 +110,7 @@ def stepping(name: str, kappa: float, damping: float) -> tuple[Integrator, Pull,
 
 
 def growth_at(name: str, damping: float, kappa: float) -> float:
-    """Return the growth per step of the method ``name`` at k h^2 / m = ``kappa``."""
+    """Return the growth per step with the method ``name`` at k h^2 / m = ``kappa``."""
     integrator, pull, d = stepping(name, kappa, damping)
     return growth(integrator, pull, FRAME, d)
 
@@ -118,9 +119,9 @@ def theory_at(name: str, damping: float) -> float:
     """Return the largest k h^2 / m at which a spring is stable in theory.
 
     ``damping`` has the same meaning as in ``stepping``. Pymunk steps its spring by p' = p + v h, v'
-    = (v + a' h) e^(-c h / m), which is semi-implicit Euler with D = e^(-c h / m). If the force is
-    applied by hand, pymunk's step is explicit Euler. The determinant of this step, 1 - c h / m +
-    kappa, is 1 at kappa = c h / m, so this is the limit up to c h / m = 2.
+    = (v + a' h) e^(-c h / m), which is semi-implicit Euler with D = e^(-c h / m). With the force
+    applied by hand, pymunk's step is explicit Euler. The determinant of that step, 1 - c h / m +
+    kappa, is 1 at kappa = c h / m, which is therefore the limit up to c h / m = 2.
     """
     if name in SOLVERS:
         return math.inf
@@ -132,7 +133,7 @@ def theory_at(name: str, damping: float) -> float:
 
 
 def spring_limits() -> list[Bound]:
-    """Measure the limits of k h^2 / m of every method, for springs with and without damping."""
+    """Measure each method's limits of k h^2 / m, for springs with and without damping."""
     rows = []
     for name in INTEGRATORS:
         rows += [spring_limit(name, kept, f"d^h = {kept:g}") for kept in KEPT]
@@ -149,14 +150,14 @@ def spring_limits() -> list[Bound]:
 
 
 def spring_limit(name: str, damping: float, at: str) -> Bound:
-    """Measure the limit of one method for a spring, with ``damping`` as in ``stepping``."""
+    """Measure one method's limit for a spring, with ``damping`` as in ``stepping``."""
     return bound(name, at, partial(growth_at, name, damping), theory_at(name, damping))
 
 
 def ground_limit() -> Bound:
     """Find the k h^2 / m above which a penalty ground throws a resting body into the air.
 
-    In theory this happens at 4, which is also the limit of the step.
+    In theory that happens at 4, which is also the limit of the step.
     """
     found = first(lambda kappa: 2.0 if thrown(kappa) else 1.0)
     return Bound("penalty ground", "at rest", found, 4.0, float(thrown(OUTSIDE * found)))
@@ -165,9 +166,9 @@ def ground_limit() -> Bound:
 def thrown(kappa: float) -> int:
     """Return the number of the first step after which a resting body has left the ground.
 
-    The result is 0 if the body stays on the ground for 2000 steps. The body starts slightly below
-    its rest position, by a fraction 1 / HUGE of its depth. It therefore leaves the ground when its
-    displacement has grown by the factor HUGE.
+    Return 0 if the body stays on the ground for 2000 steps. The body starts slightly below its rest
+    position, by a fraction 1 / HUGE of its depth, so it leaves the ground when its displacement has
+    grown by the factor HUGE.
     """
     depth = 10.0 / (kappa / FRAME**2)
     heights = bounces(kappa / FRAME**2, -depth * (1.0 + 1.0 / HUGE), 2000)
@@ -196,7 +197,7 @@ DRAG_THEORY = {
 
 
 def drag_limits() -> list[Bound]:
-    """Measure how strong drag may be before a step makes a body faster or reverses its velocity.
+    """Measure how strong drag may be before a step speeds up a body or reverses its velocity.
 
     The limits are values of k1 h / m, measured for each method.
     """
@@ -211,7 +212,7 @@ def drag_limits() -> list[Bound]:
 
 
 def drag_factor(name: str, z: float) -> float:
-    """Return the factor by which one step multiplies a speed if only drag acts.
+    """Return the factor by which one step multiplies a speed if drag is the only force.
 
     ``z`` is k1 h / m. Integrators use the force of chapter 5, and the other methods use their
     damper without a spring.
@@ -224,9 +225,9 @@ def drag_factor(name: str, z: float) -> float:
 
 
 def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
-    """Find the smallest value at which a motion grows, and return it beside the theoretical limit.
+    """Find the smallest value at which a motion grows, and pair it with the theoretical limit.
 
-    The result includes the number of steps to divergence just above this value.
+    The result includes the number of steps to divergence just above that value.
     """
     found = first(growth)
     bears = 0.0 < found < math.inf
@@ -235,11 +236,10 @@ def bound(name: str, at: str, growth: Growth, theory: float) -> Bound:
 
 
 def first(growth: Growth) -> float:
-    """Find the smallest value at which ``growth`` exceeds 1, by bisection.
+    """Find by bisection the smallest value at which ``growth`` exceeds 1.
 
-    The search tries larger and larger values, and starts the bisection below the first one that
-    shows growth. The result is 0 if even LEAST shows growth, and infinity if all values up to MOST
-    are stable.
+    The search tries ever larger values, and starts the bisection below the first one that shows
+    growth. Return 0 if even LEAST shows growth, and infinity if all values up to MOST are stable.
     """
     low, high = 0.0, LEAST
     while not growth(high) > 1.0 + 1e-13:
@@ -250,11 +250,11 @@ def first(growth: Growth) -> float:
 
 
 def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
-    """Measure how the energy of a spring drifts over many oscillations, with each method.
+    """Measure how the energy of a spring drifts over many oscillations with each method.
 
-    Return the energy after each number of oscillations in ``swings``, relative to the energy at the
-    start. The numbers are in ascending order. Explicit Euler is left out, because it explodes at
-    this stiffness.
+    Return the energy after each number of oscillations in ``swings``, relative to the initial
+    energy. ``swings`` must be in ascending order. Explicit Euler is left out, because it explodes
+    at this stiffness.
     """
     ways = methods(STIFFNESS) | {"pymunk's spring": solving(PYMUNK["pymunk's spring"], STIFFNESS)}
     del ways["explicit Euler"]
@@ -265,7 +265,7 @@ def energy_drifts(swings: list[int]) -> dict[str, list[float]]:
 
 
 def energies_after(matrix: tuple[float, float, float, float], swings: list[int]) -> list[float]:
-    """Return the energy after each number of oscillations, relative to the energy at the start.
+    """Return the energy after each number of oscillations, relative to the initial energy.
 
     Each value is the mean over one oscillation, because the energy of a symplectic method
     oscillates around a constant mean. ``matrix`` is the matrix of a step of (x, v h).

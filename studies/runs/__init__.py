@@ -1,1 +1,1 @@
-"""Run scenes on any engine, and return plain numbers for pictures and studies."""
+"""Run scenes on any engine, and return plain numbers for plots and studies."""

@@ -1,4 +1,4 @@
-"""Compute the balance lines of a box of stones with an engine, and check them with exact values."""
+"""Compute the balance lines of a box of stones with an engine, next to the exact ones."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ GRAVITY = 9.81
 
 @dataclass(frozen=True)
 class BalanceLine:
-    """A line on which a box of stones balances, as the engine found it and as it should be.
+    """A line on which a box of stones balances, both as the engine found it and as it should be.
 
-    ``angle`` is in degrees, and ``left`` and ``right`` are the masses on both sides in kg.
+    ``angle`` is in degrees, and ``left`` and ``right`` are the masses on either side in kg.
     """
 
     angle: int
@@ -31,7 +31,7 @@ class BalanceLine:
 
 
 def center(stones: Sequence[Stone]) -> tuple[float, float]:
-    """Return the exact center of mass of the stones, as x and y in m."""
+    """Return the stones' exact center of mass, as x and y in m."""
     total = math.fsum(mass for _, mass, _, _ in stones)
     x = math.fsum(mass * x for _, mass, x, _ in stones) / total
     y = math.fsum(mass * y for _, mass, _, y in stones) / total
@@ -39,7 +39,7 @@ def center(stones: Sequence[Stone]) -> tuple[float, float]:
 
 
 def balance_line(stones: Sequence[Stone], angle: int) -> BalanceLine:
-    """Let the engine find the balance line at ``angle`` degrees, and compute the exact one."""
+    """Have the engine find the balance line at ``angle`` degrees, and compute the exact one."""
     a = math.radians(angle)
     found: list[object] = []
     message = stopped(lambda: found.extend((balance_offset(stones, a), masses_beside(stones, a))))

@@ -1,8 +1,8 @@
-"""Run a ball, a chain or a pendulum that has contacts, and return values over time.
+"""Run a ball, a chain or a pendulum with contacts, and return values over time.
 
-Each scene runs in steps of equal length with an integrator of chapter 6. It resolves contacts after
-each step, unless it has a method of its own. Gravity is 10 m/s^2, downward. Lengths are in m, and
-times are in s.
+Each scene runs in equal steps with an integrator of chapter 6, and resolves contacts after each
+step unless it has a method of its own. Gravity is 10 m/s^2, downward. Lengths are in m, and times
+are in s.
 """
 
 from __future__ import annotations
@@ -46,9 +46,9 @@ class Link(Protocol):
 
 @dataclass(frozen=True)
 class Track:
-    """The values that were measured at the start of a run and after each step.
+    """The values measured at the start of a run and after each step.
 
-    If an error of the engine ended the run early, ``message`` is the text of this error.
+    If an error in the engine ended the run early, ``message`` is its text.
     """
 
     times: list[float]
@@ -62,9 +62,9 @@ class Track:
 
 
 def track(move: Move, measure: Callable[[], float], frames: int, duration: float = FRAME) -> Track:
-    """Run a scene step by step, and measure a value at the start and after each step.
+    """Run a scene step by step, measuring a value at the start and after each step.
 
-    The run ends early if the engine raises an error.
+    An error in the engine ends the run early.
     """
     times, values = [0.0], [measure()]
 
@@ -93,7 +93,7 @@ def resolving(
 ) -> Move:
     """Return a function that advances a scene by one frame, in ``substeps`` equal steps.
 
-    ``step`` moves the particles, and ``resolve`` resolves their contacts after each substep.
+    In each substep, ``step`` moves the particles, and ``resolve`` then resolves their contacts.
     """
     every = [*generators]
 
@@ -109,7 +109,7 @@ def resolving(
 def by_resolver(
     iterations: int | None = None, kind: type[ContactResolver] = ContactResolver
 ) -> Resolve:
-    """Return a function that resolves contacts with at most ``iterations`` iterations per contact.
+    """Return a function that resolves contacts in at most ``iterations`` iterations per contact.
 
     If ``iterations`` is None, the resolver uses its default of 2.
     """
@@ -125,7 +125,7 @@ def by_resolver(
 def without_rule(contacts: list[Contact], duration: float) -> None:
     """Resolve contacts as impacts, without the resting rule.
 
-    The speed that gravity has built up during the step then bounces, too.
+    The speed that gravity has built up during the step then bounces as well.
     """
     del duration
     for contact in contacts:
@@ -134,7 +134,7 @@ def without_rule(contacts: list[Contact], duration: float) -> None:
 
 
 def no_bounce_below(speed: float) -> Resolve:
-    """Return a rule that is too strict on purpose: contacts slower than ``speed`` never bounce."""
+    """Return a deliberately strict rule: contacts slower than ``speed`` never bounce."""
 
     def resolve(contacts: list[Contact], duration: float) -> None:
         for contact in contacts:
@@ -155,7 +155,7 @@ def ball(
 ) -> Track:
     """Drop a ball above the ground, and return its height over time.
 
-    If ``generated`` is true, gravity comes from a force generator instead of from the particle's
+    If ``generated`` is true, gravity comes from a force generator rather than from the particle's
     own acceleration. If ``resolve`` is None, a ContactResolver resolves the contacts.
     """
     down = Vector3(0.0, -GRAVITY)
@@ -172,10 +172,10 @@ def ball(
 
 
 def ball_by_time_division(height: float, restitution: float, frames: int) -> Track:
-    """Drop a ball with time_division_step instead of a resolver, and return its height over time.
+    """Drop a ball using time_division_step rather than a resolver, and return its height over time.
 
-    When the ball comes to rest, time_division_step raises TooManyImpacts. The run then ends at the
-    time given by the exception.
+    Once the ball comes to rest, time_division_step raises TooManyImpacts, and the run ends at the
+    time given in that exception.
     """
     particle = Particle(Vector3(0.0, height), acceleration=Vector3(0.0, -GRAVITY))
     ground = GroundPlane([particle], restitution=restitution)
@@ -196,7 +196,7 @@ def ball_by_time_division(height: float, restitution: float, frames: int) -> Tra
 
 
 def chain_particles(count: int, angle: float = 0.0) -> list[Particle]:
-    """Return the particles of a straight chain that hangs from an immovable first particle.
+    """Return the particles of a straight chain, hanging from an immovable first particle.
 
     ``angle`` is measured from straight down, in degrees.
     """
@@ -214,10 +214,10 @@ def chain(
     angle: float = 0.0,
     substeps: int = 1,
 ) -> tuple[Track, Track]:
-    """Release a chain of links. Return its excess length and the error of its worst link over time.
+    """Release a chain of links, and return its excess length and its worst link's error over time.
 
-    The excess length is the sum of the links' lengths minus the correct sum. The error counts links
-    that are too long or too short.
+    The excess length is the total length of the links minus what it should be. The error counts
+    links that are too short as well as those that are too long.
     """
     particles = chain_particles(count, angle)
     links = [link(a, b, LINK) for a, b in pairwise(particles)]
@@ -226,18 +226,18 @@ def chain(
 
 
 def chain_by_direct_solve(count: int, frames: int, angle: float = 0.0) -> tuple[Track, Track]:
-    """Release a chain as a DirectChain. Return the same two values over time as ``chain``."""
+    """Release a chain as a DirectChain, and return the same two values over time as ``chain``."""
     particles = chain_particles(count, angle)
     return _lengths(DirectChain(particles[1:], Vector3()).step, particles, frames)
 
 
 def pendulum(step: Integrator | None, rate: int, seconds: float) -> Track:
-    """Return the energy in J of a pendulum that is released horizontally, over time.
+    """Return the energy over time, in J, of a pendulum released from horizontal.
 
     The pendulum has a bob of 1 kg and a length of 1 m. Its energy is relative to the lowest point,
-    so it is 10 J at the start. The rod is an AnchoredRod that is resolved after each step. If
-    ``step`` is None, a DirectChain is used. Its velocities are valid in the middle of a step, so
-    the energy at a position is computed with the mean of the velocities before and after it.
+    so it starts at 10 J. The rod is an AnchoredRod that is resolved after each step, or a
+    DirectChain if ``step`` is None. A DirectChain's velocities are valid in the middle of a step,
+    so the energy at a position is computed from the mean of the velocities before and after it.
     """
     particle = Particle(Vector3(1.0), acceleration=Vector3(0.0, -GRAVITY))
     frames = round(seconds * rate)
@@ -260,7 +260,7 @@ def pendulum(step: Integrator | None, rate: int, seconds: float) -> Track:
 
 
 def _energy(place: Numbers, velocity: Numbers) -> float:
-    """Return the energy in J of 1 kg, relative to the lowest point of the pendulum."""
+    """Return the energy of 1 kg in J, relative to the lowest point of the pendulum."""
     return GRAVITY * (1.0 + place[1]) + 0.5 * math.fsum(v * v for v in velocity)
 
 

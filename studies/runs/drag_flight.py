@@ -1,9 +1,9 @@
-"""Run flights in which a particle moves under constant acceleration and drag.
+"""Run flights of a particle under constant acceleration and drag.
 
 Plots, reference checks and benchmarks share these flights. A flight consists of plain numbers in SI
-units and has an exact solution. A model runs a flight in frames of equal length, and returns the
-state at the start and after every frame, also as plain numbers. All flights lie in the X-Y plane,
-so that a two-dimensional engine can run them.
+units and has an exact solution. A model runs it in frames of equal length, and returns the state at
+the start and after every frame, also in plain numbers. All flights lie in the X-Y plane, so that a
+two-dimensional engine can run them.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ Numbers = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class State:
-    """The state of a flight at one moment: a position in m and a velocity in m/s."""
+    """The state of a flight at one moment: its position in m and velocity in m/s."""
 
     position: Numbers
     velocity: Numbers
@@ -34,9 +34,9 @@ class State:
 
 @dataclass(frozen=True)
 class DragFlight:
-    """A flight under a constant acceleration, with drag that is proportional to the velocity.
+    """A flight under constant acceleration, with drag proportional to the velocity.
 
-    ``damping`` is the fraction d of the velocity that remains after one second. If it acts
+    ``damping`` is the fraction d of the velocity that remains after one second. Applied
     continuously rather than once per frame, it is the drag dv/dt = -k v with k = -ln d. At d = 1
     there is no drag.
     """
@@ -71,7 +71,7 @@ def with_particle(flight: DragFlight, frame: float, frames: int) -> list[State]:
 
 
 def with_pymunk(flight: DragFlight, frame: float, frames: int) -> list[State]:
-    """Run ``flight`` with pymunk. Pymunk is two-dimensional, so the z coordinate is 0."""
+    """Run ``flight`` with pymunk, which is two-dimensional, so the z coordinate is 0."""
     space, (body,) = make_space(flight)
     states = [State((*body.position, 0.0), (*body.velocity, 0.0))]
     for _ in range(frames):
@@ -91,7 +91,7 @@ def make_particle(flight: DragFlight) -> Particle:
 
 
 def make_space(flight: DragFlight, bodies: int = 1) -> tuple[pymunk.Space, list[pymunk.Body]]:
-    """Return a pymunk space and its bodies, all of them in the initial state of the flight."""
+    """Return a pymunk space and its bodies, each in the initial state of the flight."""
     import pymunk  # here, because plots of a student's engine do not need it
 
     space = pymunk.Space()
@@ -109,7 +109,7 @@ def _state_of(particle: Particle) -> State:
 
 
 def _fall(x: float, v: float, a: float, k: float, t: float) -> tuple[float, float]:
-    """Return position and velocity on one axis after t seconds of dv/dt = a - k v."""
+    """Return position and velocity along one axis after t seconds of dv/dt = a - k v."""
     kt = k * t
     if abs(kt) < 1e-3:  # t - gone would lose digits; the next term of the series is 1e-15
         gone = t * (1.0 - kt / 2.0 + kt**2 / 6.0 - kt**3 / 24.0 + kt**4 / 120.0)
@@ -121,7 +121,7 @@ def _fall(x: float, v: float, a: float, k: float, t: float) -> tuple[float, floa
 
 
 def flight_of(shot: ShotType, duration: float) -> DragFlight:
-    """Return the flight of a shot in chapter 4. The x axis points along the range."""
+    """Return the flight of one of chapter 4's shots, with x pointing along the range."""
     start = State((0.0, 1.5, 0.0), (shot.velocity[2], shot.velocity[1], 0.0))
     return DragFlight(shot.name, start, shot.acceleration, shot.damping, duration)
 

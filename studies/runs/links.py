@@ -1,4 +1,4 @@
-"""Measure the links of a bridge or a rope: where they end, and how far they are overstretched."""
+"""Measure the links of a bridge or a rope: where they end, and how overstretched they are."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def ends_of(link: Cable | AnchoredCable | Rod) -> tuple[Vector3, Vector3]:
 
 
 def over_length(links: Iterable[object]) -> float:
-    """Return by how many percent the worst cable is too long, or 0 if no cable is too long."""
+    """Return how much too long the worst cable is in percent, or 0 if none is too long."""
     worst = 0.0
     for link in links:
         if isinstance(link, Cable | AnchoredCable):

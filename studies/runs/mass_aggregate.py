@@ -1,4 +1,4 @@
-"""Run scenes of chapter 8 and measure values over time, for plots, benchmarks and tests.
+"""Run scenes of chapter 8, measuring values over time for plots, benchmarks and tests.
 
 Lengths are in m, masses in kg, times in s, and energies in J.
 """
@@ -35,7 +35,7 @@ Measure = Callable[[], float]
 
 
 class MassAggregate(Protocol):
-    """The interface that the bridge, the platform, the blob and the wheel have in common."""
+    """The interface shared by the bridge, the platform, the blob and the wheel."""
 
     @property
     def world(self) -> ParticleWorld: ...
@@ -44,9 +44,9 @@ class MassAggregate(Protocol):
 
 
 def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float) -> list[Track]:
-    """Run a scene step by step, and measure several values at the start and after each step.
+    """Run a scene step by step, measuring several values at the start and after each step.
 
-    The run ends early if the engine raises an error.
+    An error in the engine ends the run early.
     """
     times, rows = [0.0], [[number(measure()) for measure in measures]]
 
@@ -62,35 +62,35 @@ def tracks(move: Move, measures: Sequence[Measure], frames: int, duration: float
 
 
 def resolve_by_heap(world: ParticleWorld) -> None:
-    """Give a world a faster resolver that makes as many iterations and has the same results."""
+    """Give a world a faster resolver, with the same results in as many iterations."""
     world.resolver = HeapResolver(world.resolver.iterations)
 
 
 def loaded_platform() -> TiltingPlatform:
-    """Return a platform that tips to its right, with 5 kg at x = 3 m."""
+    """Return a platform that tips to the right, with 5 kg at x = 3 m."""
     platform = TiltingPlatform()
     platform.put_weight(5.0, 3.0)
     return platform
 
 
 def energy(aggregate: MassAggregate, rate: int, seconds: float) -> Track:
-    """Run an aggregate, and return the mechanical energy of all its particles over time."""
+    """Run an aggregate, and return the total mechanical energy of its particles over time."""
     resolve_by_heap(aggregate.world)
     measures = [lambda: mechanical_energy(aggregate.world.particles)]
     return tracks(aggregate.step, measures, round(rate * seconds), 1.0 / rate)[0]
 
 
 def default_bridge() -> Bridge:
-    """Return a bridge whose resolver makes its default number of iterations, two per contact."""
+    """Return a bridge whose resolver makes its default of two iterations per contact."""
     bridge = Bridge()
     bridge.world.resolver.iterations = None
     return bridge
 
 
 def variation(run: Track, since: float) -> float:
-    """Measure how much a value still varies from the time ``since`` on.
+    """Measure how much a value still varies from time ``since`` on.
 
-    Return the range of the values as a fraction of the last value, or NaN if the engine failed.
+    Return the range of the values as a fraction of the last one, or NaN if the engine failed.
     """
     late = [value for time, value in run.points if time >= since]
     if run.message or not late or not late[-1]:
@@ -101,10 +101,10 @@ def variation(run: Track, since: float) -> float:
 def load_on_bridge(
     mass: float, iterations: int | None, substeps: int, seconds: float
 ) -> tuple[Track, int]:
-    """Load a bridge with a ball, and measure how much too long its cables become, at 60 Hz.
+    """Load a bridge with a ball, and measure how much too long its cables get at 60 Hz.
 
-    Return the excess length of the worst cable in percent, over time, and the number of contacts
-    that were resolved. The excess length is infinite once the ball has fallen through.
+    Return the worst cable's excess length over time, in percent, and the number of contacts
+    resolved. The excess length is infinite once the ball has fallen through.
     """
     bridge = Bridge(mass)
     bridge.world.resolver = HeapResolver(iterations)
@@ -145,11 +145,11 @@ def places(world: ParticleWorld) -> list[Numbers]:
 def in_frames(
     aggregate: MassAggregate, frames: Sequence[float], measure: Callable[[], float], fixed: bool
 ) -> tuple[Track, list[tuple[int, list[Numbers]]]]:
-    """Run an aggregate for frames whose durations vary.
+    """Run an aggregate in frames of varying length.
 
     If ``fixed`` is true, FixedStep divides the time into equal steps. Otherwise each frame is one
-    step. The results are the measured values and, for each frame, the number of steps so far and
-    all positions.
+    step. Return the measured values and, for each frame, the number of steps so far and all
+    positions.
     """
     resolve_by_heap(aggregate.world)
     stepper = FixedStep(aggregate.step, FRAME)
@@ -201,9 +201,9 @@ def bonds_of_blob(speed: float, cables: bool, seconds: float) -> Track:
 
 
 def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Particle]]:
-    """Return a world of balls that land one after the other, and these balls.
+    """Return a world of balls that land one by one, along with those balls.
 
-    The last ball is a late one. It falls from LATE_HEIGHT between two of the others and pushes all
+    The last ball is a latecomer. It falls from LATE_HEIGHT between two of the others and pushes all
     of them apart.
     """
     down = Vector3(0.0, -9.81)
@@ -218,7 +218,8 @@ def balls_on_ground(kind: type[ParticleWorld]) -> tuple[ParticleWorld, list[Part
 def sleepers(kind: type[ParticleWorld], seconds: float) -> tuple[Track, Track, Track]:
     """Run the balls on the ground, and measure how much work their contacts cause.
 
-    Return the number of awake balls, the resolutions per step and the kinetic energy, over time.
+    Return the number of awake balls, the resolutions per step and the kinetic energy, all over
+    time.
     """
     world, balls = balls_on_ground(kind)
 

@@ -1,4 +1,4 @@
-"""Simulate a stack and a pile of spheres, to measure how far they sink and how much they overlap.
+"""Simulate a stack and a pile of spheres, to measure how far they sink and overlap.
 
 Gravity is 10 m/s^2, downward. Lengths are in m, and times are in s.
 """
@@ -19,11 +19,10 @@ from studies.runs.constraints import FRAME, GRAVITY, RADIUS, Track, by_resolver,
 
 
 def stack(count: int, iterations: int | None, frames: int) -> tuple[Track, Track]:
-    """Return the height of the top sphere of a stack and the largest overlap, over time.
+    """Return the height of a stack's top sphere, and the largest overlap, over time.
 
-    At the start each sphere just touches the next one, and nothing bounces. The height is that of
-    the sphere's center. The overlap, between neighbors or with the ground, is a fraction of the
-    diameter.
+    At first each sphere just touches the next one, and nothing bounces. The height is that of the
+    sphere's center. The overlap, with a neighbor or with the ground, is a fraction of the diameter.
     """
     spheres = [
         Particle(Vector3(0.0, (2 * i + 1) * RADIUS), acceleration=Vector3(0.0, -GRAVITY))
@@ -43,9 +42,9 @@ def stack(count: int, iterations: int | None, frames: int) -> tuple[Track, Track
 
 
 def pile(rows: int, overlap: float, speed: float) -> tuple[list[Particle], list[Contact]]:
-    """Return a pile of spheres in a plane that is falling to the ground, and its contacts.
+    """Return a pile of spheres falling to the ground in a plane, and its contacts.
 
-    The lowest row has as many spheres as there are rows. Neighbors overlap by a fraction of the
+    The bottom row has as many spheres as there are rows. Neighbors overlap by a fraction of the
     diameter, and all spheres fall at the same speed in m/s.
     """
     size = 2.0 * RADIUS * (1.0 - overlap)
@@ -64,9 +63,9 @@ def pile(rows: int, overlap: float, speed: float) -> tuple[list[Particle], list[
 def residuals(iterations: int, in_order: bool, rows: int = 4) -> tuple[float, float]:
     """Resolve the contacts of a pile ``iterations`` times, and measure the errors that remain.
 
-    The results are the largest closing velocity in m/s and the largest depth in m at the final
-    positions. If ``in_order`` is true, the contacts are resolved by sweeps through the list, which
-    skip contacts that need no resolution. Otherwise a ContactResolver resolves the worst contact
+    The errors are the largest closing velocity in m/s, and the largest depth in m at the final
+    positions. If ``in_order`` is true, the contacts are resolved in sweeps through the list,
+    skipping those that need no resolution. Otherwise a ContactResolver resolves the worst contact
     first.
     """
     spheres, contacts = pile(rows, 0.01, 1.0)
@@ -89,7 +88,7 @@ def _sweep(
     wants: Callable[[Contact], bool],
     resolve: Callable[[Contact], object],
 ) -> None:
-    """Resolve contacts in the order of the list, repeatedly, at most ``limit`` times in total."""
+    """Resolve contacts in sweeps through the list, with at most ``limit`` resolutions in total."""
     used = 0
     while True:
         before = used
@@ -102,7 +101,7 @@ def _sweep(
 
 
 def _depth(contact: Contact) -> float:
-    """Return the depth of a contact of spheres at their current positions, along its normal."""
+    """Return the depth of a contact of spheres along its normal, at their current positions."""
     place = contact.particle.position
     if contact.other is None:
         return RADIUS - place.y

@@ -1,4 +1,4 @@
-"""Find the throw of a trebuchet for every angle at which its sling might release the projectile.
+"""Find a trebuchet's throw for every angle at which its sling might release the projectile.
 
 Lengths are in m, and energies are in J.
 """
@@ -27,9 +27,9 @@ from studies.runs.mass_aggregate import resolve_by_heap
 class Release:
     """A moment at which the sling could release the projectile.
 
-    ``angle`` is the direction of flight in degrees, and ``range`` is the distance in m from the
-    pivot to where the projectile lands. ``share`` is the fraction of the counterweight's lost
-    energy that the projectile has gained.
+    ``angle`` is the direction of flight in degrees, and ``range`` is how far from the pivot the
+    projectile lands, in m. ``share`` is the fraction of the counterweight's lost energy that the
+    projectile has gained.
     """
 
     angle: float
@@ -38,10 +38,10 @@ class Release:
 
 
 def releases(design: Design) -> list[Release]:
-    """Simulate a sling that never releases, and return each release that some angle would cause.
+    """Simulate a sling that never lets go, and return each release that some angle would cause.
 
-    A sling releases in the first step in which the projectile's direction of flight is below the
-    release angle. Each step with a lower direction than ever before is therefore a possible
+    A sling lets go in the first step in which the projectile's direction of flight is below the
+    release angle. Every step in which that direction reaches a new low is therefore a possible
     release, down to the horizon. Ranges and fractions are computed as in Trebuchet.throw, but in
     plain numbers.
     """
@@ -75,7 +75,7 @@ def releases(design: Design) -> list[Release]:
 
 
 def jumps(found: Sequence[Release], degrees: float = 5.0) -> list[Release]:
-    """Insert a NaN wherever the angle jumps, so that a plot draws no line across the gap."""
+    """Insert a NaN wherever the angle jumps, so that plots draw no line across the gap."""
     shown = list(found[:1])
     for before, release in pairwise(found):
         if before.angle - release.angle > degrees:

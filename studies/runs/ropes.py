@@ -1,7 +1,7 @@
-"""Let a rope hang between two nails: with rods, with a DirectChain, and as the exact solution.
+"""Hang a rope between two nails: with rods, with a DirectChain, and as the exact solution.
 
-The nails are at height 0, and the distance between them is SPAN. The length of the rope is LENGTH.
-There is a particle of 1 kg wherever two links meet.
+The nails are at height 0, a distance SPAN apart. The length of the rope is LENGTH, and there is a
+particle of 1 kg wherever two links meet.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ Place = tuple[float, float]
 
 @dataclass(frozen=True)
 class Hanging:
-    """A rope that hangs at rest: its positions, its sag in m, and its excess length in m.
+    """A rope hanging at rest: its positions, its sag in m, and its excess length in m.
 
-    ``work`` is the number of contacts that were resolved, or of rod forces that were solved for.
+    ``work`` is the number of contacts resolved, or of rod forces solved for.
     """
 
     places: list[Place]
@@ -46,15 +46,15 @@ def catenary_sag(span: float = SPAN, length: float = LENGTH) -> float:
 
 
 def catenary_radius(span: float = SPAN, length: float = LENGTH) -> float:
-    """Return the parameter a in m of the catenary a cosh(x / a) with this span and length."""
+    """Return the parameter a, in m, of the catenary a cosh(x / a) with this span and length."""
     return _solve(lambda a: 2.0 * a * math.sinh(0.5 * span / a) - length, 0.05 * span, 100.0 * span)
 
 
 def polygon(links: int, span: float = SPAN, length: float = LENGTH) -> list[Place]:
     """Return the positions of a hanging rope of equal links with equal particles between them.
 
-    At rest the horizontal pull is the same in all links, and the vertical pull changes by one
-    weight from link to link. So the slopes of the links are evenly spaced.
+    At rest the horizontal pull is the same in every link, while the vertical pull changes by one
+    weight from link to link. The slopes of the links are therefore evenly spaced.
     """
     link = length / links
     weights = [i + 0.5 - 0.5 * links for i in range(links)]  # upward pull of each link
@@ -72,19 +72,19 @@ def polygon(links: int, span: float = SPAN, length: float = LENGTH) -> list[Plac
 
 
 def polygon_sag(links: int, span: float = SPAN, length: float = LENGTH) -> float:
-    """Return the sag in m of a rope with this number of links when it hangs at rest."""
+    """Return the sag in m of a rope with this many links hanging at rest."""
     return -min(y for _, y in polygon(links, span, length))
 
 
 def straight_v(links: int) -> list[Place]:
-    """Return the positions of a rope whose middle is pulled straight down, so that it forms a V."""
+    """Return the positions of a rope whose middle is pulled straight down into a V."""
     depth = math.sqrt(0.25 * LENGTH * LENGTH - 0.25 * SPAN * SPAN)
     shares = [i / links for i in range(links + 1)]
     return [(SPAN * share, -depth * (1.0 - abs(2.0 * share - 1.0))) for share in shares]
 
 
 def rope_particles(places: list[Place]) -> list[Particle]:
-    """Return the particles of a rope at these positions. The first and last are immovable."""
+    """Return a rope's particles at these positions. The first and last are immovable."""
     particles = [
         Particle(Vector3(x, y), acceleration=GRAVITY, mass=1.0, damping=DAMPING) for x, y in places
     ]
@@ -95,8 +95,8 @@ def rope_particles(places: list[Place]) -> list[Particle]:
 def hang_by_rods(links: int, rate: int, substeps: int, seconds: float) -> Hanging:
     """Simulate a rope of two-sided rods in a ParticleWorld, with substeps in each step.
 
-    The rope starts in its exact shape, so any further sag is an error. A HeapResolver resolves the
-    contacts, because it has the same results as a ContactResolver but takes less time.
+    The rope starts in its exact shape, so any further sag is an error. The contacts are resolved by
+    a HeapResolver, which gives the same results as a ContactResolver in less time.
     """
     particles = rope_particles(polygon(links))
     rods = [TwoSidedRod(a, b, LENGTH / links) for a, b in pairwise(particles)]
@@ -112,7 +112,7 @@ def hang_by_rods(links: int, rate: int, substeps: int, seconds: float) -> Hangin
 def hang_by_direct_chain(links: int, rate: int, seconds: float, from_v: bool = False) -> Hanging:
     """Simulate a hanging rope with a DirectChain, which keeps its initial lengths.
 
-    If ``from_v`` is true, the rope starts in the shape of a V, and not in its exact shape.
+    The rope starts as a V if ``from_v`` is true, and in its exact shape otherwise.
     """
     particles = rope_particles(straight_v(links) if from_v else polygon(links))
     chain = DirectChain(particles[1:], particles[0].position)
@@ -129,7 +129,7 @@ def _measured(particles: list[Particle], work: int) -> Hanging:
 
 
 def _solve(of: Callable[[float], float], low: float, high: float) -> float:
-    """Find where a function changes sign between two positive numbers, by bisection."""
+    """Find by bisection where a function changes sign between two positive numbers."""
     rises = of(high) > 0.0
     for _ in range(200):
         middle = math.sqrt(low * high)

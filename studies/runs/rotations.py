@@ -1,7 +1,7 @@
-"""Compute orientations in plain numbers, so that they can be compared with those of an engine.
+"""Compute orientations in plain numbers, for comparison with an engine's.
 
-An orientation is described either by its components r, i, j and k, or by its arrows. The arrows are
-the directions of its own axes X, Y and Z in the world. The motions in this module are for plots.
+An orientation is given either by its components r, i, j and k, or by its arrows, the directions of
+its own axes X, Y and Z in the world. The motions in this module are for plots.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ TAU = math.tau
 
 
 def components(q: Any) -> Components:
-    """Return the components of an engine's quaternion. If one is not a number, it becomes NaN."""
+    """Return the components of an engine's quaternion, with NaN for any that is not a number."""
     r, i, j, k = (number(getattr(q, name, None)) for name in "rijk")
     return r, i, j, k
 
@@ -65,18 +65,18 @@ def rotated(q: Components, v: Numbers) -> Numbers:
 
 
 def arrows(q: Components) -> Arrows:
-    """Return where an object's axes X, Y and Z point after the rotation ``q`` of length 1."""
+    """Return where an object's axes X, Y and Z point after the unit quaternion ``q`` rotates it."""
     return rotated(q, X), rotated(q, Y), rotated(q, Z)
 
 
 def arrows_by_engine(q: Quaternion) -> Arrows:
-    """Let the engine rotate the axes X, Y and Z by ``q``, and return where they point."""
+    """Have the engine rotate the axes X, Y and Z by ``q``, and return where they point."""
     x, y, z = (numbers(q.rotate(Vector3(*axis))) for axis in (X, Y, Z))
     return x, y, z
 
 
 def degrees_apart(a: Components, b: Components) -> float:
-    """Return the angle in degrees between two orientations, whose lengths do not matter.
+    """Return the angle between two orientations in degrees, whatever their lengths.
 
     Return NaN if one of the lengths is 0 or not finite.
     """
@@ -87,7 +87,7 @@ def degrees_apart(a: Components, b: Components) -> float:
 
 
 def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
-    """Return the angle in degrees between two orientations, from the trace of the rotation."""
+    """Return the angle between two orientations in degrees, from the trace of the rotation."""
     if not is_drawable(*a, *b):
         return math.nan
     cosine = 0.5 * (math.fsum(dot(p, q) for p, q in zip(a, b, strict=True)) - 1.0)
@@ -95,23 +95,23 @@ def degrees_between_arrows(a: Arrows, b: Arrows) -> float:
 
 
 def off_right_angles(found: Arrows) -> float:
-    """Return how far the worst pair of arrows is from being perpendicular, in degrees."""
+    """Return how far from perpendicular the worst pair of arrows is, in degrees."""
     x, y, z = found
     return largest([abs(angle_between(a, b) - 90.0) for a, b in ((x, y), (y, z), (z, x))])
 
 
 def off_unit_length(found: Arrows) -> float:
-    """Return how far the length of the worst arrow is from 1."""
+    """Return how far from 1 the length of the worst arrow is."""
     return largest([abs(math.hypot(*v) - 1.0) for v in found])
 
 
 def off_directions(found: Arrows, wanted: Arrows) -> float:
-    """Return the largest angle in degrees between an arrow and its wanted direction."""
+    """Return the largest angle in degrees between an arrow and the direction it should have."""
     return largest([angle_between(a, b) for a, b in zip(found, wanted, strict=True)])
 
 
 def largest(values: list[float]) -> float:
-    """Return the largest value, or NaN if there are no values or one of them is NaN."""
+    """Return the largest value, or NaN if any value is NaN or there are none."""
     return max(values, default=math.nan) if not any(map(math.isnan, values)) else math.nan
 
 
@@ -129,9 +129,9 @@ TILTED = turn((0.0, 0.0, -1.0), TILT)  # the disc's own Y along its axis
 
 @dataclass(frozen=True)
 class Throw:
-    """A thrown disc: its arrows from the engine, and the exact arrows at the same times.
+    """A thrown disc: the engine's arrows, and the exact arrows at the same times.
 
-    If an error of the engine ended the throw early, ``message`` is the text of this error.
+    If an error in the engine ended the throw early, ``message`` is its text.
     """
 
     times: list[float]
@@ -162,14 +162,14 @@ def disc_orientation(time: float) -> Components:
 def disc_acceleration(time: float) -> Numbers:
     """Return the angular acceleration of the disc.
 
-    It is not zero, because the precession rotates the axis of the spin.
+    It is not zero, because the precession keeps turning the spin axis.
     """
     x, y, z = rotated(turn(Y, PRECESSION * time), AXIS)
     return cross((0.0, PRECESSION, 0.0), (SPIN * x, SPIN * y, SPIN * z))
 
 
 def throw_disc(rate: int) -> Throw:
-    """Throw the disc, and rotate it with integrate_rotation in ``rate`` steps per second."""
+    """Throw the disc, rotating it with integrate_rotation in ``rate`` steps per second."""
     orientation = Quaternion(*TILTED)
     velocity = Vector3(SPIN * AXIS[0], SPIN * AXIS[1] + PRECESSION, 0.0)
     times: list[float] = []
@@ -188,18 +188,18 @@ def throw_disc(rate: int) -> Throw:
 
 
 def by_first_order(q: Quaternion, velocity: Numbers, duration: float) -> None:
-    """Rotate ``q`` for one step by the book's first-order formula, Eq. 9.5."""
+    """Rotate ``q`` by one step of the book's first-order formula, Eq. 9.5."""
     q.add_scaled(Vector3(*velocity), duration)
 
 
 def by_first_order_normalized(q: Quaternion, velocity: Numbers, duration: float) -> None:
-    """Rotate ``q`` for one step by Eq. 9.5, and then normalize it."""
+    """Rotate ``q`` by one step of Eq. 9.5, and then normalize it."""
     q.add_scaled(Vector3(*velocity), duration)
     q.normalize()
 
 
 def by_exponential(q: Quaternion, velocity: Numbers, duration: float) -> None:
-    """Rotate ``q`` for one step by the exponential of the rotation vector."""
+    """Rotate ``q`` by one step, using the exponential of the rotation vector."""
     q.rotate_by(Vector3(*(component * duration for component in velocity)))
 
 
@@ -214,7 +214,7 @@ CONING, SLANTING = 0.5 * TAU, (TAU * 0.6, 0.0, TAU * 0.8)
 
 
 def steady_velocity(_: float) -> Numbers:
-    """Return the angular velocity of the steady rotation. It does not change."""
+    """Return the angular velocity of the steady rotation, which does not change."""
     return STEADY
 
 
@@ -232,7 +232,7 @@ def coning_velocity(time: float) -> Numbers:
 def coning_orientation(time: float) -> Components:
     """Return the exact orientation of the rotation whose axis moves around Z.
 
-    It is a rotation about a fixed axis, followed by a rotation about Z.
+    It is a rotation about a fixed axis, followed by one about Z.
     """
     return product(turn(Z, CONING * time), product(turn(SLANTING, TAU * time), START))
 
@@ -242,8 +242,8 @@ def turn_by_steps(
 ) -> tuple[list[Components], str]:
     """Rotate START step by step, and return all orientations and any error that ended the run.
 
-    The velocity is evaluated after the fraction ``share`` of each step, so at the start for 0 and
-    in the middle for 0.5.
+    The velocity is evaluated a fraction ``share`` into each step: at its start for 0, and in its
+    middle for 0.5.
     """
     q = Quaternion(*START)
     found = [components(q)]
@@ -258,7 +258,7 @@ def turn_by_steps(
 
 
 def worst_axis(distance: float, z: float) -> Numbers:
-    """Return the rotation axis with the largest Euler rates, if y is ``distance`` below 90 degrees.
+    """Return the axis with the largest Euler rates when y is ``distance`` below 90 degrees.
 
     It lies halfway between the world's Z axis and the rotated X axis.
     """
@@ -268,7 +268,7 @@ def worst_axis(distance: float, z: float) -> Numbers:
 
 
 def columns(matrix: Any) -> Arrows:
-    """Return the columns of an engine's Matrix3. They are the rotated axes."""
+    """Return the columns of an engine's Matrix3, which are the rotated axes."""
     a, b, c, d, e, f, g, h, i = nine(matrix)
     return (a, d, g), (b, e, h), (c, f, i)
 
@@ -276,7 +276,7 @@ def columns(matrix: Any) -> Arrows:
 def singular_values(matrix: Any) -> Numbers:
     """Return the singular values of an engine's Matrix3, largest first.
 
-    If its entries are not nine finite numbers, return NaN.
+    They are NaN unless its entries are nine finite numbers.
     """
     found = nine(matrix)
     if not all(map(math.isfinite, found)):
@@ -286,6 +286,6 @@ def singular_values(matrix: Any) -> Numbers:
 
 
 def nine(matrix: Any) -> list[float]:
-    """Return the entries of an engine's Matrix3, row by row, or NaN if they are not nine."""
+    """Return the nine entries of an engine's Matrix3, row by row, or NaN if there are not nine."""
     found = [number(entry) for entry in getattr(matrix, "entries", ())]
     return found if len(found) == 9 else [math.nan] * 9

@@ -1,7 +1,7 @@
-"""Measure the stability of integrators with springs: oscillations, growth per step, and limits.
+"""Measure the stability of integrators on springs: oscillations, growth per step, and limits.
 
-A spring pulls a particle of 1 kg toward 0 along X. Every method is wrapped as an integrator of
-chapter 6, even a solver for one linear spring, so that all methods run in the same way.
+A spring pulls a particle of 1 kg toward 0 along X. Every method, even a solver for one linear
+spring, is wrapped as an integrator of chapter 6, so that all of them run in the same way.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ SOLVERS: dict[str, Solver] = {"backward Euler": backward_euler, "trapezoidal rul
 
 
 class Pull:
-    """A spring toward 0 in plain numbers, which mistakes in the engine's springs cannot affect.
+    """A spring toward 0 in plain numbers, which a bug in the engine's springs cannot affect.
 
     ``count`` is the number of force evaluations.
     """
@@ -62,7 +62,7 @@ class Pull:
 
 @dataclass(frozen=True)
 class Swing:
-    """The positions and velocities of an oscillation, and any error that ended its run early."""
+    """The positions and velocities of an oscillation, and any error that ended it early."""
 
     places: list[float]
     velocities: list[float]
@@ -90,8 +90,8 @@ def methods(stiffness: float) -> dict[str, Integrator]:
 def watching(integrator: Integrator, limit: float) -> Integrator:
     """Wrap an integrator so that it raises an error when a speed exceeds ``limit`` in m/s.
 
-    If ``watched`` is not written yet, return the integrator itself. It also ends when it explodes,
-    because particles reject forces that are not finite.
+    If ``watched`` is not written yet, return the integrator itself. It still stops when it
+    explodes, because particles reject forces that are not finite.
     """
     try:
         step = watched(integrator, limit)
@@ -108,7 +108,7 @@ def swing(
     limit: float,
     damping: float = 1.0,
 ) -> Swing:
-    """Release a body of 1 kg at x = 1 m, and let it oscillate until it is faster than ``limit``."""
+    """Release a body of 1 kg at x = 1 m, and let it swing until it is faster than ``limit``."""
     particle = Particle(Vector3(1.0), damping=damping)
     step = watching(integrator, limit)
     places, velocities = [1.0], [0.0]
@@ -129,7 +129,7 @@ def growth(
 ) -> float:
     """Return the factor by which a step multiplies oscillations in the long run, or NaN.
 
-    This is the magnitude of the larger eigenvalue of the step.
+    It is the magnitude of the larger eigenvalue of the step.
     """
     return spectral_radius(*step_matrix(integrator, generator, duration, damping))
 
@@ -152,9 +152,9 @@ def step_matrix(
 
 
 def growth_of(name: str, kappa: float, damping: float, duration: float) -> float:
-    """Return the growth per step of a method, given by name, at k h^2 / m = kappa.
+    """Return the growth per step of the method ``name`` at k h^2 / m = kappa.
 
-    ``damping`` is c h / m of the spring for a solver, and d^h of the particle for an integrator.
+    ``damping`` is the spring's c h / m for a solver, and the particle's d^h for an integrator.
     """
     k = kappa / duration**2
     if name in SOLVERS:
@@ -163,19 +163,19 @@ def growth_of(name: str, kappa: float, damping: float, duration: float) -> float
 
 
 def period(places: Sequence[float]) -> float:
-    """Return the steps per oscillation, from the zero crossings, or NaN if there are too few."""
+    """Return the steps per oscillation, from its zero crossings, or NaN if there are too few."""
     found = [i + a / (a - b) for i, (a, b) in enumerate(pairwise(places)) if a * b < 0.0]
     return 2.0 * (found[-1] - found[0]) / (len(found) - 1) if len(found) > 1 else math.nan
 
 
 def true_place(k: float, c: float, time: float) -> float:
-    """Return the exact position of a body of 1 kg on a spring that was released at 1 m."""
+    """Return the exact position of a body of 1 kg on a spring, released at 1 m."""
     state = damped_spring_state(1.0, 0.0, k, c, 1.0, time)
     return number(state[0]) if isinstance(state, tuple) else math.nan
 
 
 def faked_growth(angle: float, share: float, duration: float) -> float:
-    """Return the factor by which an oscillation of the faked stiff spring grows in each step.
+    """Return the factor by which an oscillation of the faked stiff spring grows per step.
 
     ``angle`` is chi h, and ``share`` is a fraction of critical damping.
     """
@@ -185,7 +185,7 @@ def faked_growth(angle: float, share: float, duration: float) -> float:
 
 
 def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, str]:
-    """Count the steps until a knot of the cloth is faster than 1000 m/s. Also return any error."""
+    """Count the steps until a knot of the cloth exceeds 1000 m/s. Also return any error."""
     knots, registry = make_cloth(damping)
     step = watching(INTEGRATORS[name], 1000.0)
     steps = 0
@@ -201,7 +201,7 @@ def cloth_lasts(name: str, damping: float, rate: int, most: int) -> tuple[int, s
 
 
 def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
-    """Drop a body of 1 kg onto an undamped penalty ground at 60 Hz, and return its heights."""
+    """Drop a body of 1 kg onto undamped penalty ground at 60 Hz, and return its heights."""
     particle = Particle(Vector3(0.0, fall), acceleration=Vector3(0.0, -10.0))
     ground = PenaltyGround(0.0, stiffness)
     step = watching(semi_implicit_euler, 1e4)
@@ -217,14 +217,14 @@ def bounces(stiffness: float, fall: float, steps: int) -> list[float]:
 
 
 def largest_error(places: list[float], chi: float, steps: int) -> float:
-    """Return how far a simulated spring is from the exact cos(chi t), at the worst of 64 times."""
+    """Return the largest error of a simulated spring, compared with cos(chi t) at 64 times."""
     every = max(1, steps // 64)
     found = [abs(places[i] - math.cos(chi * i / steps)) for i in range(every, len(places), every)]
     return max(found, default=math.nan)
 
 
 def spectral_radius(a: float, b: float, c: float, d: float) -> float:
-    """Return the magnitude of the larger eigenvalue of the matrix with the rows a, b and c, d."""
+    """Return the magnitude of the larger eigenvalue of the matrix with rows (a, b) and (c, d)."""
     half, product = (a + d) / 2.0, a * d - b * c
     root = half * half - product
     if root < 0.0:  # the eigenvalues are complex conjugates
@@ -233,7 +233,7 @@ def spectral_radius(a: float, b: float, c: float, d: float) -> float:
 
 
 def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float = 1e3) -> float:
-    """Find the k h^2 / m between low and high above which oscillations grow, by bisection."""
+    """Find by bisection the k h^2 / m, between low and high, above which oscillations grow."""
     while high > low * (1.0 + 1e-14):
         middle = math.sqrt(low * high)
         if not low < middle < high:
@@ -248,7 +248,7 @@ def limit_of(growth_at: Callable[[float], float], low: float = 1e-3, high: float
 def limits(name: str, duration: float) -> list[tuple[float, float, float]]:
     """Measure the limit of k h^2 / m for several d^h. Return each d^h, its limit and its theory.
 
-    Explicit Euler without damping is left out, because its limit is 0.
+    Undamped explicit Euler is left out, because its limit is 0.
     """
     found = []
     for kept in (0.1, 0.3, 0.5, 0.7, 0.9, 0.95, 1.0):
@@ -286,13 +286,13 @@ def _step(
 
 
 def _state(particle: Particle) -> tuple[float, float]:
-    """Return the position and velocity along X, or NaN if they are no longer vectors."""
+    """Return position and velocity along X, or NaN if they are no longer vectors."""
     x, v = (getattr(vector, "x", None) for vector in (particle.position, particle.velocity))
     return number(x), number(v)
 
 
 def _pair(value: object) -> tuple[float, float]:
-    """Return the two numbers that a solver returned, or NaN if it returned something else."""
+    """Return the two numbers that a solver returned, or NaN if it returned anything else."""
     if not (isinstance(value, tuple) and len(value) == 2):
         return math.nan, math.nan
     return number(value[0]), number(value[1])

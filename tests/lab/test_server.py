@@ -110,7 +110,7 @@ def test_stubs_name_their_exercise() -> None:
 
 ENDINGS = {
     "while True: pass": "forces.py, line",  # the position of the loop
-    "import os; os._exit(3)": "ended by itself",
+    "import os; os._exit(3)": "ended on its own",
     "raise ValueError('no force today')": "no force today",
 }
 

@@ -101,7 +101,7 @@ def test_an_answer_without_end_stops_the_scene(monkeypatch: pytest.MonkeyPatch) 
 
     monkeypatch.setattr("lab.engine_process.LONGEST_LINE", 100)
     (stopped,) = asyncio.run(talk())
-    assert "draws too many things" in json.loads(stopped)["why"]
+    assert "draws more than the lab can show" in json.loads(stopped)["why"]
 
 
 def test_nothing_remains_of_a_lab_that_is_killed(tmp_path: Path) -> None:

@@ -281,14 +281,14 @@ def test_charts_are_drawn_and_a_run_goes_on_where_it_was(
     assert (tmp_path / "overview.png").stat().st_size > 10_000
     assert "earlier run" not in capsys.readouterr().out
     assert charts.main(arguments) == 0
-    assert "resuming an earlier run with 1 of 1 rounds" in capsys.readouterr().out
+    assert "resuming an earlier run after 1 of 1 rounds" in capsys.readouterr().out
     assert (tmp_path / "measured.json").read_bytes() == first
 
 
 def test_a_scene_that_is_not_there_is_refused_by_name(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit):
         charts.main(["--scene", "a cat"])
-    assert "must be a part of a scene's name, got 'a cat': projectile" in capsys.readouterr().err
+    assert "must be part of one of these names, got 'a cat': projectile" in capsys.readouterr().err
 
 
 def test_the_cheapest_model_that_will_do_is_named_with_a_cheaper_one_that_will_not(

@@ -158,7 +158,8 @@ def test_models_that_contradict_each_other_warn() -> None:
     assert chosen.error == pytest.approx(0.5**4)
     assert warnings([mine, alike], chosen) == []
     (contradiction,) = warnings([mine, other], chosen)
-    assert contradiction.startswith("mine and other differ by 1, which is more than")
+    told = "mine and other differ by 1, more than their estimated errors allow"
+    assert contradiction.startswith(told)
     alone = warnings([mine, runs.Tried(replace(mine.model, name="none"))], chosen)
     assert alone[-1] == "only mine converges, so no other model confirms its error"
 
@@ -272,7 +273,10 @@ def test_bounces_warn_that_halving_does_not_converge(
     status, told = run_on(tmp_path, BALL.format(""), monkeypatch, capsys)
     assert status == 0
     assert "cheapest: time division, once per frame" in told
-    assert "Warning: halving the steps does not converge with the expected order" in told
+    assert (
+        "Warning: as their steps are halved, some models do not converge with the expected order"
+        in told
+    )
     assert "semi-implicit Euler, then contacts (" in told
     # With a cable that is never taut, contacts are not those of detectors alone.
     cable = ", AnchoredCable(ball, Vector3(), 9.0)"
@@ -312,9 +316,9 @@ def build():
     return world
 """
 BAD = {
-    "build is missing: a function that returns a ParticleWorld": "del build",
+    "build is missing. Define it as a function that returns a ParticleWorld": "del build",
     "build must be a function, got 3": "build = 3",
-    "DURATION is missing: the time in s that the scene runs": "del DURATION",
+    "DURATION is missing. Set it to the time in s that the scene should run": "del DURATION",
     "DURATION must be a number of seconds, at least one frame of 1/60 s, got 0": "DURATION = 0",
     "DURATION must be a number of seconds, at least one frame of 1/60 s, got 'two'": (
         "DURATION = 'two'"
@@ -327,19 +331,19 @@ BAD = {
     ),
     "build() must return a ParticleWorld, got [1]": "build = lambda: [1]",
     "the world that build() returns has no particles": "build = ParticleWorld",
-    "nothing that is measured moves in 1 s": "build = lambda: ParticleWorld([Particle()])",
+    "none of the measured values changes in 1 s": "build = lambda: ParticleWorld([Particle()])",
     "measure() must be finite at the start, got (nan,)": "measure = lambda _: float('nan')",
     "measure() must return a number, a Vector3, or a list of these, got 'far'": (
         "measure = lambda _: 'far'"
     ),
     "measure() returned no numbers": "measure = lambda _: []",
-    "measure() must always return as many numbers": (
+    "measure() must always return the same number of values": (
         "measure = lambda w: [1.0] * (1 + (w.particles[0].position.x > 1.5))"
     ),
-    "build() must make new particles at every call": (
+    "build() must make new particles on every call": (
         "it = ParticleWorld([Particle()])\nbuild = lambda: it"
     ),
-    "give random numbers a seed": (
+    "seed any random numbers": (
         "import random\nbuild = lambda: ParticleWorld([Particle(Vector3(random.random()))])"
     ),
     "explicit Euler stopped in line 16 with TypeError: force must be a Vector3": (

@@ -132,4 +132,4 @@ def test_what_cannot_be_run_is_a_clear_error(engines: NodeEngines) -> None:
     assert words == "chapter 2 cannot be given: its reference is not in this folder"
     asked = {"files": {"../x.py": ""}, "chapter": CHAPTER.name}
     words = engines.ask("check", asked=asked)["error"]
-    assert words == "a file must be chNN_name/name, got '../x.py'"
+    assert words == "a file's path must be chNN_name/name, got '../x.py'"

@@ -1,1 +1,1 @@
-"""The Python part of the course's website. It runs in the browser, with Pyodide."""
+"""The Python part of the course's website, which runs in the browser with Pyodide."""

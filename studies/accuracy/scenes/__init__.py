@@ -1,1 +1,1 @@
-"""The scenes of the accuracy study, each with its exact solution and the models that run it."""
+"""The scenes of the accuracy study, with their exact solutions and the models that run them."""

@@ -1,12 +1,12 @@
-"""Test how well each model keeps the rope bridge of chapter 8 at rest under a load.
+"""Test how well each model keeps the loaded rope bridge of chapter 8 at rest.
 
-Every model starts at rest, slightly below the position with the least potential energy. If it
-started exactly there, rounding errors would decide which cables are taut. The work is the number of
-resolved contacts. Pymunk resolves all of its joints in each iteration of a step.
+Every model starts at rest, slightly below the position with the least potential energy. At that
+exact position, rounding errors would decide which cables are taut. The work is the number of
+contacts resolved, and pymunk resolves all of its joints in each iteration of a step.
 
-Positions are compared as seen from the side, because pymunk is two-dimensional. Its bridge has both
-sides in one plane, so the cables are as long as they appear from the side, and the rods between the
-two sides are left out.
+Pymunk is two-dimensional, so positions are compared in a side view. Its bridge has both sides in
+one plane, with cables as long as they appear in that view, and without the rods that connect the
+two sides.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ def bridge() -> Scene:
     """Return the scene of the bridge with 5 kg on its third row, at rest for 1 s.
 
     The scale is the length of a cable between two rows. In pymunk, slide joints act as the cables,
-    and the solver makes 10 iterations, which is its default, or 50.
+    and the solver makes either 10 iterations, its default, or 50.
     """
     few, some = STEPS[:5], STEPS[:8]
 
@@ -84,7 +84,7 @@ def bridge() -> Scene:
 
 
 def sleeping() -> Scene:
-    """Return the scene in which the rope bridge sleeps for 10 s, because nothing touches it.
+    """Return the scene of the rope bridge sleeping for 10 s, undisturbed.
 
     Pymunk's bridge is asleep too.
     """
@@ -97,15 +97,15 @@ def sleeping() -> Scene:
 
 
 def truth(_: float) -> Place:
-    """Return where both ends of each row are, seen from the side. The bridge does not move."""
+    """Return where both ends of each row are in the side view. The bridge does not move."""
     return tuple(part for place in hanging() for part in place * 2)
 
 
 def cables() -> list[tuple[int | tuple[float, float], int, float]]:
-    """List the cables on one side of the bridge. Each is a tuple of start, end and length.
+    """List the cables on one side of the bridge as tuples of start, end and length.
 
     A cable starts at an anchor, given by its position, or at a row, given by its index. It ends at
-    a row. The length is in m, as seen from the side.
+    a row. Its length is that seen from the side, in m.
     """
     found: list[tuple[int | tuple[float, float], int, float]] = []
     for i, (end, _) in enumerate(make_rows()):
@@ -117,17 +117,17 @@ def cables() -> list[tuple[int | tuple[float, float], int, float]]:
 
 @cache
 def hanging(extra: float = 0.0) -> list[Place]:
-    """Compute where the rows on one side hang at rest, with the least potential energy.
+    """Compute where the rows on one side come to rest, at the least potential energy.
 
-    In these positions the weights and the tensions of the cables are in balance, and all cables are
-    taut. ``extra`` is the length in m that is added to the normal length of each cable.
+    There the tensions of the cables balance the weights, and all cables are taut. ``extra`` is
+    added to the length of each cable, in m.
     """
     held = cables()
 
     def off(state: Any) -> Any:
         """Return the net force on each row in N, and the excess length of each cable in m.
 
-        At rest, with all cables taut, all of these are 0.
+        At rest, with all cables taut, every one of them is 0.
         """
         rows, pulls = state[: 2 * ROWS].reshape(ROWS, 2), state[2 * ROWS :]
         forces = numpy.outer(MASSES, (GRAVITY.x, GRAVITY.y))
@@ -149,7 +149,7 @@ def hanging(extra: float = 0.0) -> list[Place]:
 
 
 def two_sided(rows: list[Row]) -> list[ContactGenerator]:
-    """Return the links of the bridge as two-sided rods, which works because all cables are taut."""
+    """Return the bridge's links as two-sided rods, which is valid while all cables are taut."""
     found: list[ContactGenerator] = []
     for link in links_of(rows):
         if isinstance(link, AnchoredCable):
@@ -165,7 +165,7 @@ def two_sided(rows: list[Row]) -> list[ContactGenerator]:
 def by_world(
     integrator: Integrator, links: Links, resolver: ContactResolver, steps: int
 ) -> Outcome:
-    """Run the bridge as a ParticleWorld, in which ``resolver`` resolves the contacts of the links.
+    """Run the bridge as a ParticleWorld whose links are resolved by ``resolver``.
 
     The particles have the bridge's own damping.
     """
@@ -188,7 +188,7 @@ def by_world(
 def hung(links: Links) -> tuple[list[Particle], list[Row], list[ContactGenerator]]:
     """Build the bridge slightly below its rest position, so that all cables are taut.
 
-    Return the ends of its rows, the rows and the links.
+    Return the ends of its rows, the rows themselves, and the links.
     """
     rows = make_rows()
     held = links(rows)  # the links get their lengths from the positions before the shift
@@ -199,13 +199,13 @@ def hung(links: Links) -> tuple[list[Particle], list[Row], list[ContactGenerator
 
 
 def whole() -> tuple[list[Particle], list[Any]]:
-    """Build the bridge as it is in chapter 8. Return the ends of its rows and all of its links."""
+    """Build the bridge as in chapter 8, and return the ends of its rows and all of its links."""
     ends, _, held = hung(links_of)
     return ends, held
 
 
 def from_the_side() -> tuple[list[Particle], list[Any]]:
-    """Build the bridge in one plane and with cables only, as it is in pymunk."""
+    """Build the bridge in one plane and out of cables only, like the one in pymunk."""
     ends, rows, _ = hung(links_of)
     links: list[Any] = []
     for side in zip(*rows, strict=True):
@@ -220,10 +220,10 @@ def from_the_side() -> tuple[list[Particle], list[Any]]:
 
 
 def by_net(make: Callable[[], tuple[list[Particle], list[Any]]], steps: int) -> Outcome:
-    """Run the bridge with a net, which solves for the tensions of all links at once.
+    """Run the bridge as a net, which solves for the tensions of all links at once.
 
-    ``make`` builds the bridge. Because the bridge is at rest, the tensions of one step are also
-    correct for the next step.
+    ``make`` builds the bridge. Since the bridge is at rest, the tensions of one step still hold in
+    the next.
     """
     ends, links = make()
     places = in_frames(DirectNet(links).step, partial(place_of, ends), FRAMES, steps)
@@ -239,7 +239,7 @@ def by_equilibrium(frames: int, steps: int) -> Outcome:
 
 
 def by_sleep(steps: int) -> Outcome:
-    """Run the bridge asleep from the start, in the same way as pymunk's bridge."""
+    """Run the bridge asleep from the start, just like pymunk's."""
     ends, links = whole()
     world = SleepingWorld(ends, links, sleep_frames=1)
     world.fall_asleep(world.contacts())
@@ -247,12 +247,12 @@ def by_sleep(steps: int) -> Outcome:
 
 
 def place_of(ends: list[Particle]) -> Place:
-    """Return the x and y coordinates of all ends, which show them as seen from the side."""
+    """Return the x and y coordinates of every rod end: a side view, with z dropped."""
     return tuple([part for end in ends for part in (end.position.x, end.position.y)])
 
 
 def by_joints(iterations: int, steps: int, frames: int = FRAMES, sleeps: bool = False) -> Outcome:
-    """Run the bridge in pymunk, where slide joints act as the cables.
+    """Run the bridge in pymunk, with slide joints as its cables.
 
     Pymunk's solver makes ``iterations`` iterations per step. If ``sleeps`` is true, the bridge
     falls asleep after the first step.

@@ -1,7 +1,7 @@
 """Run a chain of rods with each of our models and with pymunk, and compute its exact path.
 
-The work is the number of resolved contacts. A model that solves for all rods at once counts every
-rod once per evaluation. In pymunk, pin joints act as the rods, and each of them is counted in every
+The work is the number of contacts resolved. A model that solves for all rods at once counts every
+rod once per evaluation. In pymunk, pin joints act as the rods, and each one counts in every
 iteration.
 """
 
@@ -41,10 +41,10 @@ COUNTED = "contacts resolved, or rods solved for"
 
 @dataclass(frozen=True)
 class Chain:
-    """A straight chain of rods that hangs from the origin and is released from rest.
+    """A straight chain of rods, hung from the origin and released from rest.
 
-    All rods have the same ``length`` in m, and ``masses`` are in kg, from the first particle to the
-    tip. ``angle`` is measured from straight down in radians, and ``gravity`` is in m/s^2.
+    Every rod has the same ``length`` in m. ``masses`` are in kg, from the first particle to the
+    tip. ``angle`` is measured from straight down, in radians, and ``gravity`` is in m/s^2.
     """
 
     length: float
@@ -54,7 +54,7 @@ class Chain:
     frames: int
 
     def particles(self) -> list[Particle]:
-        """Create the chain's particles in their initial positions, from the first to the tip."""
+        """Create the chain's particles at their initial positions, from the first to the tip."""
         x, y = self.length * math.sin(self.angle), -self.length * math.cos(self.angle)
         down = Vector3(0.0, -self.gravity)
         return [
@@ -63,7 +63,7 @@ class Chain:
         ]
 
     def rods(self, particles: Sequence[Particle]) -> list[Any]:
-        """Return the book's rods, which connect these particles to each other and to the origin."""
+        """Return the book's rods, connecting these particles to each other and to the origin."""
         first = AnchoredRod(particles[0], Vector3(), self.length)
         return [first, *(Rod(a, b, self.length) for a, b in pairwise(particles))]
 
@@ -73,7 +73,7 @@ class Chain:
         return [self.length] * count, self.masses, [self.angle] * count
 
     def by_its_angles(self) -> AngleChain:
-        """Describe the chain by the angles of its rods, instead of by its particles.
+        """Describe the chain by the angles of its rods rather than by its particles.
 
         If all masses are equal, the result is an AngleRope, which takes less time per step.
         """
@@ -83,11 +83,11 @@ class Chain:
         return AngleChain(*self.angles(), gravity=self.gravity)
 
     def truth(self) -> Callable[[float], Place]:
-        """Return the exact path, computed by SciPy from Lagrange's equations for the angles.
+        """Return the exact path, which SciPy computes from Lagrange's equations for the angles.
 
         The equation for each angle a_i is sum_j M l (w_j' cos(a_i - a_j) + w_j^2 sin(a_i - a_j)) =
-        -M_i g sin a_i. For two rods i and j, M is the sum of all masses from the rod that is
-        farther from the anchor out to the tip, and M_i is this sum for rod i alone.
+        -M_i g sin a_i. For two rods i and j, M adds up all masses from the rod farther from the
+        anchor out to the tip, and M_i is that sum for rod i alone.
         """
         count = len(self.masses)
         below = numpy.cumsum(self.masses[::-1])[::-1]
@@ -109,7 +109,7 @@ class Chain:
 
 
 def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
-    """Return all models for ``chain``, with pymunk's models at the end.
+    """Return all models for ``chain``, with pymunk's at the end.
 
     ``steps`` are the numbers of steps per frame to try.
     """
@@ -136,16 +136,16 @@ def models_of(chain: Chain, steps: Sequence[int] = STEPS) -> list[Model]:
 
 
 def by_angles(chain: Chain, steps: int) -> Outcome:
-    """Run the chain by its angles, with Runge-Kutta 4. A step evaluates the forces four times."""
+    """Run the chain by its angles with Runge-Kutta 4, at four force evaluations per step."""
     angles = chain.by_its_angles()
     places = in_frames(angles.step, lambda: flat(angles.positions), chain.frames, steps)
     return Outcome(places, 4 * chain.frames * steps * len(chain.masses))
 
 
 def by_long_steps(chain: Chain, steps: int) -> Outcome:
-    """Run the chain by its angles in steps longer than a frame, and interpolate with cubics.
+    """Run the chain by its angles in steps longer than a frame, interpolated with cubics.
 
-    There are ``steps`` steps in every LONG frames. The cubics give the positions at the end of each
+    Every LONG frames take ``steps`` steps, and the cubics give the positions at the end of each
     frame.
     """
     angles = chain.by_its_angles()
@@ -170,7 +170,7 @@ def by_long_steps(chain: Chain, steps: int) -> Outcome:
 
 
 def by_tensions(chain: Chain, steps: int) -> Outcome:
-    """Run the chain with Runge-Kutta 4, where the tensions of the rods act as forces."""
+    """Run the chain with Runge-Kutta 4, treating the tensions of the rods as forces."""
     particles = chain.particles()
     rods = RodTensions(particles, Vector3())
     places = in_frames(
@@ -196,7 +196,7 @@ def by_resolver(
     rods: Callable[[Sequence[Particle]], list[Any]],
     steps: int,
 ) -> Outcome:
-    """Run the chain with an integrator, and resolve the contacts of its rods after each step."""
+    """Run the chain with an integrator, resolving the contacts of its rods after each step."""
     particles = chain.particles()
     resolver, work = ContactResolver(), 0
 
@@ -211,9 +211,9 @@ def by_resolver(
 
 
 def by_pin_joints(chain: Chain, iterations: int, steps: int) -> Outcome:
-    """Run the chain in pymunk, where pin joints act as the rods.
+    """Run the chain in pymunk, with pin joints as its rods.
 
-    ``iterations`` is the number of iterations of pymunk's solver.
+    ``iterations`` is how many iterations pymunk's solver makes.
     """
     import pymunk
 
@@ -236,10 +236,10 @@ def by_pin_joints(chain: Chain, iterations: int, steps: int) -> Outcome:
 
 
 def places_of(particles: Sequence[Particle]) -> Place:
-    """Return the x and y coordinates of all particles in one flat tuple."""
+    """Return the x and y coordinates of all particles as one flat tuple."""
     return flat([particle.position for particle in particles])
 
 
 def flat(vectors: Sequence[Vector3]) -> Place:
-    """Return the x and y coordinates of all vectors in one flat tuple."""
+    """Return the x and y coordinates of all vectors as one flat tuple."""
     return tuple([part for vector in vectors for part in (vector.x, vector.y)])

@@ -40,7 +40,7 @@ G = 9.81  # m/s^2
 def projectile() -> Scene:
     """Return the scene of a shot with linear drag.
 
-    Some of its models use the closed form, while others treat the drag as the particle's damping or
+    Some of its models use the closed form. The others treat the drag as the particle's damping or
     as a force.
     """
     frames = round(PROJECTILE.duration * RATE)
@@ -107,9 +107,9 @@ def quadratic_drag() -> Scene:
 
 
 def orbit(e: float, turns: int, period: float) -> Scene:
-    """Return the scene of an orbit with the eccentricity ``e`` and a semi-major axis of 1 m.
+    """Return the scene of an orbit with eccentricity ``e`` and a semi-major axis of 1 m.
 
-    The orbit begins at the point nearest to the center of attraction, and each turn takes
+    The orbit starts at the point nearest to the center of attraction, and each revolution takes
     ``period`` s.
     """
     frames = math.floor(turns * period * RATE)
@@ -138,9 +138,9 @@ def orbit(e: float, turns: int, period: float) -> Scene:
 
 
 def floating_block() -> Scene:
-    """Return the scene of a block that bobs in water.
+    """Return the scene of a block bobbing in water.
 
-    The block is always partly submerged, so it moves as if it hung on a spring.
+    The block is always partly submerged, so it moves as if it hung from a spring.
     """
     frames, s, volume, mass = 240, 0.05, 0.001, 0.5
     stiffness = 1000.0 * volume * G / (2.0 * s)  # increase of the buoyancy per meter of depth

@@ -1,8 +1,8 @@
-"""Scenes of bouncing balls: a ball with and without losses, and one ball on top of another.
+"""Scenes of bouncing balls: one with and one without losses, and a ball on top of another.
 
-The work is the number of searches for contacts. Most models search once per step, while time
-division searches once per impact and once per frame. A model that computes a ball's height from its
-impacts alone counts these heights instead.
+The work is the number of searches for contacts. Most models search once per step, but time division
+searches once per impact and once per frame. A model that computes a ball's height from its impacts
+alone counts those heights instead.
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ RADIUS = 0.1  # m
 
 
 class Balls:
-    """One or more balls above each other that start at rest, with the lowest ball first.
+    """One or more balls, one above the other and starting at rest, with the lowest ball first.
 
-    A height is the height of a ball's center in m.
+    A height is that of a ball's center, in m.
     """
 
     def __init__(
@@ -53,9 +53,9 @@ class Balls:
         return Detectors(ground, ParticlePairs(particles, RADIUS, self.pair))
 
     def places_at(self, times: Sequence[float]) -> list[Place]:
-        """Compute the exact heights at ``times``, by following the balls from impact to impact.
+        """Compute the exact heights at ``times`` by following the balls from impact to impact.
 
-        The computation uses only plain numbers, so that mistakes in the engine cannot affect it.
+        The computation uses plain numbers only, so a bug in the engine cannot affect it.
         """
         heights, speeds, now = [*self.heights], [0.0] * len(self.heights), 0.0
         found = []
@@ -71,7 +71,7 @@ class Balls:
         return found
 
     def _next(self, heights: list[float], speeds: list[float]) -> tuple[float, int]:
-        """Return the time until the next impact, and the index of the upper ball in this impact."""
+        """Return the time until the next impact, and the index of the upper ball involved."""
         first, v = heights[0] - RADIUS, speeds[0]
         impacts = [((v + math.sqrt(max(v * v + 2.0 * G * first, 0.0))) / G, 0)]
         for i in range(1, len(heights)):
@@ -120,9 +120,9 @@ def by_time_division(balls: Balls, frames: int, steps: int) -> Outcome:
 
 
 def by_its_impacts(balls: Balls, frames: int, _: int) -> Outcome:
-    """Compute the height of a single ball from its impacts alone, at the end of each frame.
+    """Compute the height of a single ball at the end of each frame from its impacts alone.
 
-    Between two impacts the height is a closed form, so this needs no steps.
+    Between two impacts the height has a closed form, so no steps are needed.
     """
     (height,) = balls.heights
     heights = heights_in_frames(height - RADIUS, 0.0, balls.ground, 1.0 / RATE, frames, G)
@@ -130,7 +130,7 @@ def by_its_impacts(balls: Balls, frames: int, _: int) -> Outcome:
 
 
 def by_resolver(integrator: Integrator, balls: Balls, frames: int, steps: int) -> Outcome:
-    """Run the balls with an integrator, and detect and resolve contacts after each step."""
+    """Run the balls with an integrator, detecting and resolving contacts after each step."""
     particles = balls.particles()
     detectors, resolver = balls.detectors(particles), ContactResolver()
     step = resolving(integrator, particles, [detectors], resolver.resolve_contacts)
@@ -142,7 +142,7 @@ def _heights(particles: list[Particle]) -> Place:
 
 
 def by_pymunk(balls: Balls, frames: int, steps: int) -> Outcome:
-    """Run the balls in pymunk, where the restitution is the product of two elasticities."""
+    """Run the balls in pymunk, where the restitution is the product of the two elasticities."""
     import pymunk
 
     space = pymunk.Space()
@@ -166,7 +166,7 @@ def by_pymunk(balls: Balls, frames: int, steps: int) -> Outcome:
 
 
 def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
-    """Return the scene in which these balls fall, with all models that can run it."""
+    """Return the scene of these balls falling, with every model that can run it."""
     exact = balls.places_at([frame / RATE for frame in range(1, frames + 1)])
 
     def truth(time: float) -> Place:
@@ -193,7 +193,7 @@ def scene_of(name: str, balls: Balls, frames: int, scale: float) -> Scene:
 
 
 def bouncing_ball(restitution: float) -> Scene:
-    """Return the scene of a ball that is dropped from 2 m and bounces. It lasts 3 s."""
+    """Return the scene of a ball that is dropped from 2 m and bounces for 3 s."""
     balls = Balls((2.0 + RADIUS,), (1.0,), restitution, 1.0)
     return scene_of(f"bouncing ball, restitution {restitution:g}", balls, 180, 2.0)
 

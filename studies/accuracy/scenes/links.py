@@ -22,7 +22,7 @@ ROUND_G = 10.0  # m/s^2, in the scenes of the pendulum and of the rope
 
 
 def pendulum() -> Scene:
-    """Return the scene of a pendulum of 1 m that is released horizontally. It lasts 5 s."""
+    """Return the scene of a 1 m pendulum released from horizontal, which lasts 5 s."""
     chain = Chain(1.0, [1.0], 0.5 * math.pi, ROUND_G, frames=300)
 
     def truth(time: float) -> Place:
@@ -48,7 +48,7 @@ def pendulum() -> Scene:
 def double_pendulum() -> Scene:
     """Return the scene of a double pendulum that swings for 2 s.
 
-    It has two bobs of 1 kg on two rods of 1 m. Both rods start at 60 degrees from straight down.
+    It has two bobs of 1 kg on two rods of 1 m, both released at 60 degrees from straight down.
     """
     chain = Chain(1.0, [1.0, 1.0], math.radians(60.0), G, frames=120)
 
@@ -64,8 +64,8 @@ def double_pendulum() -> Scene:
 def heavy_tip() -> Scene:
     """Return the scene of a chain with a heavy tip that swings for 2 s.
 
-    The chain has five rods of 1 m. Their joints have a mass of 1 kg, and the bob at the tip has 10
-    kg. The chain starts at 60 degrees from straight down.
+    The chain has five rods of 1 m, with 1 kg at each joint and a bob of 10 kg at the tip. It is
+    released at 60 degrees from straight down.
     """
     chain = Chain(1.0, [1.0, 1.0, 1.0, 1.0, 10.0], math.radians(60.0), G, frames=120)
     models = models_of(chain)
@@ -75,8 +75,8 @@ def heavy_tip() -> Scene:
 def rope() -> Scene:
     """Return the scene of a rope that swings for 1 s.
 
-    The rope has thirty rods of 0.1 m, with a particle of 0.1 kg at the end of each. It is released
-    at 30 degrees from straight down.
+    The rope has thirty rods of 0.1 m, each with a particle of 0.1 kg at its end. It is released at
+    30 degrees from straight down.
     """
     chain = Chain(0.1, [0.1] * 30, math.radians(30.0), ROUND_G, frames=60)
     steps = STEPS[:6]

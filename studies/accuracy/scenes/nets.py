@@ -34,10 +34,10 @@ FINE = 8  # steps per frame of our own run, with which the truth is compared
 
 
 def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) -> Scene:
-    """Return the scene of a net in a plane, which is built when one of its models first runs.
+    """Return the scene of a net in a plane, built only when one of its models first runs.
 
-    SciPy computes the exact solution. ``differs`` compares it with a run of our own net in short
-    steps.
+    SciPy computes the exact solution, and ``differs`` compares that with a run of our own net in
+    short steps.
     """
     plane = cache(make)
 
@@ -65,19 +65,19 @@ def scene_of(name: str, frames: int, scale: float, make: Callable[[], Plane]) ->
 
 
 def bridge_ties() -> list[Tie]:
-    """Return the cables of one side of the rope bridge, with their lengths seen from the side."""
+    """Return the cables on one side of the rope bridge, with their lengths in a side view."""
     return [(start, end, length, 1) for start, end, length in cables()]
 
 
 def hung() -> list[tuple[float, float]]:
-    """Return where the rows of the bridge hang on one side, with a load on the third row."""
+    """Return where the rows hang on one side of the bridge, with a load on the third row."""
     return [(x, y) for x, y in hanging()]
 
 
 def settled(plane: Plane, wind: float = 0.0) -> Plane:
-    """Let a net come to rest in a steady wind, and return it with its knots in these positions.
+    """Let a net come to rest in a steady wind, and return it with its knots where they settle.
 
-    ``wind`` is an acceleration along X in m/s^2. In the result it no longer blows.
+    ``wind`` is an acceleration along X in m/s^2. The net that is returned no longer feels it.
     """
     knots = plane.particles()
     for knot in knots:
@@ -91,10 +91,10 @@ def settled(plane: Plane, wind: float = 0.0) -> Plane:
 
 
 def swinging() -> Scene:
-    """Return the scene of one side of the bridge, which swings for 2 s after a wind has stopped.
+    """Return the scene of one side of the bridge swinging for 2 s after a wind has died down.
 
-    At first, the side hangs at rest in a steady wind of 3 m/s^2. All of its cables stay taut, and
-    there is no damping.
+    The side starts out where a steady wind of 3 m/s^2 held it at rest. All of its cables stay taut,
+    and there is no damping.
     """
 
     def make() -> Plane:
@@ -104,10 +104,10 @@ def swinging() -> Scene:
 
 
 def walked_over() -> Scene:
-    """Return the scene of one side of the bridge with a ball that walks across. It lasts 3.6 s.
+    """Return the scene of one side of the bridge with a ball walking across it for 3.6 s.
 
     The ball has a mass of 5 kg and walks at 2 m/s. This side of the bridge carries half of its
-    weight, which is divided between the two rows beside the ball, and all cables stay taut.
+    weight, shared by the two rows next to the ball, and all cables stay taut.
     """
 
     def make() -> Plane:
@@ -118,13 +118,13 @@ def walked_over() -> Scene:
 
 
 def catching() -> Scene:
-    """Return the scene of a net of 6 by 6 knots that catches a ball. It lasts 0.6 s.
+    """Return the scene of a net of 6 by 6 knots catching a ball, which lasts 0.6 s.
 
     The net hangs between two poles, and each knot has a mass of 0.2 kg. The horizontal cables are
-    0.55 m long in the top row. In the rows below it they are 0.59 m long and hang slack. Vertical
-    cables of 0.45 m connect each knot to the knot below it. The ball has a mass of 1 kg. It falls
-    0.3 m and lands slightly off center, where it collides with any knots of the upper two rows that
-    come within its radius of 0.5 m.
+    0.55 m long in the top row, and 0.59 m in the rows below, where they hang slack. Vertical cables
+    of 0.45 m connect each knot to the one below it. The ball has a mass of 1 kg. It falls 0.3 m and
+    lands slightly off center, where it collides with every knot in the upper two rows that comes
+    within its radius of 0.5 m.
     """
     size, gap, radius = 6, 0.5, 0.5
 

@@ -1,8 +1,8 @@
 """Run a net in a plane with our nets and with pymunk, and compute its exact motion.
 
-Our nets have order 2 or 4. The work is the number of links that are solved for. A net of order 4
-solves for all of its links four times per step. Pymunk uses slide joints, and solves for each of
-them in every iteration of a step.
+Our nets have order 2 or 4. The work is the number of links solved for. A net of order 4 solves for
+all of its links four times per step. In pymunk, slide joints act as the links, and each one is
+solved for in every iteration of a step.
 """
 
 from __future__ import annotations
@@ -33,9 +33,10 @@ FAR = 1e3  # m, more than the length that any slide joint reaches
 class Plane:
     """A net in the X-Y plane: knots with masses in kg, and the ties between them (see TautMotion).
 
-    ``places`` are the initial positions of the knots. ``walker`` describes a load that moves across
-    the knots in their order. It is a tuple of the initial x in m, the speed in m/s and the weight
-    in N. The two knots beside the walker carry the weight, and the nearer knot carries more of it.
+    ``places`` are the initial positions of the knots. ``walker`` is a load that moves across the
+    knots in order, given as a tuple of its initial x in m, its speed in m/s and its weight in N.
+    The two knots on either side of the walker share the weight, and the nearer knot carries more of
+    it.
     """
 
     masses: Sequence[float]
@@ -46,7 +47,7 @@ class Plane:
     gravity: float = 9.81
 
     def load(self, time: float, places: Any) -> Any:
-        """Return the weight of each knot in N, including the part of the walker that it carries."""
+        """Return the load on each knot in N: its own weight plus its part of the walker's."""
         forces = numpy.outer(self.masses, (0.0, -self.gravity))
         if self.walker:
             start, pace, weight = self.walker
@@ -71,7 +72,7 @@ class Plane:
         ]
 
     def links(self, knots: Sequence[Particle]) -> list[Any]:
-        """Create cables and struts of chapter 7 for the ties between ``knots``."""
+        """Create chapter 7's cables and struts for the ties between ``knots``."""
         found: list[Any] = []
         for start, end, length, kind in self.ties:
             if not isinstance(start, int):
@@ -84,26 +85,26 @@ class Plane:
 
 
 def borne(xs: Sequence[float], x: float) -> tuple[int, float]:
-    """Find which two knots carry a walker at ``x``, if the knots are at ``xs``.
+    """Find which two knots carry a walker at ``x``, with the knots at ``xs``.
 
-    Return the index of the knot behind the walker, and how far the walker has come from there to
-    the next knot, as a fraction between 0 and 1.
+    Return the index of the knot behind the walker, and how far the walker has come from there
+    toward the next knot, as a fraction between 0 and 1.
     """
     knot = sum(x >= other for other in xs[1:-1])
     return knot, min(max((x - xs[knot]) / (xs[knot + 1] - xs[knot]), 0.0), 1.0)
 
 
 class Walker:
-    """A force generator that puts the weight of a walker on the knots of a net.
+    """A force generator that puts a walker's weight on the knots of a net.
 
-    Register it for one knot only, because it adds forces to both knots beside the walker.
+    Register it for one knot only, since it adds forces to both knots next to the walker.
     """
 
     def __init__(self, knots: Sequence[Particle], walker: Particle, weight: float) -> None:
         self.knots, self.walker, self.weight = knots, walker, weight
 
     def update_force(self, _: Particle, __: float) -> None:
-        """Divide the walker's weight between the two knots beside it. The nearer knot gets more."""
+        """Split the walker's weight between the knots on either side. The nearer knot gets more."""
         xs = [knot.position.x for knot in self.knots]
         knot, share = borne(xs, self.walker.position.x)
         self.knots[knot].add_force(Vector3(0.0, (share - 1.0) * self.weight))
@@ -111,7 +112,7 @@ class Walker:
 
 
 def made(plane: Plane, kind: type[DirectNet] | type[SmoothNet]) -> tuple[list[Particle], Any]:
-    """Create the knots of a net, and a function that advances the net by one step."""
+    """Create the knots of a net, and a function that advances it by one step."""
     knots = plane.particles()
     registry, walkers = ForceRegistry(), []
     if plane.walker:
@@ -133,7 +134,7 @@ def made(plane: Plane, kind: type[DirectNet] | type[SmoothNet]) -> tuple[list[Pa
 
 
 def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) -> Outcome:
-    """Run the net in steps, and return the positions of its knots at the end of every frame."""
+    """Run the net in steps, and return its knots' positions at the end of every frame."""
     knots, step = made(plane, kind)
 
     def place() -> Place:
@@ -145,10 +146,10 @@ def by_net(plane: Plane, kind: type[DirectNet] | type[SmoothNet], steps: int) ->
 
 
 def by_long_steps(plane: Plane, steps: int) -> Outcome:
-    """Run the net in steps longer than a frame, and interpolate between them with cubics.
+    """Run the net in steps longer than a frame, interpolated with cubics.
 
-    There are ``steps`` steps of order 4 in every LONG frames. Cubics are accurate only for smooth
-    motion, because they cannot follow the jump in velocity at an impact.
+    Every LONG frames take ``steps`` steps of order 4. Cubics are accurate only for smooth motion,
+    because they cannot follow the jump in velocity at an impact.
     """
     knots, step = made(plane, SmoothNet)
 
@@ -170,9 +171,9 @@ def by_long_steps(plane: Plane, steps: int) -> Outcome:
 
 
 def by_slide_joints(plane: Plane, iterations: int, steps: int) -> Outcome:
-    """Run the net in pymunk, where slide joints hold the knots.
+    """Run the net in pymunk, with slide joints as its links.
 
-    ``iterations`` is the number of iterations of pymunk's solver per step.
+    ``iterations`` is how many iterations pymunk's solver makes per step.
     """
     import pymunk
 

@@ -1,4 +1,4 @@
-"""Scenes of a body on a spring: on a line with four stiffnesses, and as an elastic pendulum."""
+"""Scenes of a body on a spring: along a line at four stiffnesses, and as an elastic pendulum."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ FRAMES = 120
 
 
 def spring(stiffness: float, damping: float) -> Scene:
-    """Return the scene of a body of 1 kg that is released 1 m from the anchor of a spring.
+    """Return the scene of a body of 1 kg released 1 m from the anchor of a spring.
 
     The rest length of the spring is 0.
     """
@@ -47,7 +47,8 @@ def spring(stiffness: float, damping: float) -> Scene:
     def truth(time: float) -> Place:
         """Return the exact motion as the sum of two complex exponentials.
 
-        The formula would fail for critical damping, but no spring of these scenes has that.
+        The formula breaks down at critical damping, but no spring in these scenes is critically
+        damped.
         """
         root = cmath.sqrt(0.25 * damping * damping - stiffness)
         a, b = -0.5 * damping + root, -0.5 * damping - root
@@ -89,11 +90,10 @@ def spring(stiffness: float, damping: float) -> Scene:
 
 
 def elastic_pendulum() -> Scene:
-    """Return the scene of a body of 1 kg that swings on an undamped spring, for 2 s.
+    """Return the scene of a body of 1 kg swinging on an undamped spring for 2 s.
 
-    The spring has a stiffness of 200 N/m and a rest length of 1 m. The body starts beside the
-    anchor, at a distance of 1.2 m, and moves upward at 1.5 m/s. There is no closed form for its
-    motion.
+    The spring has a stiffness of 200 N/m and a rest length of 1 m. The body starts 1.2 m to the
+    side of the anchor, moving upward at 1.5 m/s. Its motion has no closed form.
     """
     stiffness, rest, gravity = 200.0, 1.0, 9.81
     place, velocity = (1.2, 0.0), (0.0, 1.5)

@@ -1,14 +1,14 @@
 """Compute the exact motion of cables in a plane with SciPy, from one event to the next.
 
-The computation shares no code with the engine, so it is an independent test of the engine. As long
-as the same cables are taut, the positions follow from ordinary differential equations, in which
-tensions keep the taut cables at their lengths. This phase ends when a tension drops to zero, or
-when a slack cable reaches its full length. After that, a different set of cables is taut, and the
-velocities may jump.
+The computation shares no code with the engine, which makes it an independent test. While the same
+cables stay taut, the positions follow from ordinary differential equations in which tensions keep
+the taut cables at their lengths. That phase ends when a tension drops to zero, or when a slack
+cable reaches its full length. A different set of cables is taut from then on, and the velocities
+may jump.
 
-To find the new set and the jump, SciPy solves a least-squares problem whose unknowns, the tensions,
-must not be negative. This works because an impact without bounce removes as little kinetic energy
-as possible (Moreau, in Nonsmooth Mechanics and Applications, 1988).
+SciPy finds the new set and the jump by solving a least-squares problem whose unknowns, the
+tensions, must not be negative. This works because an impact without bounce removes as little
+kinetic energy as possible (Moreau, in Nonsmooth Mechanics and Applications, 1988).
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ EVENTS = 2000
 
 
 class TautMotion:
-    """The exact motion of knots in a plane that are held by cables and struts, here called ties.
+    """The exact motion of knots in a plane, held by cables and struts that are here called ties.
 
     The masses are in kg. ``load`` returns the external forces in N, which may depend on the time
     and on the positions.
@@ -51,10 +51,10 @@ class TautMotion:
         self.events = 0
 
     def gaps(self, places: Any) -> Any:
-        """Return by how many meters each tie could still move before it reaches its limit.
+        """Return how far each tie still is from its limit, in m.
 
-        This is how much longer a cable could become, or how much shorter a strut could become. The
-        number is negative if the tie is beyond its limit.
+        That is how much longer a cable could get, or how much shorter a strut. The number is
+        negative once the tie is past its limit.
         """
         ways = self.ends @ places.reshape(-1, 2) - self.anchors
         return self.kinds * (self.lengths - numpy.linalg.norm(ways, axis=1))
@@ -62,8 +62,8 @@ class TautMotion:
     def rows(self, places: Any, speeds: Any) -> tuple[Any, Any]:
         """Return the derivatives of the ties' lengths that the equations of motion need.
 
-        The first result is the Jacobian matrix of the lengths, with one row per tie. The second
-        result is the part of each length's second derivative that comes from the tie's rotation.
+        The first result is the Jacobian matrix of the lengths, with one row per tie. The second is
+        the part of each length's second derivative that comes from the rotation of the tie.
         """
         ways = self.ends @ places.reshape(-1, 2) - self.anchors
         rates = self.ends @ speeds.reshape(-1, 2)
@@ -75,7 +75,7 @@ class TautMotion:
         return self.kinds[:, None] * matrix, self.kinds * bent
 
     def least(self, matrix: Any, wanted: Any) -> Any:
-        """Find the pulls that keep the ties within their limits, where no tie can push.
+        """Find the pulls that keep the ties within their limits, given that no tie can push.
 
         With A = J M^-1 J^T, the pulls p satisfy A p >= wanted. A tie pulls only where the two sides
         are equal, so p (A p - wanted) = 0.
@@ -96,7 +96,7 @@ class TautMotion:
         return free - self.inverse * (held.T @ pulls), pulls
 
     def choose(self, time: float, state: Any) -> tuple[Any, Any]:
-        """Determine which ties are taut at ``time``, and resolve any impacts first.
+        """Resolve any impacts at ``time``, and find which ties are taut after that.
 
         Return the state after the impacts, and the indices of the taut ties.
         """
@@ -115,7 +115,7 @@ class TautMotion:
         ]
 
     def run(self, places: Any, speeds: Any, times: Sequence[float]) -> Any:
-        """Compute the motion from time 0. Return the positions at ``times``, one row per time."""
+        """Compute the motion from time 0, and return the positions at ``times`` as rows."""
         state = numpy.concatenate([numpy.ravel(places), numpy.ravel(speeds)]).astype(float)
         time, found = 0.0, []
         for _ in range(EVENTS):

@@ -59,7 +59,7 @@ def test_figures_draws_a_plot_and_an_animation_and_says_where(
     told = capfd.readouterr().out
     assert "chapters/ch02_vectors/cross_product.png, " in told
     assert "chapters/ch05_forces/sniper.gif, " in told
-    assert "2 of 2 pictures drawn by solutions" in told
+    assert "2 of 2 pictures drawn with solutions" in told
     with Image.open(tmp_path / "chapters/ch05_forces/sniper.gif") as animation:
         time = 0.0
         for i in range(animation.n_frames):

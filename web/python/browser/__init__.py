@@ -1,1 +1,1 @@
-"""Check students' work and run scenes in a web worker of the page, with Pyodide."""
+"""Check students' work and run scenes in one of the page's web workers, with Pyodide."""

@@ -1,4 +1,4 @@
-"""Check a chapter or an exercise in the browser, in the same way as make check."""
+"""Check a chapter or an exercise in the browser, just as make check does."""
 
 from __future__ import annotations
 
@@ -27,25 +27,25 @@ memories: dict[str, Memory] = {}  # the results of earlier chapters' checks, key
 
 
 class Progress(ProgressBar):
-    """A progress bar on the page, which is updated no more often than a reader can follow."""
+    """A progress bar on the page, updated no faster than a reader can follow."""
 
     def __init__(self, processes: Processes) -> None:
         self.processes = processes
         self.next = 0.0  # earliest time of the next report in seconds
 
     def show(self, done: int, of: int) -> None:
-        """Tell the page how many checks are done, unless an earlier worker has already done so."""
+        """Tell the page how many checks are done, unless an earlier worker already has."""
         if self.processes.is_live and (done == of or time.monotonic() >= self.next):
             post("progress", done=done, of=of)
             self.next = time.monotonic() + PERIOD
 
 
 class Runs:
-    """Runs the checks for one request of the page, and remembers the results of other chapters.
+    """Runs the checks for one request from the page, and remembers the results of other chapters.
 
-    It takes seconds to check another chapter, so the page first shows the failure that was found in
-    the requested chapter. If a loop does not end, no other chapter is checked at all, because the
-    failure already names the line, and the other chapters would run into the same loop.
+    Checking another chapter takes seconds, so the page first shows the failure found in the
+    requested chapter. If a loop does not end, no other chapter is checked at all. The failure
+    already names the line, and the other chapters would run into the same loop.
     """
 
     def __init__(
@@ -72,7 +72,7 @@ class Runs:
         return self.memory(chapter, engine, **options)
 
     def show(self, engine: list[Path]) -> None:
-        """Show the first failure on the page before any other chapter is checked."""
+        """Show the first failure on the page before checking any other chapter."""
         self.shown = True
         wanted = {verdict.exercise for verdict in self.found}
         results = [r for r in results_of(self.chapter, self.found) if r.exercise.id in wanted]
@@ -83,7 +83,7 @@ class Runs:
 
 
 def check(request: dict[str, Any], folder: Folder) -> dict[str, Any]:
-    """Check the student's work as the page requests, and return the report for the page.
+    """Check the student's work as requested by the page, and return the report to show there.
 
     Raises:
         ValueError: The request is not valid.
@@ -94,7 +94,7 @@ def check(request: dict[str, Any], folder: Folder) -> dict[str, Any]:
     exercise = chapter.exercise(request["exercise"]) if request["exercise"] else None
     given = [other for other in chapters if other.number in request["given"]]
     if chapter in given:
-        raise ValueError(f"nothing is left of your own: chapter {chapter.number} is given")
+        raise ValueError(f"nothing of yours is left to check: chapter {chapter.number} is given")
     folder.lay(request["files"])
     engine = [CHAPTERS]
     if exercise and exercise.kind == "written":
@@ -107,7 +107,7 @@ def check(request: dict[str, Any], folder: Folder) -> dict[str, Any]:
 
 
 def _chapter(chapters: list[Chapter], name: str) -> Chapter:
-    """Return the chapter with this name, or raise ValueError if it does not exist."""
+    """Return the chapter with this name, or raise ValueError if there is none."""
     for chapter in chapters:
         if chapter.name == name:
             return chapter

@@ -1,4 +1,4 @@
-"""Keep the student's files in a folder, from which the checks and the scenes import them."""
+"""Keep the student's files in a folder that the checks and scenes import them from."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ TAKEN = re.compile(r"ch\d\d_[a-z0-9_]+/[^/]+")
 
 
 class Folder:
-    """A folder of chapters that contains the student's files.
+    """A folder of chapters that holds the student's files.
 
-    Each file that the page has not sent is the stub that students start from.
+    Any file that the page has not sent is the stub that students start from.
     """
 
     def __init__(self, folder: Path = CHAPTERS) -> None:
@@ -28,14 +28,14 @@ class Folder:
         self.there = dict(self.stubs)
 
     def lay(self, files: Mapping[str, str]) -> None:
-        """Write the page's files into the folder, and write stubs for all other files.
+        """Write the page's files to the folder, and stubs in place of all others.
 
         Raises:
             ValueError: A path does not have the form chNN_name/name.
         """
         for path in files:
             if not TAKEN.fullmatch(path):
-                raise ValueError(f"a file must be chNN_name/name, got {path!r}")
+                raise ValueError(f"a file's path must be chNN_name/name, got {path!r}")
         wanted = self.stubs | {path: text.encode("utf-8") for path, text in files.items()}
         for path in self.there.keys() - wanted.keys():
             (self.folder / path).unlink()

@@ -1,4 +1,4 @@
-"""Start Python in the page's worker, and answer messages from the page one at a time."""
+"""Start Python in the page's worker, and answer the page's messages one at a time."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ links: dict[int, Link] = {}
 
 
 def start() -> None:
-    """Prepare for messages, and tell the page that Python is ready.
+    """Get ready for messages, and tell the page that Python is ready.
 
-    The message includes two explanations that the page can show by itself, for failures after which
-    Python no longer answers.
+    The message includes two explanations that the page can show on its own, for failures after
+    which Python no longer answers.
     """
     os.chdir(ROOT)
     watchdog.install()
@@ -59,4 +59,4 @@ def _answer(message: dict[str, Any]) -> None:
             if number in links:
                 links.pop(number).close()
         case _:
-            raise ValueError(f"a message of no known kind: {message!r:.200}")
+            raise ValueError(f"unknown kind of message: {message!r:.200}")

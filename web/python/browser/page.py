@@ -14,7 +14,7 @@ def post(kind: str, **values: Any) -> None:
 
 
 def start_clock(seconds: float) -> None:
-    """Ask the worker to send the signal SIGALRM after this many seconds."""
+    """Ask the worker to send the signal SIGALRM in this many seconds."""
     worker.startClock(seconds)
 
 

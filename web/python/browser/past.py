@@ -1,8 +1,8 @@
-"""Continue a run of checks that an earlier worker could not finish.
+"""Resume a run of checks that an earlier worker could not finish.
 
 If a check does not end, the page has to stop the worker, but it keeps the worker's reports. A new
-worker then starts the run from the beginning. It repeats the results that are already known,
-instead of running those checks again.
+worker then starts the run over, repeating the results already known rather than running those
+checks again.
 """
 
 from __future__ import annotations
@@ -30,11 +30,10 @@ from web.python.browser.watchdog import watchdog
 
 @dataclass(frozen=True)
 class Past:
-    """A process of checks that an earlier worker ran, with its reports and the way it ended.
+    """A process of checks that an earlier worker ran, with its reports and how it ended.
 
-    ``run`` names the chapter and the checks that the process was meant to run. ``left`` is the time
-    in seconds that remained for all checks when the process began. ``seconds`` is the time that it
-    took.
+    ``run`` names the chapter and the checks that the process was meant to run. ``left`` is how many
+    seconds remained for all checks when the process began, and ``seconds`` is how many it took.
     """
 
     run: str
@@ -47,7 +46,7 @@ class Past:
 
 
 class Processes:
-    """Runs the processes that are needed for one request to check, or repeats their reports."""
+    """Runs the processes needed for one request to check, or repeats their reports."""
 
     def __init__(self, past: list[dict[str, Any]], *, shallow: bool) -> None:
         self.past = [Past(**one) for one in past]
@@ -55,13 +54,13 @@ class Processes:
 
     @property
     def is_live(self) -> bool:
-        """Whether the reports come from new checks, rather than from an earlier worker."""
+        """Whether the reports come from new checks rather than from an earlier worker."""
         return not self.past
 
     def judge(self, run: Run) -> Ending:
         """Run the checks of one process, and return how they ended.
 
-        If an earlier worker has already run this process, its reports are repeated instead.
+        If an earlier worker has already run this process, repeat its reports instead.
         """
         order = run.order
         # Folders with given modules have a different name each time, so only their number counts.
@@ -83,7 +82,7 @@ class Processes:
         return ending
 
     def _repeat(self, run: Run, past: Past) -> Ending:
-        """Pass on the reports of an earlier process, as if they had just arrived."""
+        """Pass on the reports of an earlier process as if they had just come in."""
         for line in past.lines:
             run.hear(line)
         run.deadline = time.monotonic() + past.left - past.seconds
@@ -94,7 +93,7 @@ class Processes:
 
 
 def failure_of_hang(run: Run, stack: str) -> dict[str, Any] | None:
-    """Describe the failure of a check that did not end, so that the page can show it at once."""
+    """Describe the failure of a check that did not end, for the page to show at once."""
     if not isinstance(run.current, Started):
         return None
     check, order = run.checks[run.current.name], run.order

@@ -1,6 +1,6 @@
 """Run checks as if in a new process, although a browser cannot start one.
 
-At the end of a run, everything that would disappear together with a process is undone: imported
+When a run ends, everything that would have vanished along with a process is undone: imported
 modules, entries in sys.path, and the working folder.
 """
 
@@ -46,9 +46,9 @@ def install_limits() -> None:
 
 
 def compile_once() -> None:
-    """Keep the compiled code of every module, because each check imports up to 40 modules again.
+    """Cache the compiled code of every module, since each check reimports up to 40 modules.
 
-    This saves a third of the time of a short check. Call it only once.
+    This cuts the time of a short check by a third. Call it only once.
     """
     compiled = lru_cache(maxsize=1000)(compile)
 
@@ -60,10 +60,10 @@ def compile_once() -> None:
 
 
 class InBrowser(InProcess):
-    """Imports the student's modules in a browser, where no process can be ended from outside."""
+    """Imports the student's modules in a browser, where no process can be killed from outside."""
 
     def surround(self) -> None:
-        """Give the code the same environment and the same limits as in the grader."""
+        """Give the code the same environment and limits as in the grader."""
         leave_home()
         code.change(self.engine, self.graded)
 
@@ -80,10 +80,10 @@ class InBrowser(InProcess):
 
 
 class BrowserRecorder(Recorder):
-    """Reads only the files of checks that it needs, because files are slow to read in a browser."""
+    """Reads only those files of checks that it needs, since a browser is slow to read files."""
 
     def pytest_ignore_collect(self, collection_path: Path) -> bool | None:
-        """Ignore a file of checks if none of the requested exercises is in it."""
+        """Ignore a file of checks if it has none of the requested exercises."""
         if not collection_path.name.startswith("test_"):
             return None
         text = collection_path.read_text(encoding="utf-8")
@@ -92,10 +92,10 @@ class BrowserRecorder(Recorder):
 
 
 def run_here(config: Config, send: Send, *, shallow: bool) -> Ending:
-    """Run the checks that ``config`` names, and send an event for each step of the run.
+    """Run the checks named by ``config``, and send an event for each step of the run.
 
-    If ``shallow`` is true, the recursion limit for the student's code is lower than in the grader,
-    because the stack of some browsers is small.
+    If ``shallow`` is true, the student's code gets a lower recursion limit than in the grader,
+    because some browsers have a small stack.
     """
     said = io.StringIO()
     with as_a_process(), contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
@@ -116,7 +116,7 @@ def run_here(config: Config, send: Send, *, shallow: bool) -> Ending:
 
 @contextlib.contextmanager
 def as_a_process() -> Iterator[None]:
-    """Undo the changes of a run to this interpreter when the context ends."""
+    """Undo a run's changes to this interpreter when the context ends."""
     path, limit = list(sys.path), sys.getrecursionlimit()
     forget_modules()
     os.chdir(ROOT)

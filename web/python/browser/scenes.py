@@ -1,8 +1,8 @@
-"""Run several scenes of the page in one interpreter, each with its own host and engine.
+"""Run several of the page's scenes in one interpreter, each with its own host and engine.
 
-The modules of all engines have the same names, so they cannot all be in sys.modules at the same
-time. Each link to a scene therefore keeps the modules that it has imported, and puts them into
-sys.modules only while it answers a message.
+The modules of all engines share the same names, so they cannot all be in sys.modules at once. Each
+link to a scene therefore keeps the modules it has imported, and puts them into sys.modules only
+while it answers a message.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ SHARED = set(sys.modules)  # modules that all links share
 
 
 class Link:
-    """The connection to one scene of the page, which has its own engine."""
+    """The connection to one of the page's scenes, which has its own engine."""
 
     def __init__(self, folder: Folder) -> None:
         self.folder = folder
@@ -44,7 +44,7 @@ class Link:
     def receive(self, message: Message) -> list[Message]:
         """Answer a message about the scene.
 
-        A message that loads a scene also contains the student's files, from which its engine is
+        A message that loads a scene also carries the student's files, from which its engine is
         built.
         """
         try:
@@ -66,7 +66,7 @@ class Link:
         self.given.close()
 
     def _choose(self, files: dict[str, str], numbers: list[int]) -> None:
-        """Build the engine from the student's files and the given chapters of the reference."""
+        """Build the engine from the student's files and the reference's given chapters."""
         if self.loaded == (files, numbers):
             return
         self.loaded = None

@@ -1,12 +1,12 @@
 """Interrupt student code when its time is up, in the only thread that a worker has.
 
-No other thread and no alarm can interrupt this thread. However, Python checks thousands of times
-per second whether the worker has sent a signal. When the time is up, the worker sends SIGALRM, and
-Python calls ``Watchdog.hear`` at the current line of the student's code. ``hear`` reports the line,
-and the page then ends the worker.
+No other thread and no alarm can interrupt that one thread. However, Python checks thousands of
+times per second whether the worker has sent a signal. When the time is up, the worker sends
+SIGALRM, and Python calls ``Watchdog.hear`` at the current line of the student's code. ``hear``
+reports the line, and the page then ends the worker.
 
-A loop inside a C function, such as sum, never checks for signals. In this case, the page ends the
-worker one second later without knowing the line.
+A loop inside a C function, such as sum, never checks for signals. The page then ends the worker one
+second later without knowing the line.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from web.python.browser.page import post, start_clock, stop_clock
 
 
 class Watchdog:
-    """Tells the page when a student's code does not end, and at which line it is.
+    """Tells the page when a student's code does not end, and which line it has reached.
 
     The caller sets `explain` to a function that turns a stack trace into an explanation.
     """
@@ -29,7 +29,7 @@ class Watchdog:
         self.explain: Callable[[str], dict[str, Any]] = lambda _: {}
 
     def install(self) -> None:
-        """Make Python call `hear` when the worker signals that the time is up."""
+        """Make Python call `hear` when the worker signals that time is up."""
         signal.signal(signal.SIGALRM, self.hear)
 
     def start(self, seconds: float) -> None:
@@ -41,7 +41,7 @@ class Watchdog:
         stop_clock()
 
     def hear(self, _: int, frame: FrameType | None) -> None:
-        """Report the current line to the page, and then wait until the page ends the worker."""
+        """Report the current line to the page, then wait for the page to end the worker."""
         stack = stack_of(frame)
         post("hung", stack=stack, **self.explain(stack))
         while True:
@@ -49,7 +49,7 @@ class Watchdog:
 
 
 def stack_of(frame: FrameType | None) -> str:
-    """Format the current calls like a stack trace of faulthandler, innermost call first."""
+    """Format the current calls like a stack trace from faulthandler, innermost call first."""
     lines = []
     while frame is not None:
         code = frame.f_code

@@ -49,14 +49,14 @@ def described(rows: Sequence[Row]) -> str:
     if slower := [ratio for ratio in ratios if ratio > 1.0]:
         most = max(slower)
         told.append(
-            f"Pymunk takes longer in {len(slower)} of {len(ratios)} comparisons, at most "
+            f"Pymunk takes longer in {len(slower)} of {len(ratios)} comparisons, up to "
             f"{_rounded(most)} times as long ({ratios[most].scene})."
         )
     if faster := [ratio for ratio in ratios if ratio < 1.0]:
         least = min(faster)
         told.append(
-            f"It is faster in {len(faster)}, and takes at least 1/{_rounded(1.0 / least)} of our "
-            f"time ({ratios[least].scene})."
+            f"It is faster in {len(faster)}, and takes as little as 1/{_rounded(1.0 / least)} of "
+            f"our time ({ratios[least].scene})."
         )
     missed = sum(row.ours.time is not None and row.pymunk.time is None for row in rows)
     told.append(f"In {missed} more, only our models reach the error.")

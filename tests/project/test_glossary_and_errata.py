@@ -127,7 +127,7 @@ ERRATUM = re.compile(
     r"Evidence: ((?:listing|text|number|formula|doubtful)(?:, \w+)*)\.\* "
     r"- \*\*(In the book|In our copy):\*\* (\S.+?) "
     r"- \*\*Correct:\*\* (\S.+?) "
-    r"- \*\*Example:\*\* (\S.+?)(?: - \*\*Test:\*\* (\S.+?))?(?: About .+)?"
+    r"- \*\*Example:\*\* (\S.+?)(?: - \*\*Test:\*\* (\S.+?))?(?: For [^:]+, see \[Check .+)?"
 )
 
 

@@ -196,8 +196,8 @@ def test_a_full_run_keeps_the_picture_the_page_and_its_description(tmp_path: Pat
     ]
     alt = (
         "For each of 2 scenes, pymunk's time as a multiple of ours at errors of 1e-2, 1e-4 and "
-        "1e-6 of the scene's size. Pymunk takes longer in 2 of 3 comparisons, at most 230 times as "
-        "long (a ball). It is faster in 1, and takes at least 1/7.0 of our time (a ball). In 1 "
+        "1e-6 of the scene's size. Pymunk takes longer in 2 of 3 comparisons, up to 230 times as "
+        "long (a ball). It is faster in 1, and takes as little as 1/7.0 of our time (a ball). In 1 "
         "more, only our models reach the error."
     )
     assert described(rows) == alt

@@ -22,8 +22,8 @@ export function glossaryPage(terms, rendered) {
     return `<dt id="${id}"${mark}>${target}${escape(name)}${more}</dt><dd>${rendered(text)}</dd>`;
   });
   return `<h1>Glossary</h1>
-<p>The terms of chapters 2 to 9. <em>Book</em> is the section, equation or exercise of the book where a term appears,
-and <em>Code</em> is where you find it in the engine.</p>
+<p>The terms used in chapters 2 to 9. <em>Book</em> names the section, equation or exercise of the book where a term
+appears, and <em>Code</em> says where to find it in the engine.</p>
 <nav class="letters" aria-label="Letters">${links}</nav>
 <dl class="glossary">${entries.join("\n")}</dl>`;
 }

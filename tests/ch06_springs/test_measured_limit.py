@@ -282,8 +282,8 @@ def test_measuring_needs_numbers_that_mean_something() -> None:
         )
     about.call = "swings_wider(integrator, 10.0, 0.5, 1/60), the book's step"
     about.cause = (
-        "All arguments of this call are valid, so it must not raise an error. A stiffness of 10 "
-        "N/m is below the limit of 41.8 N/m, so the oscillation dies out."
+        "All arguments of this call are valid, so don't raise an error. A stiffness of 10 N/m is "
+        "below the limit of 41.8 N/m, so the oscillation dies out."
     )
     got = wider(1.0, True, 10.0, 0.5, 1.0 / 60.0)
     expect_exactly(got, False)

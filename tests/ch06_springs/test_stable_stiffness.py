@@ -182,8 +182,8 @@ def test_a_largest_stiffness_needs_numbers_that_mean_something() -> None:
         )
     about.call = "max_stable_stiffness(0.25, 1.0, 2.0)"
     about.cause = (
-        "All arguments of this call are valid, so it must not raise an error. The result is 2 "
-        "(0.25^-1 - 1) / 1^2, which is 6."
+        "All arguments of this call are valid, so don't raise an error. The result is 2 (0.25^-1 - "
+        "1) / 1^2, which is 6."
     )
     got = max_stable_stiffness(0.25, 1.0, 2.0)
     expect_close(got, 6.0)

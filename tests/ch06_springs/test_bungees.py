@@ -68,9 +68,9 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
                 ): [-part for part in wanted],
                 "The force is zero, but this rope is longer than its rest length, so it must pull. "
                 "Check the condition that your code uses to detect a slack rope.": ZERO,
-                "The force is -k l d^, as if the rest length were 0. Only the extension counts, "
-                "so subtract the rest length from "
-                "the length.": [-k * (rest + extension) * part for part in d],
+                "Your force is -k l d^, as if the rest length were 0. Only the extension counts, "
+                "so subtract the rest length from the "
+                "length.": [-k * (rest + extension) * part for part in d],
                 "You multiplied the force by the whole offset, so a long rope pulls too hard. "
                 "Multiply by the unit vector along the offset "
                 "instead.": [part * (rest + extension) for part in wanted],

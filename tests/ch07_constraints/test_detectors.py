@@ -33,8 +33,8 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
     about.read = GROUND
     height, c = number(rng), round(rng.uniform(0.1, 0.9), 3)
     lowest = "The lowest point of the sphere, y - radius, is below the height of the ground. "
-    lowest += "Return a contact of that depth whatever the velocity is, because only the position "
-    lowest += "decides whether a sphere touches the ground."
+    lowest += "Return a contact of that depth, whatever the velocity is: only the position decides "
+    lowest += "whether a sphere touches the ground."
     for radius in (0.0, 0.25):
         about.call = f"GroundPlane([p], {height}, {radius}, {c}).contacts()"
         # Eighths of a meter are exact beside a radius of a quarter.
@@ -47,8 +47,8 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
             (
                 1e-6,
                 [],
-                "The sphere is just above the ground, but it does not touch it yet, so "
-                "there is no contact.",
+                "The sphere is just above the ground but doesn't touch it yet, so there is no "
+                "contact.",
             ),
             (-0.5, [0.5], lowest),
             (-0.125, [0.125], lowest),
@@ -76,15 +76,16 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
                 # Rounding of heights up to 10 m.
                 shown = f"{name}: penetration"
                 mistakes = [
-                    (wanted - radius, "The radius is missing, so the center of the sphere would "
-                     "have to reach the ground. Use its lowest point, which is at y - radius."),
+                    (wanted - radius, "You left out the radius, so the sphere touches the ground "
+                                      "only when its center does. Use its lowest point, which is "
+                                      "at y - radius."),
                     (wanted - 2.0 * radius, "The radius has the wrong sign, so this is the "
                                             "highest point of the sphere. The lowest point is at "
                                             "y - radius."),
-                    (-wanted, "The penetration has the wrong sign. It must be positive if the "
-                    "sphere is inside the ground, so compute height + radius - y."),
+                    (-wanted, "The penetration has the wrong sign. It is positive when the sphere "
+                              "is inside the ground, so compute height + radius - y."),
                     (wanted - height,
-                     "The depth was computed as if the ground were at a height of 0. Compute "
+                     "You computed the depth as if the ground were at a height of 0. Compute "
                      "height + radius - y instead."),
                 ]  # fmt: skip
                 why = cause_of(depth, mistakes, about.cause)
@@ -122,14 +123,14 @@ def test_the_ground_is_for_all_that_moves(rng: Random) -> None:
     expect_exactly(first, wanted)
     about.call += "; all moved to -1, the second made immovable, one more appended; "
     about.call += "g.contacts(): the indices"
-    about.cause = "Some particles have moved since the first call, one has become immovable, and "
-    about.cause += "one has joined the list. Read the list again on every call, and skip "
+    about.cause = "Since the first call the check has moved some particles, made one immovable, "
+    about.cause += "and added one to the list. Read the list again on every call, and skip "
     about.cause += "immovable particles."
     expect_exactly(second, [0, 2, 3, 4, 5, 6])
     about.call += "; g.height, g.radius changed to -2 and 0.5; g.contacts(): the indices"
     about.cause = (
-        "A change of height or radius had no effect. Read both again on every call, instead of "
-        "storing what follows from them."
+        "The check changed height and radius, but nothing happened. Read both on every call "
+        "instead of caching anything computed from them."
     )
     expect_exactly(third, [])
 
@@ -140,8 +141,8 @@ def test_nothing_is_too_fast_for_the_ground(rng: Random) -> None:
     speed = positive_number(rng, 500.0, 2000.0)
     about.call = f"a particle 1 m above the ground falls at {speed} m/s for 1/60 s; the "
     about.call += "penetration from GroundPlane([p]).contacts() is added to its height"
-    about.cause = "The particle is now meters below the ground and must still be in contact. The "
-    about.cause += "ground is everything below the height, not just a line to cross."
+    about.cause = "The particle is now meters below the surface and should still be in contact. "
+    about.cause += "Everything below the height is ground, not just a line to cross."
     fallen, got = thrown_down(speed, 1.0 / 60.0)
     expect_close(got, 0.0, tolerance=1e-12)
     name = f"a particle 1 m above the ground falls at {speed} m/s for 1/60 s: its height"
@@ -153,7 +154,7 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
     about.read = PAIRS
     n, c = direction(rng), round(rng.uniform(0.1, 0.9), 3)
     q = components(rng)
-    cells = "If you use cells, compute their numbers with math.floor, because int rounds toward 0."
+    cells = "If you use cells, compute their indices with math.floor, because int rounds toward 0."
     for radius, distance, wanted, cause in (
         (
             0.75,
@@ -219,17 +220,18 @@ def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
     seen, pairs = ([(a, b) for a, b, *_ in contacts] for contacts in (got, wanted))
     found = {frozenset(pair) for pair in seen}
     if len(found) < len(seen):
-        about.cause = "The same pair was returned twice, perhaps once for each of its particles or "
-        about.cause += "cells. Return each pair only once, because a second contact costs the "
-        about.cause += "resolver time and changes nothing."
+        about.cause = "You returned the same pair twice, perhaps once for each of its particles "
+        about.cause += "or cells. Return each pair only once: a second contact costs the resolver "
+        about.cause += "time and changes nothing."
     elif missing := [pair for pair in pairs if frozenset(pair) not in found]:
         about.cause = f"The contact of the pair {missing[0]} is missing. {about.cause}"
     elif len(seen) > len(pairs):
         extra = [pair for pair in seen if pair not in pairs]
-        about.cause = f"The pair {extra[0]} has a contact, but it must not have one. {about.cause}"
+        about.cause = f"The pair {extra[0]} should not have a contact. {about.cause}"
     else:
-        about.cause = "The right pairs were found, but in the wrong order. Sort them by the "
-        about.cause += "indices of their particles, with the smaller index first in each pair."
+        about.cause = "You found the right pairs but returned them in the wrong order. Sort them "
+        about.cause += "by the indices of their particles, with the smaller index first in each "
+        about.cause += "pair."
     expect_exactly(len(got), len(wanted), then=": number of pairs")
     expect_exactly(seen, pairs, then=": the pairs, by index")
     for (_, _, normal, restitution, depth), right in zip(got, wanted, strict=True):
@@ -243,15 +245,15 @@ def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
         apart = size - right[4]
         mistakes = [
             (size * size - apart * apart,
-             "The squares of the lengths were subtracted, which gives an area. Subtract the "
-             "distance itself from two radii."),
-            (-right[4], "The penetration has the wrong sign. It must be positive for overlapping "
-            "spheres, so subtract the distance from two radii."),
-            (0.5 * size - apart, "Only one radius was used, but the centers of touching spheres "
-            "are two radii apart. Subtract the distance from two radii."),
+             "You subtracted squared lengths, which gives an area. Subtract the distance itself "
+             "from two radii."),
+            (-right[4], "The penetration has the wrong sign. It is positive for overlapping "
+                        "spheres, so subtract the distance from two radii."),
+            (0.5 * size - apart, "You used only one radius, but the centers of touching spheres "
+                                 "are two radii apart. Subtract the distance from two radii."),
             (apart,
-             "The penetration is the distance of the centers, which becomes smaller the deeper "
-             "the overlap is. Subtract this distance from two radii."),
+             "Your penetration is the distance between the centers, which shrinks as the overlap "
+             "gets deeper. Subtract that distance from two radii."),
         ]  # fmt: skip
         otherwise = "The penetration of a contact is wrong. Compute it as two radii minus the "
         otherwise += "distance between the centers."
@@ -270,8 +272,8 @@ def test_every_pair_is_found_once(rng: Random) -> None:
         walls = {3, 4, 5, 6}
         about.call = f"{count} particles in a cube of {2 * size:g} m, numbers 3 to 6 immovable; "
         about.call += f"ParticlePairs(particles, {radius}).contacts()"
-        about.cause = "Every pair of touching spheres needs a contact, unless both are immovable. "
-        about.cause += "Particles 3 to 6 are immovable here."
+        about.cause = "Every pair of touching spheres needs a contact, unless both are immovable, "
+        about.cause += "as particles 3 to 6 are here."
         particles = [
             Particle(Vector3(*place), mass=math.inf if i in walls else 1.0)
             for i, place in enumerate(places)
@@ -291,8 +293,8 @@ def test_not_every_pair_is_looked_at() -> None:
     about("400 spheres of radius 0.5 m in a cube of 40 m; ParticlePairs(spheres, ", read=PAIRS)
     about.call += "0.5).contacts(): accesses to positions"
     about.cause = "Comparing all 79,800 pairs reads the positions more than 400,000 times, which "
-    about.cause += "is too slow. Use a grid or sort the particles along an axis, and compare only "
-    about.cause += "those that are near each other."
+    about.cause += "is too slow. Put the particles in a grid, or sort them along an axis, and "
+    about.cause += "compare only those that are near each other."
     asked, found, wanted = looked(400, 40.0)
     # A grid asks about 1,400 times, a sweep along an axis some 33,000 times.
     expect_between(asked, 0, 100_000)
@@ -301,8 +303,8 @@ def test_not_every_pair_is_looked_at() -> None:
         found,
         wanted,
         call=name,
-        cause="A pair of touching spheres has no contact. "
-        "Perhaps they are in neighboring cells that your search does not compare.",
+        cause="A pair of touching spheres has no contact. Perhaps they are in neighboring cells "
+        "that your search doesn't compare.",
     )
 
 
@@ -318,13 +320,14 @@ def test_pairs_are_those_of_now(rng: Random) -> None:
     expect_exactly(first, [])
     about.call += "; the last one moved next to the first, and one more put between the two others"
     about.cause = (
-        "Particles that have moved or joined the list since the first call were missed. Read the "
+        "You missed particles that have moved or joined the list since the first call. Read the "
         "list and the positions again on every call."
     )
     expect_exactly(second, [0, 3, 1, 4, 2, 4])
     about.call += "; p.radius doubled"
     about.cause = (
-        "The radius of the detector has changed since the first call. Read it again on every call."
+        "The check has changed the detector's radius since the first call. Read it again on every "
+        "call."
     )
     expect_exactly(third, [0, 1, 0, 3, 1, 2, 1, 4, 2, 4])
 
@@ -354,8 +357,8 @@ def test_a_pile_of_six_holds() -> None:
     about.read = "book 7.3.1, and the docstring of ParticlePairs.contacts"
     about.call = "six spheres of 1 kg, radius 0.5 m, stacked on the ground; 15 semi-implicit steps "
     about.call += "of 1/60 s with ParticlePairs and a ContactResolver of 500 iterations"
-    about.cause = "The spheres must not sink into each other. Check that each sphere has a contact "
-    about.cause += "with the sphere below it in every step."
+    about.cause = "The spheres should not sink into each other. Check that in every step each "
+    about.cause += "sphere has a contact with the one below it."
     particles = [
         Particle(Vector3(0.0, i + 0.5, 0.0), acceleration=Vector3(0.0, -9.81, 0.0))
         for i in range(6)

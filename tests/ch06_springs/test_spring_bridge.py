@@ -58,7 +58,7 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
     height, k, _ = numbers
     for i, force in enumerate(forces):
         slack = (
-            "Your hangers have a rest length of 0, so they yank the new bridge up. Use the height, "
+            "Your hangers have a rest length of 0, so they pull the new bridge up. Use the height, "
             "which is their length at the start."
         )
         blame(force, [((0.0, k * height, 0.0), slack)])

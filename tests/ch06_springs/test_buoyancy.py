@@ -71,10 +71,12 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
             0.75 * full,
             2.25 * full,
         ),
-        "Your lift uses g = 9.81, but this Buoyancy was created with another value. Use "
-        "self.gravity.": (0.25 * unit * 9.81, 0.75 * unit * 9.81),
-        "Your lift uses the density of water, but this Buoyancy was created for another liquid. "
-        "Use self.liquid_density.": (
+        "You used g = 9.81, but this Buoyancy has a different value. Use self.gravity.": (
+            0.25 * unit * 9.81,
+            0.75 * unit * 9.81,
+        ),
+        "You used the density of water, but this Buoyancy is for a different liquid. Use "
+        "self.liquid_density.": (
             250.0 * volume * g,
             750.0 * volume * g,
         ),

@@ -48,8 +48,8 @@ def test_a_connection_serves_both_ends(rng: Random) -> None:
         b = Particle(Vector3(*there), Vector3(*w), mass=5.0)
         name = f"{about.call}.update_force({end}, 0.5)"
         about.cause = (
-            "The force on a is the spring_force with a's position and velocity relative to b, "
-            f"whichever end the registry passes (here {end})."
+            "The force on a is spring_force for a's position and velocity relative to b, whichever "
+            f"end the registry passes (here {end})."
         )
         Connection(a, b, *numbers).update_force(a if end == "a" else b, 0.5)
         on_a, on_b = xyz(a.force_accumulator), xyz(b.force_accumulator)
@@ -134,7 +134,7 @@ def test_connected_ends_at_one_place_feel_nothing(rng: Random) -> None:
     about.call += "c.update_force(a, 0.5)"
     about.cause = (
         "Both ends are at the same position, so the spring has no direction and exerts no force. "
-        "Make sure that your code does not divide 0 by 0."
+        "Make sure that your code doesn't divide 0 by 0."
     )
     a, b = Particle(Vector3(*place), Vector3(*v)), Particle(Vector3(*place))
     c = Connection(a, b, 100.0, 2.0, 3.0)
@@ -156,8 +156,8 @@ def test_connected_ends_at_one_place_feel_nothing(rng: Random) -> None:
     about.call = "a at (0, 1e-9, 0), b at (0, 0, 0); c = Connection(a, b, 100.0, 2.0); "
     about.call += "c.update_force(a, 0.5); a.force_accumulator"
     about.cause = (
-        "The ends are close together, but not at the same position. The spring still has a "
-        "direction and pushes with almost k l0."
+        "The ends are close together but not at the same position, so the spring still has a "
+        "direction. It pushes with almost k l0."
     )
     a, b = Particle(Vector3(0.0, 1e-9, 0.0)), Particle()
     c = Connection(a, b, 100.0, 2.0)
@@ -206,13 +206,12 @@ def test_connect_lets_the_registry_ask_once(rng: Random) -> None:
                 slips = {
                     (
                         "The spring exerts no force at all. The registry skips immovable "
-                        "particles, so check that the spring is registered for an end that can "
-                        "move."
+                        "particles, so check that you register the spring for an end that can move."
                     ): ZERO,
                     (
-                        "The force is twice as large as it should be, probably because the spring "
-                        "is registered for both ends. One registration is enough, because the "
-                        "spring already acts on both ends."
+                        "The force is twice as large as it should be, probably because you "
+                        "registered the spring for both ends. Once is enough, because a single "
+                        "call already acts on both ends."
                     ): [2.0 * part for part in force],
                     "The stiffness and the rest length are swapped. Pass the arguments in the "
                     "order that Connection's constructor expects.": [
@@ -231,7 +230,7 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     about.call = f"a at {here}, b at {there}; s = connect(registry, a, b, {k}, {rest}, {c})"
     about.cause = (
         "The caller may want to change or remove the spring later, so return the Connection that "
-        "you have registered."
+        "you register."
     )
     a, b, registry = Particle(Vector3(*here)), Particle(Vector3(*there)), ForceRegistry()
     s = connect(registry, a, b, k, rest, c)

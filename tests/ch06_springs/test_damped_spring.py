@@ -74,10 +74,9 @@ def test_the_three_cases_by_known_values() -> None:
     }
     over = math.sqrt(300.0)  # gamma for c = 40
     slips |= {
-        "Both of your terms use sinh. The first term needs cosh(gamma t), which is half of the "
-        "sum e^(gamma t) + "
-        "e^(-gamma t).": math.exp(-1.0) * (1.0 + 20.0 / over) * math.sinh(0.05 * over),
-        "The second term is missing. Multiply e^(-half t) by cosh(gamma t) plus half sinh(gamma "
+        "You used sinh in both terms. The first one needs cosh(gamma t), which is half of e^(gamma "
+        "t) + e^(-gamma t).": math.exp(-1.0) * (1.0 + 20.0 / over) * math.sinh(0.05 * over),
+        "You left out the second term. Multiply e^(-half t) by cosh(gamma t) plus half sinh(gamma "
         "t) / gamma.": math.exp(-1.0) * math.cosh(0.05 * over),
         "You used cos and sin for an over-damped spring. It does not oscillate, so use cosh and "
         "sinh there.": math.exp(-1.0)
@@ -98,7 +97,7 @@ def test_the_three_cases_by_known_values() -> None:
             0.04042768199451279,
             (
                 "This spring is critically damped, a case that the book leaves out (E-23). Here "
-                "gamma is 0, so replace sin(gamma t) / gamma by its limit t."
+                "gamma is 0, so replace sin(gamma t) / gamma with its limit, t."
             ),
         ),
         (
@@ -247,7 +246,9 @@ def test_the_start_and_a_spring_that_is_none(rng: Random) -> None:
     got = damped_spring_state(x0, v0, 3.0, c, m, 0.0)
     expect_close(got, (x0, v0))
     about.call = f"damped_spring_state({x0}, {v0}, 0.0, 0.0, {m}, {t})"
-    about.cause = "No force acts here, so the velocity is constant and the position is x0 + v0 t."
+    about.cause = (
+        "No force acts here, so the velocity stays constant and the position is x0 + v0 t."
+    )
     got = damped_spring_state(x0, v0, 0.0, 0.0, m, t)
     expect_close(got, (x0 + v0 * t, v0))
     about.call = f"damped_spring_state({x0}, {v0}, 0.0, {c}, {m}, {t})"

@@ -64,8 +64,8 @@ def test_the_force_by_its_formula() -> None:
     about.call = "p of 1 kg at (0, 0, 0), velocity (0, 2, 0); "
     about.call += "FakeStiffSpring(Vector3(), 400, 0).update_force(p, 1/60)"
     about.cause = (
-        "The particle is at the anchor and moves along y, so use (T - x) / h^2 - v / h with x = "
-        "0 and v = 2. Here T = v sin(chi h) / chi."
+        "The particle is at the anchor and moving along y, so use (T - x) / h^2 - v / h with x = 0 "
+        "and v = 2. Here T = v sin(chi h) / chi."
     )
     p = Particle(velocity=Vector3(0.0, 2.0, 0.0))
     FakeStiffSpring(Vector3(), 400.0, 0.0).update_force(p, 1.0 / 60.0)

@@ -55,8 +55,8 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
             "Solve the equations of this method for the new velocity instead.": (x + u * h, u),
         }
         fits = {
-            "The two results are in the wrong order. Return the position x' first and then the "
-            "velocity v'.": off(method, x, v, stiffness, damping, m, h, (new[1], new[0])),
+            "You swapped the two results. Return the position x' first and then the velocity "
+            "v'.": off(method, x, v, stiffness, damping, m, h, (new[1], new[0])),
             f"The result is that of {other}.": off(other, x, v, stiffness, damping, m, h, new),
             "Your result ignores the damping. The acceleration comes from m a = -k x - c v, so "
             "include the term with c.": off(method, x, v, stiffness, 0.0, m, h, new),

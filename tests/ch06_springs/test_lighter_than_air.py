@@ -38,18 +38,18 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
         lifts = {
             "Your lift is F H / y, which is infinite at the ground. The lift falls off "
             "exponentially, so use F e^(-y / H).": most / share,
-            "The lift is F (1 - y / H), which decreases linearly and becomes negative above H. "
+            "Your lift is F (1 - y / H), which decreases linearly and becomes negative above H. "
             "Use F e^(-y / H), which never reaches 0.": most * (1.0 - share),
-            "The lift is F e^-y, as if the scale height were 1 m. Divide the height y by H "
-            "before you take the exponential.": most * math.exp(-y),
+            "Your lift is F e^-y, as if the scale height were 1 m. Divide the height y by H before "
+            "you take the exponential.": most * math.exp(-y),
             "Your lift is F 2^(-y / H), which has dropped to half at the scale height. It should "
             "have dropped to 1 / e, so use math.exp.": most * 0.5**share,
             "Your lift is F / (1 + y / H), which decreases too slowly high above the ground. Use F "
             "e^(-y / H).": most / (1.0 + share),
-            "The lift is F e^(y / H), which grows with the height. The exponent needs a minus "
+            "Your lift is F e^(y / H), which grows with height. The exponent needs a minus "
             "sign.": most * math.exp(share),
-            "The lift points down, so the balloon would fall faster. Add the force along "
-            "positive y.": -lift,
+            "Your lift points down, so the balloon would fall faster. Add the force along "
+            "+Y.": -lift,
             "You multiplied the lift by the mass of 7 kg. The lift doesn't depend on the "
             "particle's mass, so leave it out.": 7.0 * lift,
         }

@@ -86,8 +86,8 @@ def test_how_the_particle_is_released() -> None:
         cause=by_hand,
     )
     about.cause = (
-        "Pass the update_forces of a registry as apply_forces. It must contain one AnchoredSpring "
-        "of this stiffness, with a rest length of 0 and no damping."
+        "Pass the update_forces of a registry as apply_forces. The registry should contain one "
+        "AnchoredSpring of this stiffness, with a rest length of 0 and no damping."
     )
     wanted = tuple(-7.0 * part for part in place)
     expect_close(force, wanted, then=": the force that apply_forces adds", tolerance=1e-11)

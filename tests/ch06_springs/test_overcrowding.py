@@ -55,16 +55,16 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         near = share * distance
         pushes = {
-            "The force pulls p toward the other particle. It must push p away, so check the sign "
-            "of the offset.": -push,
+            "Your force pulls p toward the other particle. It should push p away, so check the "
+            "sign of the offset.": -push,
             "There is no push at all. Perhaps your loop ends when it finds p itself in the list. "
             "Skip only p, and continue with the next particle.": 0.0,
-            "The push has the size k at every distance. It must grow as the particles come "
+            "Your push has the size k at every distance. It should grow as the particles come "
             "closer, so multiply k by (distance - l).": k,
             "You multiplied the push by the whole offset, so the distance counts twice. Multiply "
             "by the unit vector along the offset instead.": push * near,
-            "The push uses the squared distance between the particles. Take the magnitude of the "
-            "offset instead.": k * (distance - near**2),
+            "You used the squared distance between the particles. Take the magnitude of the offset "
+            "instead.": k * (distance - near**2),
         }
         if share < 1.0:
             slips = {

@@ -70,8 +70,8 @@ def test_above_the_ground_nothing_pushes(rng: Random) -> None:
         (
             0.0,
             -9.0,
-            "The particle just touches the ground, so its depth is 0 and there is no force. The "
-            "damping acts only below the surface.",
+            "The particle just touches the ground, so its depth is 0 and there is no force. "
+            "Damping acts only below the surface.",
         ),
     ):
         about(f"p at (0, {height + above}, 0), velocity (0, {speed}, 0); ", cause=cause)
@@ -135,7 +135,7 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
         wanted = (0.0, push * max(1.0 - share, 0.0), 0.0)
         got = xyz(p.force_accumulator)
         slips = {
-            "The damping is missing, so a body would bounce on this ground forever. Subtract c "
+            "You left out the damping, so a body would bounce on this ground forever. Subtract c "
             "v_y from the push.": (0.0, push, 0.0),
             "Your force is k depth + c v_y, so the damping speeds the motion up. It has to oppose "
             "the motion, so reverse its sign.": (

@@ -109,8 +109,8 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
             ],
             "Only the hangers act, but neighboring planks should pull on each other too. Call "
             "connect for each pair of neighbors.": parts[0],
-            "Each spring between two planks acts twice. The spring that connect registers already "
-            "acts on both planks, so call connect only once for each pair.": [
+            "Your springs between the planks act twice. The spring that connect registers already "
+            "acts on both planks, so call connect only once per pair.": [
                 2.0 * total - hanger for total, hanger in zip(wanted, parts[0], strict=True)
             ],
         }
@@ -190,8 +190,8 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
             "so use the fractions 1 - s and s.": [
                 -0.5 * weight * (share > 0.0) for share in shares
             ],
-            "The weight pushes the planks up. Weight is a force downward, so its y component "
-            "must be negative.": [-part for part in wanted],
+            "Your weight pushes the planks up. Weight is a downward force, so its y component is "
+            "negative.": [-part for part in wanted],
             "You multiplied the weight by 9.81. It is already a force in N, not a mass in kg, so "
             "use it as is.": [9.81 * part for part in wanted],
         }

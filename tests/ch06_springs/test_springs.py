@@ -50,9 +50,9 @@ def spring_slips(
         "subtract the rest length from the length.": along(-k * length - c * rate),
         "You multiplied the force by the whole offset, so a long spring is too strong. The offset "
         "only gives the direction, so normalize it first.": along(-(pull + c * rate) * length),
-        "The force uses the squared length of the offset. The extension needs the length itself, "
-        "so take the magnitude.": along(-k * (length**2 - rest) - c * rate),
-        "The damping force is missing. Add -c (v . d^) d^ along the spring.": along(-pull),
+        "You used the squared length of the offset. The extension needs the length itself, so take "
+        "the magnitude.": along(-k * (length**2 - rest) - c * rate),
+        "You left out the damping force. Add -c (v . d^) d^ along the spring.": along(-pull),
         "There is no force, as if this were a slack rope. Unlike a rope, a spring pushes when it "
         "is shorter than its rest length.": along(0.0 * pull),
         "Your damping is -c v, which also slows down motion across the spring, although that "
@@ -165,7 +165,7 @@ def test_ends_at_one_place_have_no_direction(rng: Random) -> None:
         "and no force."
     )
     slips = {
-        "The spring behaves as if its other end were at (0, 0, 0). Subtract self.anchor from the "
+        "Your spring behaves as if its other end were at (0, 0, 0). Subtract self.anchor from the "
         "position to get the offset.": hooke(v, v, 100.0, 2.0, 3.0)
     }
     expect_close(got, ZERO, cause=named(got, about.cause, slips))
@@ -263,7 +263,7 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
         ),
         "Your damping uses p's velocity alone, but q's motion changes the length too. Subtract q's "
         "position and velocity from p's.": hooke(offset, v, k, rest, c),
-        "The damping force is missing. Add -c (v . d^) d^ along the spring.": hooke(
+        "You left out the damping force. Add -c (v . d^) d^ along the spring.": hooke(
             offset, relative, k, rest, 0.0
         ),
         "The force points the wrong way. Check its sign and the order in which you subtract the "
@@ -326,13 +326,13 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
     slips = {
         "Your offset is anchor - position, so the force points the wrong way. Use position - "
         "anchor instead.": hooke(tuple(-part for part in offset), v, k, rest, c),
-        "The damping force is missing. Add -c (v . d^) d^ along the spring.": hooke(
+        "You left out the damping force. Add -c (v . d^) d^ along the spring.": hooke(
             offset, v, k, rest, 0.0
         ),
         "Your force uses a rest length of 0. Pass self.rest_length on, so that only the extension "
         "counts.": hooke(offset, v, k, 0.0, c),
-        "The spring behaves as if its other end were at (0, 0, 0). Subtract self.anchor from "
-        "the position to get the offset.": hooke(here, v, k, rest, c),
+        "Your spring behaves as if its other end were at (0, 0, 0). Subtract self.anchor from the "
+        "position to get the offset.": hooke(here, v, k, rest, c),
         "The force points the wrong way. Check its sign and the order in which you subtract the "
         "two positions.": tuple(-part for part in wanted),
     }

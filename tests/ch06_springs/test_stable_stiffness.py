@@ -105,7 +105,7 @@ def test_the_ends_of_the_damping() -> None:
             1.5,
             0.0,
             (
-                "With a damping above 1 the velocity grows by itself, so no spring is stable. "
+                "With a damping above 1 the velocity grows on its own, so no spring is stable. "
                 "Return 0 instead of the negative number from the formula."
             ),
         ),

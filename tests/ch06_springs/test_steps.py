@@ -37,7 +37,7 @@ RULES = {
     "velocity_verlet": (
         "Velocity Verlet first moves the particle, p' = p + v h + a h^2 / 2. Then it evaluates the "
         "acceleration b at p', with the velocity v + a h, and sets v' = (v + (a + b) h / 2) d^h, "
-        "which is damped once."
+        "damped once."
     ),
     "runge_kutta_4": (
         "Runge-Kutta takes a weighted mean of four rates, in which the second and the third count "
@@ -213,8 +213,8 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     bodies = [draw_body(rng, hand), draw_body(rng)]
     about.call = call_of(method, f"{frames} steps of h = {h}; before each, {hand} N by hand")
     about.cause = (
-        f"The number of force evaluations per step of {method} is {EVALUATIONS[method]}. Each "
-        "evaluation is a single call of apply_forces for all particles together."
+        f"{method} needs {EVALUATIONS[method]} force evaluations per step. Each one is a single "
+        "call of apply_forces for all particles together."
     )
     asked = stepped(method, bodies, (1.0, 0.1), h, frames)["asked"]
     expect_exactly(
@@ -350,8 +350,8 @@ def test_a_step_needs_a_duration(method: str) -> None:
     about.read = "the docstring of the module"
     body: Body = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), ZERO, 1.0, 1.0, ZERO)
     refuse = (
-        "The duration of a step must be positive and finite. Raise ValueError for any other "
-        "value, for example with positive()."
+        "The duration of a step must be positive and finite. Raise ValueError for anything else, "
+        "for example with positive()."
     )
     late = (
         "You rejected the duration, but only after you had changed the particle. Check the "

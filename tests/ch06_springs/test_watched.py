@@ -69,8 +69,8 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
                 size,
                 limit,
             ),
-            "The index of the particle is one too large. Particles are numbered from 0, like the "
-            "items of a list.": (fast + 1, number, size, limit),
+            "The index of the particle is one too large. Particles are numbered from 0, like list "
+            "items.": (fast + 1, number, size, limit),
             "Your error reports the last particle that is too fast. Go through the list from the "
             "start, and report the first one you find.": (
                 3,
@@ -135,8 +135,8 @@ def test_a_speed_that_is_no_number_is_over_every_limit() -> None:
         about.call = f"{CALL.format(1e300)}; the velocity of particle 1 has {what} along y after "
         about.call += "step 2"
         about.cause = (
-            "Every comparison with NaN is False, so `speed > speed_limit` does not notice NaN. "
-            "Write `not speed <= speed_limit` instead."
+            "Every comparison with NaN is False, so `speed > speed_limit` doesn't catch NaN. Write "
+            "`not speed <= speed_limit` instead."
         )
         _, error = watching(1e300, [[1.0, 1.0], [1.0, speed], [1.0, 1.0]])
         got = (math.nan, math.nan) if error is None else tuple(error[:2])
@@ -154,8 +154,7 @@ def test_an_explosion_is_told_with_its_step(rng: Random) -> None:
         about.call += "step and speed"
         about.cause = (
             "Compare the speed after the step, not before it. Here k h^2 / m is 1, so each step "
-            "rotates the state (v, chi x) by 45 degrees and multiplies its length by the square "
-            "root of 2."
+            "rotates the state (v, chi x) by 45 degrees and scales it by the square root of 2."
         )
         step, speed, told = exploding(limit)
         number, v, x = 0, 0.0, 1.0

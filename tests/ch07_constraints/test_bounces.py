@@ -42,8 +42,8 @@ def test_restitution_is_a_root(rng: Random) -> None:
     h, c = positive_number(rng), rng.uniform(0.1, 0.9)
     for initial, bounce, wanted in ((1.0, 0.64, 0.8), (h, c * c * h, c), (2.0, 2.0, 1.0)):
         about.call = f"restitution_of_drop({initial}, {bounce})"
-        about.cause = "The restitution is a ratio of speeds, and the speed grows with the square "
-        about.cause += "root of the height. Return sqrt(bounce_height / initial_height)."
+        about.cause = "The restitution is a ratio of speeds, and speed grows with the square root "
+        about.cause += "of height. Return sqrt(bounce_height / initial_height)."
         got = restitution_of_drop(initial, bounce)
         mistakes = [
             (wanted * wanted,
@@ -55,8 +55,8 @@ def test_restitution_is_a_root(rng: Random) -> None:
         ]  # fmt: skip
         blame(got, mistakes)
         expect_close(got, wanted)
-    cause = "This ball does not bounce at all, so its bounce height is 0. That is a valid "
-    cause += "measurement, and its restitution is 0."
+    cause = "This ball doesn't bounce at all, so its bounce height is 0. That is a valid "
+    cause += "measurement, and the restitution is 0."
     about("restitution_of_drop(2.0, 0.0)", cause=cause)
     got = restitution_of_drop(2.0, 0.0)
     expect_close(got, 0.0)
@@ -95,7 +95,7 @@ def test_each_material_has_its_row(rng: Random) -> None:
     counts = [row[1] for row in got]
     expect_exactly(counts, [4, 2, 1], then=": drops")
     about.cause = "Compute the restitution of each drop with restitution_of_drop, and then take "
-    about.cause += "the mean of these values."
+    about.cause += "the mean."
     wanted = (math.fsum(a) / 4.0, math.fsum(b) / 2.0, 0.5)
     means = [row[2] for row in got]
     # Roots of the heights, a few roundings of 1.
@@ -178,8 +178,8 @@ def test_bounces_were_measured() -> None:
 def test_the_upper_ball_flies_off(rng: Random) -> None:
     about("top_ball_speed(1.0, 9.0, 1.0, 0.5, 0.75)", read=TWO)
     about.cause = "Both balls arrive at v = sqrt(20) m/s. The lower ball leaves the ground at 0.5 "
-    about.cause += "v, and after the impact of the two balls the upper one must rise at 1.3625 v "
-    about.cause += "= 6.0933 m/s."
+    about.cause += "v, and after the two balls collide, the upper one should rise at 1.3625 v = "
+    about.cause += "6.0933 m/s."
     got = top_ball_speed(1.0, 9.0, 1.0, 0.5, 0.75)
     v = math.sqrt(20.0)
     mistakes = [
@@ -239,9 +239,9 @@ def test_two_balls_part_by_their_restitution(rng: Random) -> None:
     lower, upper = positive_number(rng), positive_number(rng)
     ground, pair = (round(rng.uniform(0.1, 0.9), 3) for _ in range(2))
     about.call = f"top_ball_speed({h}, {lower}, {upper}, {ground}, {pair}, {g})"
-    about.cause = "The impact of the two balls conserves momentum. They approach each other at "
-    about.cause += "ground_restitution * v + v, and they separate at the pair's restitution times "
-    about.cause += "this speed."
+    about.cause = "The collision conserves momentum. The balls approach each other at "
+    about.cause += "ground_restitution * v + v, and separate at the pair's restitution times that "
+    about.cause += "speed."
     got = top_ball_speed(h, lower, upper, ground, pair, g)
     v = math.sqrt(2.0 * g * h)
     momentum = (lower * ground - upper) * v
@@ -249,7 +249,7 @@ def test_two_balls_part_by_their_restitution(rng: Random) -> None:
     wanted = (momentum + lower * parting) / (lower + upper)
     expect_close(got, wanted, tolerance=1e-13)
     about.call = f"top_ball_speed({h}, {lower}, {upper}, {ground}, {pair})"
-    about.cause = "No gravity was passed here, so use the default value of 10 m/s^2."
+    about.cause = "The check passes no gravity here, so use the default value of 10 m/s^2."
     got = top_ball_speed(h, lower, upper, ground, pair)
     wanted *= math.sqrt(10.0 / g)
     expect_close(got, wanted, tolerance=1e-13)
@@ -264,7 +264,7 @@ def test_without_height_or_gravity_no_ball_flies_off() -> None:
     got = top_ball_speed(0.0, 2.0, 3.0, 0.5, 0.5, 10.0)
     expect_close(got, 0.0)
     about.call = "top_ball_speed(1.0, 2.0, 3.0, 0.5, 0.5, 0.0)"
-    about.cause = "Without gravity the balls do not fall, so their speed is 0. Return 0 instead of "
+    about.cause = "Without gravity the balls don't fall, so their speed is 0. Return 0 instead of "
     about.cause += "raising an error."
     got = top_ball_speed(1.0, 2.0, 3.0, 0.5, 0.5, 0.0)
     expect_close(got, 0.0)
@@ -292,7 +292,7 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
         got = expect_vector(force_for_frame(force, share * frame, frame))
         wanted = tuple(share * part for part in f)
         impulse = tuple(share * frame * part for part in f)
-        why = "This is the impulse in N s, but the result must be a force. The force acts for the "
+        why = "This is the impulse in N s, but you should return a force. The force acts for the "
         why += "whole frame, so divide the impulse by the duration of the frame."
         mistakes = [(impulse, why)]
         if share:

@@ -28,8 +28,8 @@ def test_when_a_gap_closes(rng: Random) -> None:
                                  "height twice. The gap closes only on the way down, so return the "
                                  "later time."),
         (40.0, -10.0, -10.0, 2.0,
-         "The equation has two solutions. One of them is negative and lies in the past, so take "
-         "the positive one."),
+         "The equation has two solutions. The negative one lies in the past, so take the positive "
+         "one."),
         (6.0, -5.0, 2.0, 2.0, "The body slows down but still arrives. The second solution is when "
                               "it would come back, so take the first."),
         (0.5 * pull * t * t, 0.0, -pull, t, rest),
@@ -41,8 +41,8 @@ def test_when_a_gap_closes(rng: Random) -> None:
          "The body is just leaving the ground, which is not an impact. Return the time when it "
          "comes back."),
         (-0.01, 10.0, -10.0, 1.0 + math.sqrt(0.998),
-         "The body starts slightly inside the ground and moves out of it. Return the later time, "
-         "when it comes back."),
+         "The body starts slightly inside the ground and is moving out of it. Return the later "
+         "time, when it comes back."),
         (-5.0, 3.0, -10.0, 0.3,
          "The body moves outward but turns around before it is out of the ground. From that moment "
          "on the gap is closing, so return the time when it turns around."),
@@ -79,21 +79,21 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
     slow = "The speed is below VELOCITY_TOLERANCE, so treat it as a rounding error that never "
     slow += "closes the gap. Return math.inf."
     for gap, v, a, wanted, cause in (
-        (0.0, -x, 0.0, 0.0, "The body touches the ground and moves into it, so the gap closes at "
-         "once. Return 0."),
-        (-x, -x, 3.0, 0.0, "The body is inside the ground and moves farther in, so the gap is "
-         "already closed. Return 0."),
-        (0.0, -1e-9, 0.0, 0.0, "The body touches the ground and moves into it, however slowly, so "
-                               "the gap closes at once. Return 0."),
+        (0.0, -x, 0.0, 0.0, "The body touches the ground and is moving into it, so the gap closes "
+                            "at once. Return 0."),
+        (-x, -x, 3.0, 0.0, "The body is inside the ground and moving farther in, so the gap is "
+                           "already closed. Return 0."),
+        (0.0, -1e-9, 0.0, 0.0, "The body touches the ground and is moving into it, however slowly, "
+                               "so the gap closes at once. Return 0."),
         (2.0, -2.0, 1.0, math.inf, "The root is 0, which means that the body turns around exactly "
                                    "when it touches the ground. It arrives with no speed, so there "
                                    "is no impact. Return math.inf."),
         (0.0, 0.0, -x, 0.0, lies),
         (-1e-18, 0.0, -x, 0.0, lies),
-        (x, 1.0, 0.0, math.inf, "The body moves away, and no acceleration brings it back. Return "
-                                "math.inf."),
-        (x, 0.0, 0.0, math.inf, "The body does not move at all, so it never reaches the ground. "
-        "Return math.inf."),
+        (x, 1.0, 0.0, math.inf, "The body is moving away, and no acceleration brings it back. "
+                                "Return math.inf."),
+        (x, 0.0, 0.0, math.inf, "The body isn't moving at all, so it never reaches the ground. "
+                                "Return math.inf."),
         (x, 0.0, 2.0, math.inf, "The body is at rest and accelerates away from the ground, so it "
                                 "never arrives. Return math.inf."),
         (x, 2.0, 3.0, math.inf, "The body moves away and accelerates away, so it never arrives. "

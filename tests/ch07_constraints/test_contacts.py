@@ -289,7 +289,7 @@ def test_forces_build_up_as_well(rng: Random) -> None:
     expect_close(got, c * (1.0 - 9.0 * h), tolerance=1e-12)
     about.call = f"b of {mass} kg, pushed up by {7.0 * mass} N; b.integrate({h}); b.velocity.y = "
     about.call += f"1; Contact(a, b, Vector3(0, 1, 0), {c}).velocity_after({h}), a at rest"
-    about.cause = "Forces on the other particle can close the contact as well. Use the relative "
+    about.cause = "Forces on the other particle can close the contact too. Use the relative "
     about.cause += "acceleration along the normal, (aa - ab) . n."
     b = Particle(mass=mass)
     b.add_force(Vector3(0.0, 7.0 * mass, 0.0))
@@ -316,19 +316,19 @@ def test_two_that_fall_alike_build_up_nothing(rng: Random) -> None:
     about.read = REST
     pull, other = number(rng), positive_number(rng)
     c, h = round(rng.uniform(0.3, 0.9), 3), 0.02
-    immovable = "The other particle is immovable, so it does not accelerate, whatever its "
+    immovable = "The other particle is immovable, so it doesn't accelerate, whatever its "
     immovable += "last_acceleration says. Leave its acceleration out."
     for pa, pb, mass_a, mass_b, wanted, cause in (
         (pull, pull, 1.0, 2.0, c * 3.0,
-         "Both particles have the same acceleration, so a does not accelerate relative to b. Use "
-         "the difference of the two accelerations, (aa - ab) . n."),
+         "Both particles have the same acceleration, so a doesn't accelerate relative to b. Use "
+         "the difference between the two accelerations, (aa - ab) . n."),
         (0.0, other, 1.0, 2.0, c * (3.0 - other * h),
-         "Here b accelerates toward a, which closes the contact. Use the difference of the two "
-         "accelerations, (aa - ab) . n."),
+         "Here b accelerates toward a, which closes the contact. Use the difference between the "
+         "two accelerations, (aa - ab) . n."),
         (0.0, other, 1.0, math.inf, c * 3.0, immovable),
         (-other, 0.0, 1.0, math.inf, c * (3.0 - other * h),
-         "The other particle is immovable, so it does not accelerate. Use the whole acceleration "
-         "of a."),
+         "The other particle is immovable, so it doesn't accelerate. Use the whole acceleration of "
+         "a."),
         (-other, 0.0, math.inf, 1.0, c * 3.0, immovable),
     ):  # fmt: skip
         about.cause = cause

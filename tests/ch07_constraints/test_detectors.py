@@ -42,7 +42,7 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
             (
                 0.125,
                 [],
-                "The sphere is above the ground and does not touch it, so there is no contact.",
+                "The sphere is above the ground and doesn't touch it, so there is no contact.",
             ),
             (
                 1e-6,
@@ -79,9 +79,9 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
                     (wanted - radius, "You left out the radius, so the sphere touches the ground "
                                       "only when its center does. Use its lowest point, which is "
                                       "at y - radius."),
-                    (wanted - 2.0 * radius, "The radius has the wrong sign, so this is the "
-                                            "highest point of the sphere. The lowest point is at "
-                                            "y - radius."),
+                    (wanted - 2.0 * radius, "Your radius has the wrong sign, so this is the "
+                                            "highest point of the sphere. The lowest point is at y "
+                                            "- radius."),
                     (-wanted, "The penetration has the wrong sign. It is positive when the sphere "
                               "is inside the ground, so compute height + radius - y."),
                     (wanted - height,
@@ -91,7 +91,7 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
                 why = cause_of(depth, mistakes, about.cause)
                 expect_close(depth, wanted, call=shown, cause=why, tolerance=2e-14)
                 seen = (a, b, *normal, restitution)
-                why = "The depth is right, but the contact is not. Create it with the particle, "
+                why = "The depth is right, but the contact isn't. Create it with the particle, "
                 why += "None as its other, the normal (0, 1, 0), the detector's restitution and "
                 why += "the depth."
                 down = (0, -1, 0, -1, 0, c)
@@ -100,8 +100,8 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
                     [
                         (
                             down,
-                            "The normal points down, so the contact would push the sphere farther "
-                            "into the ground. It must point up, out of the ground.",
+                            "Your normal points down, so the contact would push the sphere farther "
+                            "into the ground. It should point up, out of the ground.",
                         )
                     ],
                     why,
@@ -116,8 +116,7 @@ def test_the_ground_is_for_all_that_moves(rng: Random) -> None:
     heights = [number(rng) for _ in range(6)]
     about.call = f"particles at the heights {heights}; g = GroundPlane(particles); g.contacts(): "
     about.call += "the indices of the particles"
-    about.cause = "Return one contact for each particle that is at or below the height, in the "
-    about.cause += "order of the list."
+    about.cause = "Return one contact for each particle at or below the surface, in list order."
     first, second, third = ground_of_a_list(heights)
     wanted = [i for i, y in enumerate(heights) if y <= 0.0]
     expect_exactly(first, wanted)
@@ -160,8 +159,8 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
             0.75,
             1.500001,
             None,
-            "The centers are more than two radii apart, so the spheres do not "
-            "touch. Return no contact.",
+            "The centers are more than two radii apart, so the spheres don't touch. Return no "
+            "contact.",
         ),
         (
             0.75,
@@ -198,14 +197,14 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
     expect_pairs(got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.0)])
     about.call = "a at (-1e-17, 0, 0), b at (2, 0, 0); ParticlePairs([a, b], 1.0).contacts()"
     about.cause = "Up to rounding, the centers are two radii apart, so the spheres touch. If you "
-    about.cause += "use cells, make them a little larger than two radii, or an empty cell can lie "
-    about.cause += "between the spheres."
+    about.cause += "use cells, make them a little larger than two radii, or there can be an empty "
+    about.cause += "cell between the spheres."
     pair = [Particle(Vector3(-1e-17)), Particle(Vector3(2.0))]
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
     expect_pairs(got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.0)])
     about.call = f"a and b at {q}; ParticlePairs([a, b], 1.0).contacts()"
-    about.cause = "Both centers are at the same position, so there is no direction between them. "
-    about.cause += "Use +Y as the normal."
+    about.cause = "Both centers are at the same position, so the normal has no natural direction. "
+    about.cause += "Use +Y."
     pair = [Particle(Vector3(*q)), Particle(Vector3(*q))]
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
     expect_pairs(got, [(0, 1, UP, 0.0, 2.0)])
@@ -235,12 +234,12 @@ def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
     expect_exactly(len(got), len(wanted), then=": number of pairs")
     expect_exactly(seen, pairs, then=": the pairs, by index")
     for (_, _, normal, restitution, depth), right in zip(got, wanted, strict=True):
-        about.cause = "The normal of a contact is wrong. It must be the unit vector that points "
-        about.cause += "from the second particle of the pair to the first."
+        about.cause = "The normal of a contact is wrong. It should be the unit vector from the "
+        about.cause += "second particle of the pair to the first."
         # Differences of positions of up to 10 m, over a distance of half a meter or more.
         expect_close(normal, right[2], then=": normal", tolerance=1e-13)
-        about.cause = "A contact has the wrong restitution. Pass the restitution of the detector "
-        about.cause += "to each contact that you create."
+        about.cause = "A contact has the wrong restitution. Pass the detector's restitution to "
+        about.cause += "each contact that you create."
         expect_close(restitution, right[3], then=": restitution")
         apart = size - right[4]
         mistakes = [
@@ -314,7 +313,7 @@ def test_pairs_are_those_of_now(rng: Random) -> None:
     radius = positive_number(rng, 0.5, 1.5)
     about.call = f"four particles in a row, three radii apart, radius {radius} m; p = "
     about.call += f"ParticlePairs(particles, {radius}); p.contacts(): the pairs, by index"
-    about.cause = "The spheres are more than two radii apart, so they do not touch. Return no "
+    about.cause = "The spheres are more than two radii apart, so they don't touch. Return no "
     about.cause += "contact."
     first, second, third = pairs_of_a_list(radius)
     expect_exactly(first, [])

@@ -76,8 +76,8 @@ def test_when_two_spheres_meet(rng: Random) -> None:
         mistakes = [
             (
                 turned,
-                "The normal has the wrong sign. It must point from b, the second "
-                "particle, to a, the first.",
+                "The normal has the wrong sign. It should point from b, the second particle, to a, "
+                "the first.",
             )
         ]
         blame(normal, mistakes, tolerance=1e-8)
@@ -174,8 +174,8 @@ def test_the_first_pair_of_many(rng: Random) -> None:
     ((a, b, normal, _, _),) = told([impact[1]], particles)
     expect_close((a, b), (1, 4), then=": index of particle and other")
     expect_close(impact[0], 0.25 / speed, then=": time")
-    about.cause = "The normal is wrong. It must be the unit vector from the second particle of the "
-    about.cause += "pair to the first."
+    about.cause = "The normal is wrong. It should be the unit vector from the second particle of "
+    about.cause += "the pair to the first."
     expect_close(normal, (-1.0, 0.0, 0.0), then=": normal")
     about.call += ", with particles 1 and 4 immovable"
     about.cause = "Particles 1 and 4 are immovable now, so they stay where they are and never "

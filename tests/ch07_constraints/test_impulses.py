@@ -85,8 +85,8 @@ def test_two_balls_bounce_by_the_inverse_of_their_masses(rng: Random) -> None:
         expect_close(got, wanted_a, then="; a.velocity", cause=seen, tolerance=1e-12)
         got = xyz(b.velocity)
         mistakes = [
-            (0.0, "The velocity of b did not change. The impulse acts on both particles in "
-                  "opposite directions, so add -n g / mb to the velocity of b."),
+            (0.0, "The velocity of b didn't change. The impulse acts on both particles in opposite "
+                  "directions, so add -n g / mb to the velocity of b."),
             (impulse / mb, "Your impulse pushes b in the same direction as a. The two impulses are "
                            "opposite, so add -n g / mb to the velocity of b."),
             (-impulse, f"{momentum}, and add -n g / mb."),
@@ -121,7 +121,7 @@ def test_momentum_is_kept_and_energy_lost(rng: Random) -> None:
         wanted = 0.5 * ma * mb / (ma + mb) * (1.0 - c * c) * closing * closing
         name = f"{about.call}; the loss of kinetic energy"
         about.cause = "A bounce loses the kinetic energy mu (1 - c^2) v_s^2 / 2, where mu = ma mb "
-        about.cause += "/ (ma + mb). For an elastic bounce, with c = 1, this is 0 (E-7)."
+        about.cause += "/ (ma + mb). For an elastic bounce, with c = 1, that is 0 (E-7)."
         expect_close(lost, wanted, call=name, tolerance=1e-10)
 
 
@@ -144,8 +144,8 @@ def test_a_wall_takes_any_impulse(rng: Random) -> None:
         Contact(*ends, Vector3(*normal), c).resolve_velocity()
         got = xyz(a.velocity)
         expect_close(got, wanted, then="; a.velocity", tolerance=1e-12)
-        about.cause = "The velocity of the immovable particle has changed. Its inverse mass is 0, "
-        about.cause += "so the impulse must not change its velocity."
+        about.cause = "You changed the velocity of the immovable particle. Its inverse mass is 0, "
+        about.cause += "so the impulse leaves it alone."
         got = xyz(w.velocity)
         expect_close(got, ZERO, then="; w.velocity")
 
@@ -186,7 +186,7 @@ def test_what_parts_or_cannot_be_moved_gets_no_impulse(rng: Random) -> None:
         ("a.force_accumulator", xyz(a.force_accumulator), (1.0, 2.0, 3.0)),
     ):
         about.cause = "resolve_velocity has changed something other than a velocity. Leave "
-        about.cause += "everything except the two velocities as it is."
+        about.cause += "everything else alone."
         expect_unchanged(name, now, before)
 
 
@@ -196,7 +196,7 @@ def test_an_impulse_leaves_rest_at_rest(rng: Random) -> None:
     h, c, side = 0.02, round(rng.uniform(0.3, 0.9), 3), number(rng)
     about.call = f"a with velocity ({side}, {-9.0 * h}, 0), acceleration (0, -9, 0); Contact(a, "
     about.call += f"None, Vector3(0, 1, 0), {c}, 0.125).resolve_velocity({h})"
-    about.cause = "This body is at rest, so it must not bounce. Pass the duration on to "
+    about.cause = "This body is at rest, so it should not bounce. Pass the duration on to "
     about.cause += "velocity_after, which leaves out the velocity that this time step has added."
     a = Particle(None, Vector3(side, -9.0 * h, 0.0), Vector3(0.0, -9.0, 0.0), mass=3.0)
     Contact(a, None, Vector3(*UP), c, 0.125).resolve_velocity(h)

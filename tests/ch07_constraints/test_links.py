@@ -245,9 +245,9 @@ def test_a_rod_without_a_direction_stands_up(rng: Random) -> None:
     about.read = ROD
     p, length = components(rng), positive_number(rng)
     down = (0.0, -1.0, 0.0)
-    about.cause = "Both ends are at the same position, so take +Y as the direction from a to b and "
-    about.cause += "push a down. direction_of returns +Y here, while normalized() would return "
-    about.cause += "zero."
+    about.cause = "Both ends are at the same position, so take +Y as the direction from a to b "
+    about.cause += "and push a down. direction_of returns +Y here, whereas normalized() would "
+    about.cause += "return zero."
     about.call = f"a and b at {p}; Rod(a, b, {length}).contacts()"
     pair = [Particle(Vector3(*p)), Particle(Vector3(*p))]
     expect_contacts(about.call, Rod(*pair, length), pair, [(0, 1, down, 0.0, length)])
@@ -360,8 +360,8 @@ def test_equal_limits_both_act(rng: Random) -> None:
     same = [Particle(), Particle()]
     for low in (2.0, 0.5, 1e-3):
         about.call = f"a and b at the same position; l = Limits(a, b, {low}, 3); l.contacts()"
-        about.cause = "Both ends are at the same position, so the distance 0 is below min_length. "
-        about.cause += "Return a contact that pushes, with +Y as the direction from a to b."
+        about.cause = "The distance between the ends is 0 here, which is below min_length. Return "
+        about.cause += "a contact that pushes, with +Y as the direction from a to b."
         link = Limits(*same, low, 3.0)
         wanted = [(0, 1, (0.0, -1.0, 0.0), 0.0, low)]
         expect_contacts(about.call, link, same, wanted)

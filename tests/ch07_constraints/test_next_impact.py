@@ -64,7 +64,7 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     ((a, b, normal, restitution, depth),) = told([contact], particles)
     seen = (a, b, *normal, restitution, depth)
     wanted = (times.index(first), -1, *UP, c, 0.0)
-    about.cause = "The time is right, but the contact is not. Create it with the particle, None as "
+    about.cause = "The time is right, but the contact isn't. Create it with the particle, None as "
     about.cause += "its other, the normal (0, 1, 0), the detector's restitution and a penetration "
     about.cause += "of 0."
     for part, cause in (
@@ -194,9 +194,9 @@ def test_pairs_look_ahead_for_a_duration() -> None:
     about.read = PAIRS
     pair = [Particle(Vector3(5.0), Vector3(-1.0)), Particle()]
     expect_durations("ParticlePairs([a, b], 1.0)", ParticlePairs(pair, 1.0))
-    about.cause = "With different accelerations the relative path is curved, so the equation for a "
-    about.cause += "straight line gives a wrong time. Raise ValueError, even if the two particles "
-    about.cause += "are moving apart."
+    about.cause = "With different accelerations the relative path is curved, so the equation for "
+    about.cause += "a straight line gives the wrong time. Raise ValueError, even if the two "
+    about.cause += "particles are moving apart."
     for velocity, one, other, force, mass in (
         (-1.0, (0.0, -9.0, 0.0), (0.0, 0.0, 0.0), 0.0, 1.0),
         (1.0, (0.0, -9.0, 0.0), (0.0, 0.0, 0.0), 0.0, 1.0),

@@ -53,8 +53,8 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
         contact = Contact(a, b, Vector3(*n), 0.5, depth)
         moves = contact.resolve_penetration()
         got = xyz(contact.normal)
-        whole = "The contact's normal has changed, perhaps because you used *= or normalize, which "
-        whole += "work in place. Compute a new vector with * instead."
+        whole = "You changed the contact's normal, perhaps with *= or normalize, which work in "
+        whole += "place. Compute a new vector with * instead."
         expect_unchanged("the normal", got, n, cause=whole)
         move = tuple(share * depth * part for part in n)
         back = tuple((share - 1.0) * depth * part for part in n)
@@ -70,7 +70,7 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
                     "them in proportion to their inverse masses."),
             (-share * depth, "The move of a has the wrong sign, so the particles overlap even "
                              "more. The normal points from b to a, so a must move along +n."),
-            (0.0, "The position of a did not change. Add the move of a to its position."),
+            (0.0, "The position of a didn't change. Add the move of a to its position."),
         ]  # fmt: skip
         both = first != wall and second not in (wall, None)
         moved = [(tuple(x + s * y for x, y in zip(p, n, strict=True)), why) for s, why in mistakes]
@@ -109,7 +109,7 @@ def test_what_is_not_in_each_other_is_not_moved(rng: Random) -> None:
         (-0.125, 2.0, gap),
         (-1e-10, 2.0, gap),
         (1.0, math.inf, "Both particles are immovable, so the sum of their inverse masses is 0. "
-                        "Return two zero vectors before you divide by this sum."),
+                        "Return two zero vectors before you divide by it."),
     ):  # fmt: skip
         about.cause = cause
         about.call = f"a and b of {mass} kg; c = Contact(a, b, Vector3{n}, 0.5, {depth}); moves = "
@@ -132,8 +132,8 @@ def test_what_is_not_in_each_other_is_not_moved(rng: Random) -> None:
         about.cause += "you have moved something."
         expect_close(got, depth, then="; c.penetration")
         moves[0].x += 1.0
-        about.cause = "Both moves are the same Vector3 object, so changing one changes the other "
-        about.cause += "as well. Return two separate vectors."
+        about.cause = "Both moves are the same Vector3 object, so changing one changes the other. "
+        about.cause += "Return two separate vectors."
         got = xyz(moves[1])
         expect_close(got, ZERO, then="; moves[0].x += 1; moves[1]")
     about.call = f"a and b of 2 kg; c = Contact(a, b, Vector3{n}, 0.5, 0.5); "
@@ -159,8 +159,8 @@ def test_the_moves_are_vectors_of_their_own(rng: Random) -> None:
     p, q, n = components(rng), components(rng), direction(rng)
     about.call = f"a at {p}; c = Contact(a, None, Vector3{n}, 0.5, 1.0); moves = "
     about.call += "c.resolve_penetration(); moves[0].x += 1; moves[1].x += 1"
-    separate = "The caller may change the two returned vectors, so they must be new. Do not return "
-    separate += "the contact's normal or a particle's position itself, and do not change the "
+    separate = "The caller may change the two vectors that you return, so make them new. Don't "
+    separate += "return the contact's normal or a particle's position itself, and don't change the "
     separate += "normal."
     about.cause = separate
     a = Particle(Vector3(*p))

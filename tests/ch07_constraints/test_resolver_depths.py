@@ -62,7 +62,7 @@ def test_what_is_deepest_is_first() -> None:
             ((0.5, 0.0), "The left contact still has a depth of 0.5 m, although the middle ball "
                          "has moved 0.375 m into it. Update the other contacts after each move, "
                          "which the book's listing omits (E-8)."),
-            ((0.125, 0.0), "The left contact has become less deep, although the middle ball has "
+            ((0.125, 0.0), "The left contact has become shallower, although the middle ball has "
                            "moved into it. Check the sign of your update."),
             ((0.875, -0.75),
              "You updated the resolved contact twice. resolve_penetration has already set it to 0, "
@@ -199,7 +199,7 @@ def test_a_stack_of_three_settles() -> None:
     about.call = "three spheres of 1 kg, radius 0.5 m, stacked on the ground; 5 s of semi-implicit "
     about.call += "steps of 1/60 s with ContactResolver()"
     about.cause = "Two iterations per contact are enough for a stack of three spheres. If the "
-    about.cause += "stack sinks, one of the two phases stops too early, so check the limits."
+    about.cause += "stack sinks, one of the two phases stops too early. Check the limits."
     heights, overlap = stacked(3, 0.5, None, 300, 1.0 / 60.0)
     # Measured: at most 0.015 m of overlap, which is what two iterations per contact leave.
     expect_close(heights, (0.5, 1.5, 2.5), then=": heights", tolerance=0.02)

@@ -47,7 +47,9 @@ def test_without_an_impact_the_flight_is_exact(rng: Random) -> None:
         ((0.0, 9.0, 0.0),
          "The particle hasn't moved. When there are no more impacts in the step, move every "
          "particle to the end of the step."),
-        (without, "The term a t^2 / 2 is missing, as in explicit Euler. Use p + v t + a t^2 / 2."),
+        (without, (
+            "You left out the term a t^2 / 2, as explicit Euler does. Use p + v t + a t^2 / 2."
+        )),
         ((wanted[0], 9.0 + v[1] * h - 10.0 * h * h, wanted[2]),
          "Your step adds a t^2 to the position. The velocity grows from v to v + a t, so on "
          "average only half of that growth counts: the term is a t^2 / 2."),
@@ -76,7 +78,7 @@ def test_a_ball_bounces_when_it_is_due(rng: Random) -> None:
             times.append(t)
             t += 2.0 * e ** len(times)
         about.cause = "A step can contain several impacts. Move the particles to each impact, "
-        about.cause += "resolve its velocity, and ask for the next impact in the rest of the "
+        about.cause += "resolve its velocity, and ask for the next impact in what is left of the "
         about.cause += "step."
         seen, found, asked, _ = flown(
             [((0.0, 5.0, 0.0), ZERO, 2.0)], DOWN, 0.0, (e, None), h, frames

@@ -72,7 +72,7 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     score = 10 * rows + 50 * (3 - falls)
     points = 10 * rows
     missing = (
-        "The bonus is missing. When a landing visits the last row, add BONUS for each life that "
+        "You left out the bonus. When a landing visits the last row, add BONUS for each life that "
         "is left."
     )
     if won[0] == points and ruled(rows, order)[-1][0] != points:
@@ -265,8 +265,8 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
             "game.step(1/60), in which it lands: its velocity along Y, the score, and visited"
         )
         about.cause = (
-            "After run_physics, check landings.row. If it is not None, call "
-            "self.rules.landed(row) and set the vertical velocity of the ball to JUMP."
+            "After run_physics, check landings.row. If it is not None, call self.rules.landed(row) "
+            "and set the ball's vertical velocity to JUMP."
         )
         seen = played(1, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0))[-1]
         got = (seen["velocity"][1], seen["score"], *seen["visited"])

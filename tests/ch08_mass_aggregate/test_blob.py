@@ -204,8 +204,8 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     p, q = components(rng), components(rng)
     about.call = f"spread of a particle of mass {m} at {p} and one of mass {n} at {q}"
     about.cause = (
-        "Weight each squared distance from the center of mass by the mass of its particle. For "
-        "two particles the result is sqrt(m n) / (m + n) times the distance between them."
+        "Weight each squared distance from the center of mass by the particle's mass. For two "
+        "particles the result is sqrt(m n) / (m + n) times the distance between them."
     )
     wanted = math.sqrt(m * n) / (m + n) * math.dist(p, q)
     got = spread_of([p, q], [m, n])[0]
@@ -244,8 +244,8 @@ def test_a_spread_of_nothing_is_refused() -> None:
     )
     expect_error(lambda: spread([]), ValueError, call="spread([])", allowed=allowed)
     about.cause = (
-        "One of the particles is immovable, so its mass is infinite and the center of mass is not "
-        "defined. Raise ValueError."
+        "One of the particles is immovable, so its mass is infinite and the center of mass is "
+        "undefined. Raise ValueError."
     )
     for masses in ([1.0, math.inf], [math.inf, 1.0]):
         expect_error(

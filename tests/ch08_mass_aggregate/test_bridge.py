@@ -80,7 +80,7 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
     lengths = {"rod": "WIDTH", "cable": "CABLE_LENGTH", "support": "support_length(row number)"}
     about.cause = (
         f"This {'cable' if which != 'rod' else 'rod'} joins the right ends, but its length is "
-        f"wrong. The length must be {lengths[which]}."
+        f"wrong. It should be {lengths[which]}."
     )
     for (i, j, depth), (_, _, right) in zip(got, wanted, strict=True):
         # Lengths of some meters, rounded a few times.

@@ -208,7 +208,7 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
         expect_close(after, place, call=name, cause=moves, tolerance=0.0)
     about.cause = (
         "The particle is at the hub, or differs from it only along Z. Its spoke has no length in "
-        "the X-Y plane and therefore no direction, so add no force."
+        "the X-Y plane, and so no direction. Add no force."
     )
     start = about.call
     for place in (hub, (hub[0], hub[1], hub[2] + 1.0)):
@@ -241,8 +241,8 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
     inertia = math.fsum(m * (x * x + y * y) for m, (x, y) in parts)
     drifting = math.fsum(m * (x * drift[1] - y * drift[0]) for m, (x, y) in parts)
     mistakes = [
-        (-rate, "The sign is wrong. A counter-clockwise rotation is positive, so the angular "
-         "momentum is the sum of m (x v_y - y v_x)."),
+        (-rate, "The sign is wrong. A counter-clockwise rotation counts as positive, so the "
+                "angular momentum is the sum of m (x v_y - y v_x)."),
         (rate * inertia,
          "This is the angular momentum of the rim. Divide it by the moment of inertia, the sum of "
          "m (x^2 + y^2), to get the spin."),

@@ -116,8 +116,8 @@ def test_what_balances_a_platform(rng: Random) -> None:
     x = -math.copysign(positive_number(rng), turn)
     about(
         f"balancing_mass({masses}, {places}, {x})",
-        cause="The platform balances when the new "
-        "mass cancels the torque of the others. So the mass is -(sum of mass times position) / x.",
+        cause="The platform balances when the new mass cancels the torque of the others, so it is "
+        "-(sum of mass times position) / x.",
     )
     got = balancing_mass(masses, places, x)
     expect_close(got, -turn / x, tolerance=1e-12 * (1 - turn / x))
@@ -184,10 +184,10 @@ def test_what_cannot_be_balanced_is_refused() -> None:
         "is not valid. Check every position with finite from arguments.py."),
         ([1.0, math.inf], [-1.0, 2.0], -3.0, ValueError, "One of the masses is infinite, which is "
         "not valid. Check every mass with not_negative from arguments.py."),
-        ([1.0, 2.0], [-1.0, 2.0], -math.inf, ValueError, "The position x is infinite, which is not "
-        "valid. Check it with finite from arguments.py."),
-        ([1.0, 2.0], [-1.0, 2.0], math.nan, ValueError, "The position x is NaN, which is not "
-        "valid. Check it with finite from arguments.py."),
+        ([1.0, 2.0], [-1.0, 2.0], -math.inf, ValueError, "x is infinite, which is not valid. Check "
+                                                         "it with finite from arguments.py."),
+        ([1.0, 2.0], [-1.0, 2.0], math.nan, ValueError, "x is NaN, which is not valid. Check it "
+                                                        "with finite from arguments.py."),
         ([2.0, 1.0], [-1.0, 2.0], math.inf, ValueError, "The platform is already balanced, but x "
          "is infinite, which is never valid. Check x before you return 0."),
         ([1.0, 2.0], [1.0], -3.0, ValueError, "There are fewer positions than masses. Every mass "

@@ -103,7 +103,7 @@ def test_what_has_parted_is_no_group(rng: Random) -> None:
         elif any(seen[: last + 4]):
             why = (
                 "The slow particle falls asleep too early. A contact keeps it awake for "
-                "sleep_frames steps, and it touched the fast one within that time."
+                "sleep_frames steps, and it touched the fast one more recently than that."
             )
         expect_exactly(seen, wanted, cause=why)
     last = rng.randint(1, 2)

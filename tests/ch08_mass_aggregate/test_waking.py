@@ -119,7 +119,7 @@ def test_what_is_pushed_moves_in_that_frame(rng: Random) -> None:
         twice = tuple(2.0 * part for part in velocity)
         if any(velocity):
             seen = "The forces act twice, because they are still in the accumulator when the "
-            seen += "integrator adds them again. Clear the accumulator after the comparison."
+            seen += "integrator adds them again. Clear the accumulator after you have compared."
             blame(got, [(twice, seen)])
         expect_close(
             got, velocity, then=": velocity after the step in which it wakes", tolerance=1e-12

@@ -147,8 +147,8 @@ def test_contacts_are_those_of_every_generator(rng: Random) -> None:
     only += "contacts of all generators before you return."
     seen = cause_of(len(got), [(0, first), (count, only), (2 * count, only)], about.cause)
     expect_exactly(len(got), 3 * count, then=": how many", cause=seen)
-    order = "The contacts are in the wrong order. Go through contact_generators from the first "
-    order += "to the last, and append the contacts of each one."
+    order = "The contacts are in the wrong order. Go through contact_generators from first to "
+    order += "last, and append the contacts of each."
     runs = [round(depth, 9) for depth in got[::count]]
     expect_exactly(
         runs,
@@ -306,7 +306,7 @@ def test_all_contacts_are_resolved_at_once(rng: Random) -> None:
         f"three particles at a height of 1, with floors at {low} and at {high}; run_physics({h})"
     )
     about.cause = "Collect the contacts of all generators once. Then call "
-    about.cause += "resolver.resolve_contacts once, with all of these contacts and the duration."
+    about.cause += "resolver.resolve_contacts once, with all of them and the duration."
     done = frame(bodies, "run_physics", h, floors=[low, high], record=True)
     calls = [row for row in done["diary"] if row[0] == "resolve"]
     expect_exactly(len(calls), 1, then=": the number of calls of the resolver")

@@ -343,7 +343,7 @@ def test_a_turn_a_second_in_sixty_frames() -> None:
     why = named(length, about.cause, length_slips(math.tau, 1.0, 60))
     expect_close(length, 1.0856, then=", length", cause=why, tolerance=5e-5)
     about.cause = "Each step should rotate by w h, but it rotates by only 2 atan(w h / 2). The "
-    about.cause += "missing angle is the difference, for all steps together."
+    about.cause += "missing angle is the total difference over all steps."
     wanted = math.tau - 120.0 * math.atan(math.pi / 60.0)
     why = named(lag, about.cause, lag_slips(wanted, math.tau))
     expect_close(lag, wanted, then=", angle", cause=why, tolerance=TIGHT)
@@ -363,8 +363,8 @@ def test_what_the_step_of_the_book_lacks(rng: Random) -> None:
         near = 1e-10 * wanted
         why = named(length, about.cause, length_slips(speed, duration, steps_))
         expect_close(length, wanted, then=", length", cause=why, tolerance=near)
-        about.cause = "The missing angle is the intended angle w t minus the angle of all steps "
-        about.cause += "together, so it is negative for a negative speed."
+        about.cause = "The missing angle is the intended angle w t minus the total angle of all "
+        about.cause += "steps, so it is negative for a negative speed."
         why = named(lag, about.cause, lag_slips(missing, speed * duration))
         expect_close(lag, missing, then=", angle", cause=why, tolerance=1e-10)
 

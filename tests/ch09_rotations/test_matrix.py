@@ -218,8 +218,8 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
         "divided by the determinant."
     )
     small = (
-        "A matrix with small numbers is not singular. Compare the determinant with SINGULAR times "
-        "the product of the lengths of the rows."
+        "A matrix isn't singular just because its numbers are small. Compare the determinant with "
+        "SINGULAR times the product of the row lengths."
     )
     mirrored = (*m[3:6], *m[0:3], *m[6:9])  # its determinant has the other sign
     for rows, scale, how in (
@@ -289,9 +289,9 @@ def test_a_singular_matrix_has_no_inverse(rng: Random) -> None:
     expect_no_inverse((0.0,) * 9)
     expect_no_inverse((1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0))
     about.cause = (
-        "This matrix is singular, but because of rounding errors its determinant is not exactly 0. "
-        "It is about 1e-15 times the product of the lengths of the rows, so compare it with "
-        "SINGULAR times that product."
+        "This matrix is singular, but rounding errors keep its determinant from being exactly 0. "
+        "It is about 1e-15 times the product of the row lengths, so compare it with SINGULAR times "
+        "that product."
     )
     for scale in (1.0, 1e6):
         for _ in range(6):
@@ -314,8 +314,8 @@ def test_how_near_to_singular_is_too_near() -> None:
         )
         if not regular:
             about.cause = (
-                f"|determinant| is only {small} of the product of the lengths of the rows. That is "
-                "not more than 1e-13, so reject the matrix."
+                f"|determinant| is only {small} of the product of the row lengths. That is not "
+                "more than 1e-13, so reject the matrix."
             )
             expect_no_inverse(m)
             continue

@@ -178,11 +178,11 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
         "(E-13). Don't copy that listing."
     )
     tiny = (
-        "A matrix with small numbers is not singular. Call Matrix3.inverse on the nine numbers to "
-        "the left of the last column."
+        "A matrix isn't singular just because its numbers are small. Call Matrix3.inverse on the "
+        "nine numbers to the left of the last column."
     )
     zeros = (
-        "Zeros on the diagonal do not make a matrix singular. Call Matrix3.inverse on the nine "
+        "Zeros on the diagonal don't make a matrix singular. Call Matrix3.inverse on the nine "
         "numbers to the left of the last column."
     )
     for m, size, how in ((drawn, 1.0, listing), (small, 1e-7, tiny), (ring, 1.0, zeros)):
@@ -218,9 +218,9 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
                 "the result of the book's determinant, with a plus in place of a minus (E-28)": [
                     determinant(m) / printed_determinant(m) * component for component in a
                 ],
-                "This is the result of the book's listing. It reads entries that it has already "
-                "overwritten (E-30), so compute all entries "
-                "before you store them.": moved(*overwritten(m, p), there),
+                "This is the result of the book's listing, which reads entries that it has already "
+                "overwritten (E-30). Compute all entries before you store "
+                "them.": moved(*overwritten(m, p), there),
             }
             about.cause = named(got, about.cause, slips)
         expect_close(got, a, tolerance=LOOSE)

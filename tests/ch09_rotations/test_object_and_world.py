@@ -241,8 +241,8 @@ def test_any_matrix_in_any_axes(rng: Random) -> None:
     one, other = Matrix3(*m), Matrix3(*basis)
     about.call = f"change_basis({written(m)}, {written(basis)}) @ basis"
     about.cause = (
-        "The result is the product basis * m * basis^-1. The new axes need not be at right "
-        "angles, so use the inverse and not the transpose."
+        "The result is the product basis * m * basis^-1. The new axes don't have to be at right "
+        "angles, so use the inverse, not the transpose."
     )
     got = entries(change_basis(one, other))
     product = times(got, basis) if isinstance(got, tuple) and len(got) == 9 else got
@@ -284,8 +284,8 @@ def test_a_basis_must_fit(rng: Random) -> None:
     flat = Matrix3(*(0.0,) * 9)
     v = Vector3(1.0, 2.0, 3.0)
     sizes = (
-        "The two matrices have different sizes, so they cannot be multiplied. Check that type(m) "
-        "is type(basis), and raise TypeError."
+        "The two matrices have different sizes, so you can't multiply them. Check that type(m) is "
+        "type(basis), and raise TypeError."
     )
     none = (
         "One of the arguments is a vector, not a matrix. Check the types of both, and raise "

@@ -72,8 +72,8 @@ def test_near_which_length_it_is_a_turn(rng: Random) -> None:
         )
         if 0.0 < abs(length - 1.0) < 1e-5:
             about.cause += (
-                f" Here it is off by {abs(length - 1.0):.2g}. Compare the length and not its "
-                "square, which is off by twice as much."
+                f" Here it is off by {abs(length - 1.0):.2g}. Compare the length, not its square, "
+                "which is off by twice as much."
             )
         quaternion = Quaternion(*scaled)
         got = quaternion.is_unit()
@@ -184,8 +184,7 @@ def test_the_conjugate_turns_back(rng: Random) -> None:
     quaternion = Quaternion(*q)
     about.call = f"q = Quaternion{q}; q.conjugate()"
     about.cause = (
-        "The conjugate has the same r, but the signs of i, j and k are reversed. Return it as a "
-        "new quaternion."
+        "The conjugate keeps r and reverses the signs of i, j and k. Return it as a new quaternion."
     )
     got = rijk(quaternion.conjugate())
     r, i, j, k = q

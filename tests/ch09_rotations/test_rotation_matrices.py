@@ -171,8 +171,8 @@ def test_ninety_degrees_about_each_axis() -> None:
     about.read = FROM
     half = math.sqrt(0.5)
     about.cause = (
-        "The columns of the matrix are the axes X, Y and Z after the rotation. Compare each "
-        "column with the axis that it should be."
+        "The columns of the matrix are the axes X, Y and Z after the rotation. Compare each column "
+        "with the axis that it should match."
     )
     for q, axes, wanted in (
         ((half, half, 0.0, 0.0), "X", (1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0)),
@@ -209,7 +209,7 @@ def test_no_matrix_of_what_is_no_turn(rng: Random) -> None:
     about.read = "the docstring of from_quaternion"
     q = draw_quad(rng)
     about.cause = (
-        "The length of this quaternion is not 1. Call is_unit() first, which accepts rounding "
+        "The length of this quaternion is not 1. Call is_unit() first, which allows rounding "
         "errors of up to 1e-6."
     )
 
@@ -289,7 +289,7 @@ def test_back_from_a_matrix(rng: Random) -> None:
     expect_back(quad(components(rng), -0.9))
     about.cause = (
         "This matrix is a rotation, although the product of its diagonal is negative. Check it "
-        "with is_rotation(), which uses the whole determinant."
+        "with is_rotation(), which uses the full determinant."
     )
     expect_back(quad((2.0, 2.1, 1.0), 3.0))
 
@@ -322,7 +322,7 @@ def test_back_from_a_half_turn(rng: Random) -> None:
 @pytest.mark.exercise("B9.13")
 def test_what_comes_back_has_length_one(rng: Random) -> None:
     cause = (
-        "The matrix may differ slightly from a rotation. Normalize the quaternion, so that its "
+        "The matrix may be slightly off from a rotation. Normalize the quaternion, so that its "
         "length is 1."
     )
     about(cause=cause, read=TO)

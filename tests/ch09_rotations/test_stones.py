@@ -259,7 +259,7 @@ def test_a_box_of_nothing_has_no_center(rng: Random) -> None:
         ("masses_beside", masses_beside, (0.3,)),
     )
     about.cause = (
-        "These stones have no center of mass. Pass all of them to center_of_mass, which raises the "
+        "These stones have no center of mass. Pass them all to center_of_mass, which raises the "
         "error for you."
     )
     for name, function, more in calls:

@@ -198,7 +198,7 @@ def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
         expect_close(turn, angle, then="the angle", cause=why, tolerance=TIGHT)
         slips = {
             "The axis points the wrong way for this angle.": [-c for c in wanted],
-            "This is (i, j, k), which has not been normalized.": (i, j, k),
+            "This is (i, j, k) without normalizing it.": (i, j, k),
         }
         why = named(got, about.cause, slips)
         expect_close(got, wanted, then="the axis", cause=why, tolerance=TIGHT)
@@ -300,8 +300,8 @@ def test_each_axis_is_a_new_vector() -> None:
 def expect_unit_wanted(what: str, use: object, q: Quad, read: str) -> None:
     """Expect a quaternion to be refused if its length is off by 2e-6, but not by 5e-7."""
     about(
-        cause="The length of this quaternion is not 1. Call is_unit() first, which accepts "
-        "rounding errors of up to 1e-6.",
+        cause="The length of this quaternion is not 1. Call is_unit() first, which allows rounding "
+        "errors of up to 1e-6.",
         read=read,
     )
     for length in (1.0 + 2e-6, 1.0 - 2e-6, 0.0, 2.0, math.nan):

@@ -159,14 +159,14 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
             ),
             (
                 2.0,
-                "The damping outweighs the pull here, so their sum would push. A rope cannot push, "
-                "so don't add any force in this case.",
+                "The damping outweighs the pull here, so their sum would push. A rope can't push, "
+                "so don't add any force here.",
             ),
             (
                 1.001,
                 (
                     "The damping slightly outweighs the pull here, so their sum would push a "
-                    "little. A rope cannot push at all, so don't add any force in this case."
+                    "little. A rope can't push at all, so don't add any force here."
                 ),
             ),
         ):
@@ -185,7 +185,7 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
                 ],
                 (
                     "The damping is so large here that your rope pushes. A rope can only pull, so "
-                    "don't add any force in this case."
+                    "don't add any force here."
                 ): [-k * extension * (1.0 - share) * part for part in d],
                 "Your damping uses only p's velocity, but q's motion changes the length too. "
                 "Subtract q's velocity from "

@@ -78,8 +78,8 @@ def test_the_three_cases_by_known_values() -> None:
         "t) + e^(-gamma t).": math.exp(-1.0) * (1.0 + 20.0 / over) * math.sinh(0.05 * over),
         "You left out the second term. Multiply e^(-half t) by cosh(gamma t) plus half sinh(gamma "
         "t) / gamma.": math.exp(-1.0) * math.cosh(0.05 * over),
-        "You used cos and sin for an over-damped spring. It does not oscillate, so use cosh and "
-        "sinh there.": math.exp(-1.0)
+        "You used cos and sin for an over-damped spring. It doesn't oscillate, so use cosh and "
+        "sinh instead.": math.exp(-1.0)
         * (math.cos(0.05 * over) + 20.0 / over * math.sin(0.05 * over)),
     }
     for c, t, x, cause in (

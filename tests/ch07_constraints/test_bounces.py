@@ -50,7 +50,7 @@ def test_restitution_is_a_root(rng: Random) -> None:
              "This is the ratio of the heights. Height grows with the square of the speed, so take "
              "the square root of the ratio."),
             (1.0 / wanted, "Your ratio is upside down, so the restitution is above 1, as if the "
-                           "ball bounced higher than it was dropped from. Divide bounce_height by "
+                           "ball bounced above its starting height. Divide bounce_height by "
                            "initial_height."),
         ]  # fmt: skip
         blame(got, mistakes)
@@ -73,7 +73,7 @@ def test_a_drop_needs_heights_that_mean_something() -> None:
         ValueError,
         call="restitution_of_drop(2, 2.5)",
         allowed=lambda: restitution_of_drop(2, 2),
-        cause="A ball cannot bounce higher than the height it was dropped from, so one of the two "
+        cause="A ball can't bounce above the height it was dropped from, so one of the two heights "
         "must be wrong. Raise ValueError.",
     )
 

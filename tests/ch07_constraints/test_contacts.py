@@ -209,8 +209,8 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
         (0.4 * G * h, 0.0,
          "The time step added more than the whole closing speed, so nothing is left to bounce. "
          "Never return less than 0, or the particles would move into each other."),
-        (5.0, c * (5.0 - G * h), "Of the 5 m/s, 0.1962 m/s was added by the time step itself. Only "
-                                 "the rest should bounce, so return c (-v_s + a . n h)."),
+        (5.0, c * (5.0 - G * h), "The time step itself added 0.1962 of the 5 m/s. Only the rest "
+                                 "should bounce, so return c (-v_s + a . n h)."),
     ):  # fmt: skip
         about.cause = cause
         size = math.hypot(*pull)

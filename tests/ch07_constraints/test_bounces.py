@@ -309,8 +309,8 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
         expect_unchanged("f", xyz(force), f, cause=kept)
     about.call = f"f = Vector3{f}; force_for_frame(f, 1.0, 1.0).x += 1.0"
     about.cause = (
-        "You returned the vector that was passed in. Return a new one, even if the force keeps its "
-        "size, so that changing one doesn't change the other."
+        "You returned the vector that was passed in. Return a new vector, even if the force keeps "
+        "its size, so that changing one doesn't change the other."
     )
     force = Vector3(*f)
     force_for_frame(force, 1.0, 1.0).x += 1.0

@@ -227,8 +227,8 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
     about.call = "7 planks of 2 kg, hang_bridge(registry, planks, 3, 200, 20); load_bridge(planks, "
     about.call += "3, 100) in every frame, 20 s: the pull of all hangers together"
     about.cause = (
-        "By the end the bridge is at rest, so the hangers together should pull with the weight of "
-        "the planks plus that of the walker."
+        "By the end the bridge is at rest, so the total pull of the hangers should equal the "
+        "weight of the planks plus that of the walker."
     )
     ends = settled_bridge(places, (3.0, 200.0, 20.0), 2.0, (3.0, 100.0), 1200)
     up = math.fsum(

@@ -213,14 +213,14 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
         (
             1023.0 / 1024.0 * length,
             [(0, other, n, 0.0, length / 1024.0)],
-            "This rod is stretched, however slightly, so it pulls. The normal should point from a "
-            "to the other end.",
+            "This rod is slightly stretched, so it pulls. The normal should point from a to the "
+            "other end.",
         ),
         (
             1025.0 / 1024.0 * length,
             [(0, other, back, 0.0, length / 1024.0)],
-            "This rod is compressed, however slightly, so it pushes. The normal should point away "
-            "from the other end.",
+            "This rod is slightly compressed, so it pushes. The normal should point away from the "
+            "other end.",
         ),
         (
             length,

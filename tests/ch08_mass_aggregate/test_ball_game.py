@@ -77,7 +77,7 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
     )
     if won[0] == points and ruled(rows, order)[-1][0] != points:
         missing = (
-            "The game is not won here, although it is if the ball never falls. A fall must not "
+            "Your game is not won here, although it would be without the fall. A fall must not "
             "remove rows from visited, or the player would have to visit them again."
         )
     mistakes = [

@@ -153,11 +153,11 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
              "You dropped no time, so the next call would have to catch up. Subtract the time of "
              "all whole steps that are still due from self.left."),
             ((left, dropped / STEP),
-             "Your dropped is a number of steps. It should be a time in seconds, so multiply the "
-             "number of steps by the duration."),
+             "self.dropped holds a number of steps. It should be a time in seconds, so multiply "
+             "the number of steps by the duration."),
             ((left, STEP),
-             "Your dropped contains only the time that the last call dropped. It should be the "
-             "total over all calls, so add to it instead of replacing it."),
+             "self.dropped holds only the time that the last call dropped. It should be the total "
+             "over all calls, so add to it instead of replacing it."),
         ]  # fmt: skip
         seen = cause_of(row[1:], mistakes, about.cause)
         expect_close(

@@ -247,7 +247,7 @@ def test_what_fell_asleep_as_one_wakes_as_one() -> None:
     expect_exactly(before, [0, 1], then=": who slept before")
     about.cause = "Ball 0 wakes when it is moved, so ball 1 should wake with it and fall. In "
     about.cause += "fall_asleep, store the neighbors that touch a particle in its Sleep, and let "
-    about.cause += "wake pass on to them."
+    about.cause += "wake continue with them."
     expect_exactly(1 in after, False, then=": does ball 1 still sleep")
     expect_close(speed, -1.0, then=": the vertical velocity of ball 1", tolerance=0.01)
     for pairs in ([(1, 0), (0, 2), (3, 0)], [(0, 1), (2, 0), (0, 3)]):
@@ -339,7 +339,7 @@ def test_sleep_changes_no_rest() -> None:
     about.call = "two balls bounce until they rest, by run_physics(): their positions, compared "
     about.call += "with a run without sleep"
     about.cause = "You put a ball to sleep while it was still moving, so it stopped too early. "
-    about.cause += "Only let particles sleep that have come to rest."
+    about.cause += "Only particles that have come to rest should fall asleep."
     places, awake, sleepers = both_ways(360)
     for got, wanted in zip(places, awake, strict=True):
         # A ball that falls asleep has at most 0.17 m/s. Damping of 0.5 would stop it within 0.25 m.

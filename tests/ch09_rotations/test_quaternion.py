@@ -215,7 +215,7 @@ def test_the_table_of_i_j_and_k() -> None:
     }
     about.cause = (
         "The rules are i i = j j = k k = -1, i j = k, j k = i and k i = j. If you swap two "
-        "different factors, their product changes its sign."
+        "different factors, their product changes sign."
     )
     products = []
     for first, a in units.items():

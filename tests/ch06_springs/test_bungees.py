@@ -62,17 +62,18 @@ def test_a_stretched_rope_pulls(rng: Random) -> None:
             wanted = tuple(-k * extension * part for part in d)
             slips = {
                 (
-                    "The force pushes, but a stretched rope must pull. The book's listing uses k "
-                    "(l0 - l), which has the wrong sign (E-4). Another possible reason is that "
-                    "your offset points in the opposite direction."
+                    "The force pushes, but a stretched rope must pull. Perhaps you used k (l0 - l) "
+                    "from the book's listing, which has the wrong sign (E-4), or your offset "
+                    "points the wrong way."
                 ): [-part for part in wanted],
                 "The force is zero, but this rope is longer than its rest length, so it must pull. "
-                "Check the condition with which your code recognizes a slack rope.": ZERO,
-                "The force is -k l d^, as if the rest length were 0. Only the extension counts, "
-                "so subtract the rest length from "
-                "the length.": [-k * (rest + extension) * part for part in d],
-                "The force is multiplied by the whole offset, so a long rope is too strong. Use "
-                "the unit vector along the offset.": [part * (rest + extension) for part in wanted],
+                "Check the condition that your code uses to detect a slack rope.": ZERO,
+                "Your force is -k l d^, as if the rest length were 0. Only the extension counts, "
+                "so subtract the rest length from the "
+                "length.": [-k * (rest + extension) * part for part in d],
+                "You multiplied the force by the whole offset, so a long rope pulls too hard. "
+                "Multiply by the unit vector along the offset "
+                "instead.": [part * (rest + extension) for part in wanted],
             }
             blame(got, slips)
             # The offset is read from positions up to 20 m, so it is some 1e-15 m off.
@@ -92,21 +93,21 @@ def test_a_slack_rope_does_nothing(rng: Random) -> None:
             (
                 0.5,
                 0.0,
-                "This rope is shorter than its rest length, so it is slack. A Bungee never "
-                "pushes, so it must add no force here.",
+                "This rope is shorter than its rest length, so it is slack. A Bungee never pushes, "
+                "so don't add any force here.",
             ),
             (
                 0.9,
                 5.0,
-                "A slack rope exerts no force at all, so it has no damping either, however "
-                "fast its ends separate.",
+                "A slack rope exerts no force at all, not even damping, however fast its ends are "
+                "moving apart.",
             ),
             (
                 0.0,
                 5.0,
                 (
                     "Both ends are at the same position, so the rope is slack and has no "
-                    "direction. It must not add a force."
+                    "direction. Don't add any force."
                 ),
             ),
         ):
@@ -119,14 +120,14 @@ def test_a_slack_rope_does_nothing(rng: Random) -> None:
             expect_close(got, ZERO)
         about.call, bungee, p = rope(kind, STILL, (2.0, 0.0, 0.0), (5.0, 0.0, 0.0), (3.0, 2.0, 3.0))
         about.cause = (
-            "At exactly its rest length a rope is still slack, so there is no damping either. "
-            "Compare with > instead of >=."
+            "At exactly its rest length a rope is still slack, so it doesn't damp the motion "
+            "either. Compare with > instead of >=."
         )
         bungee.update_force(p, 0.5)
         expect_close(xyz(p.force_accumulator), ZERO)
         about.cause = (
-            "The rope was slack and is now longer than its rest length. It must pull again, so do "
-            "not store that it was slack."
+            "The rope was slack but is now stretched again, so it should pull. Don't remember from "
+            "an earlier call that it was slack."
         )
         offset = tuple(2.0 * rest * part for part in d)
         about.call, bungee, p = rope(kind, base, offset, STILL, (k, rest, 0.0))
@@ -148,24 +149,24 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
         for share, cause in (
             (
                 -1.0,
-                "This rope is getting longer. Damping opposes that, so it adds to the pull, "
-                "and the force is -(k x + c l') d^ with the extension x.",
+                "This rope is getting longer. Damping resists that by adding to the pull, so the "
+                "force is -(k x + c l') d^, where x is the extension.",
             ),
             (
                 0.5,
-                "This rope is getting shorter. Damping opposes that, so it reduces the pull, and "
-                "the force is -(k x + c l') d^ with the extension x.",
+                "This rope is getting shorter. Damping resists that by reducing the pull, so the "
+                "force is -(k x + c l') d^, where x is the extension.",
             ),
             (
                 2.0,
-                "The damping is larger than the pull here, so the sum of the two would push. A "
-                "rope cannot push, so add no force in this case.",
+                "The damping outweighs the pull here, so their sum would push. A rope can't push, "
+                "so don't add any force here.",
             ),
             (
                 1.001,
                 (
-                    "The damping is slightly larger than the pull here, so the sum would push a "
-                    "little. A rope cannot push at all, so add no force in this case."
+                    "The damping slightly outweighs the pull here, so their sum would push a "
+                    "little. A rope can't push at all, so don't add any force here."
                 ),
             ),
         ):
@@ -179,15 +180,16 @@ def test_damping_of_a_rope_never_makes_it_push(rng: Random) -> None:
             wanted = tuple(-left * part for part in d)
             own = sum(part * u for part, u in zip(d, xyz(p.velocity), strict=True))
             slips = {
-                "The damping has no effect on the force. Add the term -c l', which acts along the "
-                "rope.": [-k * extension * part for part in d],
+                "Your force ignores the damping. Add the term -c l', which acts along the rope.": [
+                    -k * extension * part for part in d
+                ],
                 (
-                    "The damping is so large here that the rope pushes. A rope can only pull, so "
-                    "add no force in this "
-                    "case."
+                    "The damping is so large here that your rope pushes. A rope can only pull, so "
+                    "don't add any force here."
                 ): [-k * extension * (1.0 - share) * part for part in d],
-                "The damping uses only p's velocity, but the length also changes when q moves. "
-                "Subtract q's velocity.": [-(k * extension + c * own) * part for part in d],
+                "Your damping uses only p's velocity, but q's motion changes the length too. "
+                "Subtract q's velocity from "
+                "p's.": [-(k * extension + c * own) * part for part in d],
             }
             blame(got, slips)
             expect_close(got, wanted, tolerance=1e-11)
@@ -198,8 +200,8 @@ def test_a_rope_acts_on_its_particle_beside_other_forces(rng: Random) -> None:
     about.read = "the docstring of Bungee"
     f = components(rng)
     about.cause = (
-        "A Bungee acts on one particle only. Add the pull to the forces that p already has, and "
-        "leave the other end unchanged."
+        "A Bungee acts on one particle only. Add its pull to the forces already on p, and leave "
+        "the other end alone."
     )
     about.call = f"p at (0, -3, 0); q at (0, 0, 0); p.add_force(Vector3{f}); Bungee(q, 2.0, "
     about.call += "1.0).update_force(p, 0.5)"
@@ -215,7 +217,7 @@ def test_a_rope_acts_on_its_particle_beside_other_forces(rng: Random) -> None:
         about.call = f"p at (0, -3, 0); p.add_force(Vector3{f}); b = {kind}(..., 2.0, 1.0), its "
         about.call += "other end at (0, 0, 0); b.update_force(p, 0.5)"
         about.cause = (
-            "The forces that were already on p are lost. Call add_force, which adds the pull to "
+            "The forces that were already on p are gone. Call add_force, which adds the pull to "
             "them."
         )
         p.add_force(Vector3(*f))
@@ -227,9 +229,9 @@ def test_a_rope_acts_on_its_particle_beside_other_forces(rng: Random) -> None:
         about.call += "has "
         about.call += "(0, -1, 0) more velocity; b.update_force(p, 0.5)"
         about.cause = (
-            "The attributes of the bungee have changed since the last call, so the pull is now 3 "
-            "(3 - 2) + 0.5 * 1. Read the attributes in every call instead of storing what follows "
-            "from them."
+            "The check has changed the bungee's attributes since the last call, so the pull is now "
+            "3 (3 - 2) + 0.5 * 1. Read the attributes on every call instead of caching anything "
+            "computed from them."
         )
         p.clear_forces()
         p.velocity = p.velocity + Vector3(0.0, -1.0, 0.0)

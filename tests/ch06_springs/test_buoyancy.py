@@ -23,8 +23,8 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
     density, g = positive_number(rng, 800.0, 1250.0), positive_number(rng, 5.0, 20.0)
     full = density * volume * g
     about.cause = (
-        "The lift is rho V g, upward, times the submerged fraction (y_w + s - y) / (2 s). Check "
-        "the parentheses."
+        "The lift is the submerged fraction (y_w + s - y) / (2 s) times rho V g, and it points up. "
+        "Check your parentheses."
     )
     came = {}
     for share in (0.25, 0.75, 0.5, 0.01):
@@ -38,55 +38,57 @@ def test_the_lift_grows_with_the_share_under_water(rng: Random) -> None:
     unit, pushed = full / g, s * s  # what / 2 * s makes of a share
     pairs = {  # the lifts at the first two shares
         (
-            "There is no lift, because the signs in the book, (y - y_w - s), make the submerged "
-            "fraction negative (E-5). Use (y_w + s - y) instead."
+            "There is no lift, because the book's (y - y_w - s) has the wrong signs and makes the "
+            "submerged fraction negative (E-5). Use (y_w + s - y) instead."
         ): (0.0, 0.0),
-        "The force points down, because the signs in the book, (y - y_w - s), are wrong (E-5). Use "
+        "The force points down, because the book's (y - y_w - s) has the wrong signs (E-5). Use "
         "(y_w + s - y) instead.": (
             -0.25 * full,
             -0.75 * full,
         ),
-        "The force follows the listing in the book, which contains three errors (E-5): its signs "
-        "are wrong, it divides by 2 and multiplies by s, and it leaves out g.": (
+        "You followed the book's listing, which contains three errors (E-5): it has the wrong "
+        "signs, it multiplies by s where it should divide, and it leaves out g.": (
             -0.25 * pushed * unit,
             -0.75 * pushed * unit,
         ),
-        "Your code divides by 2 and then multiplies by s, like the listing in the book, which "
-        "lacks parentheses (E-5). Divide by (2 * s) instead.": (
+        "Your code divides by 2 and then multiplies by s, because the book's listing lacks "
+        "parentheses (E-5). Divide by (2 * s) instead.": (
             min(0.25 * pushed, 1.0) * full,
             min(0.75 * pushed, 1.0) * full,
         ),
-        "The factor g is missing, as in the listing in the book (E-5), so the result is a mass in "
-        "kg and not a force. Multiply it by self.gravity.": (
+        "The factor g is missing, as it is in the book's listing (E-5), so your result is a mass "
+        "in kg rather than a force. Multiply it by self.gravity.": (
             0.25 * unit,
             0.75 * unit,
         ),
-        "Your lift is divided by the mass. The integrator divides by the mass later, so add the "
-        "force itself.": (
+        "You divided the lift by the mass. The integrator does that later, so add the force "
+        "itself.": (
             0.25 * full / 3.0,
             0.75 * full / 3.0,
         ),
-        "Your lift is multiplied by the mass of the body. The lift depends only on the displaced "
+        "You multiplied the lift by the mass of the body. Lift depends only on the displaced "
         "water, so leave the mass out.": (
             0.75 * full,
             2.25 * full,
         ),
-        "Your lift uses g = 9.81, but this Buoyancy was created with another value. Use "
-        "self.gravity.": (0.25 * unit * 9.81, 0.75 * unit * 9.81),
-        "Your lift uses the density of water, but this Buoyancy was created for another liquid. "
-        "Use self.liquid_density.": (
+        "You used g = 9.81, but this Buoyancy has a different value. Use self.gravity.": (
+            0.25 * unit * 9.81,
+            0.75 * unit * 9.81,
+        ),
+        "You used the density of water, but this Buoyancy is for a different liquid. Use "
+        "self.liquid_density.": (
             250.0 * volume * g,
             750.0 * volume * g,
         ),
-        "Your code divides by s, but max_depth is only half of the height of the body. Divide by "
-        "the whole height, 2 s.": (
+        "You divided by s, but max_depth is only half the height of the body. Divide by the full "
+        "height, 2 s.": (
             0.5 * full,
             full,
         ),
-        "Your depth is y_w - y, measured from the center of the body. Its lowest point is "
+        "Your depth is y_w - y, which is how deep the center of the body is. Its lowest point is "
         "max_depth deeper, so add max_depth.": (0.0, 0.25 * full),
-        "Your lift is either complete or zero. It must grow with the submerged fraction while the "
-        "body is partly under water.": (
+        "Your lift is all or nothing. While the body is partly under water, the lift should grow "
+        "with the submerged fraction.": (
             0.0,
             full,
         ),
@@ -108,26 +110,26 @@ def test_out_of_the_water_there_is_no_lift_and_deep_in_it_no_more(rng: Random) -
         (
             surface + 1.5 * s,
             0.0,
-            "The body is completely above the water, so there is neither a lift nor a downward "
-            "force. Limit the submerged fraction to 0 or more.",
+            "The body is completely out of the water, so there should be no force at all, up or "
+            "down. Clamp the submerged fraction so that it never drops below 0.",
         ),
         (
             surface + 50.0,
             0.0,
-            "The body is high above the water, so there is no lift. Limit the "
-            "submerged fraction to 0 or more.",
+            "The body is high above the water, so there should be no lift. Clamp the submerged "
+            "fraction so that it never drops below 0.",
         ),
         (
             surface - 1.5 * s,
             1.0,
-            "The whole body is under water, so the submerged fraction must be 1 and the lift must "
-            "be the full rho V g.",
+            "The whole body is under water, so the submerged fraction is 1 and the lift is the "
+            "full rho V g.",
         ),
         (
             surface - 50.0,
             1.0,
-            "The submerged fraction is at most 1, so the lift never exceeds "
-            "rho V g, however deep the body is.",
+            "The lift never exceeds rho V g, however deep the body is. Clamp the submerged "
+            "fraction to at most 1.",
         ),
     ):
         about.cause = cause
@@ -137,7 +139,7 @@ def test_out_of_the_water_there_is_no_lift_and_deep_in_it_no_more(rng: Random) -
         wanted = (0.0, share * 1000.0 * volume * 9.81, 0.0)
         expect_close(xyz(p.force_accumulator), wanted, then="; p.force_accumulator")
     about.call = f"p at (0, {surface}, 0); Buoyancy({s}, {volume}, {surface}).update_force(p, 0.5)"
-    about.cause = "Half of the body is under water here, so it must get half of the full lift."
+    about.cause = "Half of the body is under water here, so it should get half of the full lift."
     p = Particle(Vector3(0.0, surface, 0.0))
     Buoyancy(s, volume, surface).update_force(p, 0.5)
     wanted = (0.0, 0.5 * 1000.0 * volume * 9.81, 0.0)
@@ -149,8 +151,8 @@ def test_out_of_the_water_there_is_no_lift_and_deep_in_it_no_more(rng: Random) -
 def test_lift_is_the_weight_of_the_water_in_newtons() -> None:
     about("p at (0, 0, 0); Buoyancy(0.5, 0.001, 0, gravity=10).update_force(p, 0.5)", read=READ)
     about.cause = (
-        "The body displaces half a liter of water, which weighs 5 N if g is 10, so the lift rho V "
-        "g must be 5 N. If your result is 0.5, the factor g is missing, as in the book's listing "
+        "The body displaces half a liter of water, which weighs 5 N with g = 10, so the lift rho V "
+        "g should be 5 N. If you got 0.5, you left out the factor g, as the book's listing does "
         "(E-5)."
     )
     p = Particle()
@@ -167,8 +169,8 @@ def test_buoyancy_adds_to_other_forces_and_reads_its_attributes(rng: Random) -> 
     about.call += "b.water_height = 9; b.volume = 3; b.liquid_density = 500; b.gravity = 2; "
     about.call += "b.max_depth = 18; b.update_force(p, 0.5); p.force_accumulator"
     about.cause = (
-        "The attributes have changed since the last call, so read them in each call. Use "
-        "add_force, which keeps the forces that are already on the particle."
+        "The check has changed the attributes since the last call, so read them on every call. And "
+        "use add_force, which keeps the forces that are already on the particle."
     )
     p, b = Particle(mass=4.0), Buoyancy(1.0, 2.0, 0.0, 1000.0, 10.0)
     p.add_force(Vector3(*f))

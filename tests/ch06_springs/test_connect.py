@@ -48,27 +48,26 @@ def test_a_connection_serves_both_ends(rng: Random) -> None:
         b = Particle(Vector3(*there), Vector3(*w), mass=5.0)
         name = f"{about.call}.update_force({end}, 0.5)"
         about.cause = (
-            "The force on a is the spring_force with a's position and velocity relative to b, "
-            f"whichever end the registry passes (here {end})."
+            "The force on a is spring_force for a's position and velocity relative to b, whichever "
+            f"end the registry passes (here {end})."
         )
         Connection(a, b, *numbers).update_force(a if end == "a" else b, 0.5)
         on_a, on_b = xyz(a.force_accumulator), xyz(b.force_accumulator)
         k, rest, _ = numbers
         both = tuple(p + q for p, q in zip(v, w, strict=True))
         slips = {
-            "The force is half of what it should be. Both ends get the whole spring_force, in "
-            "opposite directions, so do not split it.": [0.5 * part for part in wanted],
-            "The damping has no effect on the force. Add the term -c l', which acts along the "
+            "The force is half of what it should be. Don't split it between the ends: each gets "
+            "the whole spring_force, in opposite directions.": [0.5 * part for part in wanted],
+            "Your force ignores the damping. Add the term -c l', which acts along the "
             "spring.": tension(here, v, there, w, (k, rest, 0.0)),
             "Your force uses the sum of the two velocities. The rate at which the length changes "
             "depends on their difference, so subtract "
             "b's velocity from a's.": tension(here, both, there, ZERO, numbers),
-            "Your offset is b's position minus a's, so the spring pulls where it should push. Use "
+            "Your offset is b's position minus a's, so the spring pulls when it should push. Use "
             "a's position minus b's.": tension(there, v, here, w, numbers),
             (
-                "The result is the force on b. The force on a must be the same whichever end is "
-                "passed to update_force, so always use a's position minus "
-                "b's."
+                "This is the force on b. The force on a is the same whichever end is passed to "
+                "update_force, so always use a's position minus b's."
             ): [-part for part in wanted],
             "The force on a is still zero. Call a.add_force with the spring force.": ZERO,
         }
@@ -76,14 +75,14 @@ def test_a_connection_serves_both_ends(rng: Random) -> None:
         # A few roundings of numbers up to 500.
         expect_close(on_a, wanted, call=f"{name}; a.force_accumulator", tolerance=1e-11)
         about.cause = (
-            "Every force has an equal and opposite reaction. Add exactly the opposite of the "
-            "force on a to b, so that momentum is conserved."
+            "Every force has an equal and opposite reaction. Apply exactly the opposite of a's "
+            "force to b, so that momentum is conserved."
         )
         blame(
             on_b,
             {
-                "Both ends get the same force, so the spring would push the whole pair along. Add "
-                "the opposite of the force on a to b.": on_a,
+                "Both ends get the same force, so the spring would push the whole pair along. "
+                "Apply the opposite of a's force to b.": on_a,
                 "The force on b is still zero. Call b.add_force with the opposite of the force on "
                 "a.": ZERO,
             },
@@ -101,8 +100,7 @@ def test_a_compressed_connection_pushes_its_ends_apart(rng: Random) -> None:
     about.call = f"a at {offset}, b at (0, 0, 0); b.add_force(Vector3{f}); a.add_force(Vector3(1, "
     about.call += f"2, 3)); Connection(a, b, {k}, {rest}).update_force(a, 0.5)"
     about.cause = (
-        "This connection is shorter than its rest length, so it must push both ends away from each "
-        "other."
+        "This connection is shorter than its rest length, so it should push its two ends apart."
     )
     a, b = Particle(Vector3(*offset)), Particle()
     b.add_force(Vector3(*f))
@@ -114,16 +112,16 @@ def test_a_compressed_connection_pushes_its_ends_apart(rng: Random) -> None:
     blame(
         got,
         {
-            "The extension is abs(l - l0), as in the book's listing (E-3), so a compressed spring "
-            "pulls instead of pushing. Remove abs to keep the sign of the extension.": pulled
+            "Your extension is abs(l - l0), as in the book's listing (E-3), so a compressed spring "
+            "pulls instead of pushing. Remove abs to keep the sign.": pulled
         },
     )
     expect_close(got, wanted, then="; a.force_accumulator", tolerance=1e-12)
     wanted = tuple(g - 0.6 * k * rest * part for g, part in zip(f, d, strict=True))
     got = xyz(b.force_accumulator)
     about.cause = (
-        "The force on b is wrong. If the forces that b already had are lost, use add_force, which "
-        "adds to them."
+        "The force on b is wrong. If you lost the forces that were already on b, call add_force, "
+        "which adds to them."
     )
     expect_close(got, wanted, then="; b.force_accumulator", tolerance=1e-12)
 
@@ -136,7 +134,7 @@ def test_connected_ends_at_one_place_feel_nothing(rng: Random) -> None:
     about.call += "c.update_force(a, 0.5)"
     about.cause = (
         "Both ends are at the same position, so the spring has no direction and exerts no force. "
-        "Make sure that your code does not divide 0 by 0."
+        "Make sure that your code doesn't divide 0 by 0."
     )
     a, b = Particle(Vector3(*place), Vector3(*v)), Particle(Vector3(*place))
     c = Connection(a, b, 100.0, 2.0, 3.0)
@@ -146,8 +144,8 @@ def test_connected_ends_at_one_place_feel_nothing(rng: Random) -> None:
         expect_close(got, ZERO, then=f"; {name}.force_accumulator")
     about.call += "; a.position.x += 1.0; c.update_force(a, 0.5); a.force_accumulator"
     about.cause = (
-        "The ends are now 1 m apart, so the spring acts again. It pushes with 100 N, and the "
-        "damping reduces this by 3 N s/m times the speed."
+        "The ends are now 1 m apart, so the spring acts again. It pushes with 100 N, less a "
+        "damping force of 3 N s/m times the speed."
     )
     a.position.x += 1.0
     c.update_force(a, 0.5)
@@ -158,8 +156,8 @@ def test_connected_ends_at_one_place_feel_nothing(rng: Random) -> None:
     about.call = "a at (0, 1e-9, 0), b at (0, 0, 0); c = Connection(a, b, 100.0, 2.0); "
     about.call += "c.update_force(a, 0.5); a.force_accumulator"
     about.cause = (
-        "The ends are close together, but not at the same position. The spring still has a "
-        "direction and pushes with almost k l0."
+        "The ends are close together but not at the same position, so the spring still has a "
+        "direction. It pushes with almost k l0."
     )
     a, b = Particle(Vector3(0.0, 1e-9, 0.0)), Particle()
     c = Connection(a, b, 100.0, 2.0)
@@ -170,8 +168,9 @@ def test_connected_ends_at_one_place_feel_nothing(rng: Random) -> None:
     about.call += "a.position.y = 2; "
     about.call += "a.velocity.y = 1; c.update_force(a, 0.5)"
     about.cause = (
-        "The attributes of the spring have changed since the last call, so the force is now 5 (3 - "
-        "2) - 2 * 1. Read the attributes in each call instead of storing what follows from them."
+        "The check has changed the spring's attributes since the last call, so the force is now 5 "
+        "(3 - 2) - 2 * 1. Read the attributes on every call instead of caching anything computed "
+        "from them."
     )
     c.stiffness, c.rest_length, c.damping = 5.0, 3.0, 2.0
     a.clear_forces()
@@ -192,7 +191,7 @@ def test_connect_lets_the_registry_ask_once(rng: Random) -> None:
         about.call = f"a of {mass_a} kg at {here}, b of {mass_b} kg at {there}; connect(registry, "
         about.call += f"a, b, {k}, {rest}); registry.update_forces(0.5)"
         about.cause = (
-            "Create one Connection with this stiffness and rest length. Register it once, under "
+            "Create one Connection with this stiffness and rest length, and register it once, for "
             "an end that can move."
         )
         a, b = Particle(Vector3(*here), mass=mass_a), Particle(Vector3(*there), mass=mass_b)
@@ -207,16 +206,15 @@ def test_connect_lets_the_registry_ask_once(rng: Random) -> None:
                 slips = {
                     (
                         "The spring exerts no force at all. The registry skips immovable "
-                        "particles, so check that the spring is registered for an end that can "
-                        "move."
+                        "particles, so check that you register the spring for an end that can move."
                     ): ZERO,
                     (
-                        "The force is twice as large as it should be, probably because the spring "
-                        "is registered for both ends. One registration is enough, because the "
-                        "spring already acts on both ends."
+                        "The force is twice as large as it should be, probably because you "
+                        "registered the spring for both ends. Once is enough, because a single "
+                        "call already acts on both ends."
                     ): [2.0 * part for part in force],
                     "The stiffness and the rest length are swapped. Pass the arguments in the "
-                    "order in which the constructor of Connection expects them.": [
+                    "order that Connection's constructor expects.": [
                         sign * part for part in swapped
                     ],
                 }
@@ -232,7 +230,7 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     about.call = f"a at {here}, b at {there}; s = connect(registry, a, b, {k}, {rest}, {c})"
     about.cause = (
         "The caller may want to change or remove the spring later, so return the Connection that "
-        "you have registered."
+        "you register."
     )
     a, b, registry = Particle(Vector3(*here)), Particle(Vector3(*there)), ForceRegistry()
     s = connect(registry, a, b, k, rest, c)
@@ -243,8 +241,8 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     expect_close(got, (*here, *there), then="; the positions of s.a and s.b", tolerance=0.0)
     about.call += f"; s.stiffness = {2 * k}; registry.update_forces(0.5)"
     about.cause = (
-        "A change of the returned spring had no effect. Register the same Connection that you "
-        "return, and read its stiffness in each call of update_force."
+        "The check changed the returned spring, but nothing happened. Register the same Connection "
+        "that you return, and read its stiffness on every call of update_force."
     )
     s.stiffness = 2.0 * k
     registry.update_forces(0.5)
@@ -254,8 +252,8 @@ def test_connect_returns_the_spring(rng: Random) -> None:
     about.call += "; a.clear_forces(); b.clear_forces(); registry.remove(a, s); "
     about.call += "registry.update_forces(0.5)"
     about.cause = (
-        "One call of remove must be enough to take the spring away. Register it only once, under a "
-        "if a can move."
+        "A single call of remove should take the spring away. Register it only once: for a if a "
+        "can move."
     )
     a.clear_forces()
     b.clear_forces()
@@ -273,8 +271,8 @@ def test_a_network_of_springs_keeps_its_momentum(rng: Random) -> None:
     about.call = "8 particles, each connected to each by connect(registry, a, b, 2.0, 3.0, 0.5); "
     about.call += "200 frames of registry.update_forces(h), p.integrate(h): the sum of all m v"
     about.cause = (
-        "At every moment one end gains the momentum that the other end loses, so the total "
-        "momentum must stay constant. Check that the two forces are opposite."
+        "One end always gains exactly the momentum that the other loses, so the total should stay "
+        "constant. Check that the two forces are equal and opposite."
     )
     ends, away = network(bodies, 2.0, 3.0, 0.5, 1.0 / 240.0, 200)
     before = [math.fsum(mass * v[i] for _, v, mass in bodies) for i in range(3)]
@@ -282,7 +280,7 @@ def test_a_network_of_springs_keeps_its_momentum(rng: Random) -> None:
     expect_close(ends, before, tolerance=1e-10)
     about.call += "; the first one is more than 1 mm away from where it would be without springs"
     about.cause = (
-        "The momentum is conserved, but the particles move as if there were no springs. Check that "
+        "Momentum is conserved, but the particles move as if there were no springs. Check that "
         "each spring is registered and adds its forces."
     )
     expect_exactly(away > 1e-3, True)
@@ -294,8 +292,8 @@ def test_two_bodies_swing_about_each_other_with_the_reduced_mass() -> None:
     about.call = "1 kg and 3 kg, connect(registry, a, b, 5.0, 1.0), stretched to 1.5 m; frames of "
     about.call += "1/2000 s of registry.update_forces(h), p.integrate(h): the period"
     about.cause = (
-        "Both ends move, so the frequency follows from w^2 = k / mu with the reduced mass mu = 3/4 "
-        "kg. The period is 2.43346721 s."
+        "Both ends move, so the frequency is given by w^2 = k / mu, where mu = 3/4 kg is the "
+        "reduced mass. The period is 2.43346721 s."
     )
     period = pair_swinging(1.0, 3.0, 5.0, 1.0, 1.5, 1.0 / 2000.0, 10_000)
     # Explicit Euler's own error in the period is w^2 h^2 / 3, some 5e-7 of it.
@@ -309,8 +307,8 @@ def test_two_immovable_ends_may_be_connected() -> None:
     about.call = "connect(registry, a, b, 3.0, 0.0), both of infinite mass; "
     about.call += "registry.update_forces(0.5)"
     about.cause = (
-        "A spring between two immovable particles has no effect, but it is not an error. connect "
-        "must accept it."
+        "A spring between two immovable particles does nothing, but it isn't an error either, so "
+        "connect should accept it."
     )
     still = Particle(mass=math.inf), Particle(mass=math.inf)
     connect(registry, *still, 3.0, 0.0)
@@ -320,8 +318,8 @@ def test_two_immovable_ends_may_be_connected() -> None:
     registry.update_forces(0.5)
     got = xyz(b.force_accumulator)
     about.cause = (
-        "These two particles can move, so connect must register the spring and the registry must "
-        "apply its force."
+        "These two particles can move, so connect should register the spring, and the registry "
+        "should apply its force."
     )
     expect_close(got, (-3.0, 0.0, 0.0))
 
@@ -342,9 +340,9 @@ def test_connect_refuses_what_means_nothing() -> None:
             ValueError,
             allowed=lambda: connect(ForceRegistry(), a, b, 1.0, 1.0, 0.0),
         )
-    about.call = "connect(registry, a, b, ...) was refused; registry.update_forces(0.5)"
+    about.call = "connect(registry, a, b, ...) raised an error; registry.update_forces(0.5)"
     about.cause = (
-        "The call raised an error, so it must not change the registry. Create the spring first, "
+        "A call that raises an error should leave the registry as it was. Create the spring first, "
         "and register it only if that succeeds."
     )
     registry.update_forces(0.5)
@@ -353,8 +351,8 @@ def test_connect_refuses_what_means_nothing() -> None:
     about.call = "a at (1e10, 0, 0), velocity (1e10, 0, 0); b at minus that, with minus that "
     about.call += "velocity; "
     about.cause = (
-        "The force is too large for a float. add_force refuses such a force, so use it for every "
-        "change of the forces."
+        "The force is too large for a float. add_force rejects such a force, so always go through "
+        "add_force to change the forces."
     )
     near = Particle(), Particle(Vector3(1.0, 0.0, 0.0))
     for stiffness, damping in ((1e308, 0.0), (0.0, 1e308)):

@@ -61,26 +61,25 @@ def test_the_three_cases_by_known_values() -> None:
     about.read = READ
     damped, late = math.sqrt(99.0), math.sqrt(96.0)  # gamma, and that of a c / m not halved
     slips = {
-        "The exponent uses the whole damping rate c / m. The amplitude decays with half of it, so "
-        "use c / (2 m).": math.exp(-1.0)
-        * (math.cos(0.5 * late) + 2.0 / late * math.sin(0.5 * late)),
-        "Your position is e^(-half t) cos(gamma t). This leaves out the second term, so add half "
-        "sin(gamma t) / gamma inside the parentheses.": math.exp(-0.5) * math.cos(0.5 * damped),
-        "Your spring oscillates with the undamped frequency sqrt(k / m). Damping makes the "
-        "oscillation slower, so use gamma instead.": math.exp(-0.5)
+        "Your exponent uses the full rate c / m. The amplitude decays at half that rate, so use c "
+        "/ (2 m).": math.exp(-1.0) * (math.cos(0.5 * late) + 2.0 / late * math.sin(0.5 * late)),
+        "Your position is e^(-half t) cos(gamma t), which leaves out the second term. Add half "
+        "sin(gamma t) / gamma to the cosine before you "
+        "multiply.": math.exp(-0.5) * math.cos(0.5 * damped),
+        "Your spring oscillates at the undamped frequency sqrt(k / m). Damping slows the "
+        "oscillation down, so use gamma instead.": math.exp(-0.5)
         * (math.cos(5.0) + 0.1 * math.sin(5.0)),
-        "Your position is e^(-half t), which is only the first term. Add the second term, half t "
+        "Your position is e^(-half t), which is only the first term. Add the second one, half t "
         "e^(-half t).": math.exp(-5.0),
     }
     over = math.sqrt(300.0)  # gamma for c = 40
     slips |= {
-        "Both of your terms use sinh. The first term needs cosh(gamma t), which is half of the "
-        "sum e^(gamma t) + "
-        "e^(-gamma t).": math.exp(-1.0) * (1.0 + 20.0 / over) * math.sinh(0.05 * over),
-        "The second term is missing. Multiply e^(-half t) by cosh(gamma t) plus half sinh(gamma "
+        "You used sinh in both terms. The first one needs cosh(gamma t), which is half of e^(gamma "
+        "t) + e^(-gamma t).": math.exp(-1.0) * (1.0 + 20.0 / over) * math.sinh(0.05 * over),
+        "You left out the second term. Multiply e^(-half t) by cosh(gamma t) plus half sinh(gamma "
         "t) / gamma.": math.exp(-1.0) * math.cosh(0.05 * over),
-        "You used cos and sin for an over-damped spring. It does not oscillate, so use cosh and "
-        "sinh there.": math.exp(-1.0)
+        "You used cos and sin for an over-damped spring. It doesn't oscillate, so use cosh and "
+        "sinh instead.": math.exp(-1.0)
         * (math.cos(0.05 * over) + 20.0 / over * math.sin(0.05 * over)),
     }
     for c, t, x, cause in (
@@ -98,7 +97,7 @@ def test_the_three_cases_by_known_values() -> None:
             0.04042768199451279,
             (
                 "This spring is critically damped, a case that the book leaves out (E-23). Here "
-                "gamma is 0, so replace sin(gamma t) / gamma by its limit t."
+                "gamma is 0, so replace sin(gamma t) / gamma with its limit, t."
             ),
         ),
         (
@@ -114,20 +113,20 @@ def test_the_three_cases_by_known_values() -> None:
             40.0,
             0.5,
             0.2821711739751533,
-            "This spring is over-damped, and at this time only the slow part is left. It decays "
-            "as e^(-(half - gamma) t).",
+            "This spring is over-damped, and by this time only the slowly decaying part is left, "
+            "e^(-(half - gamma) t).",
         ),
     ):
         about(f"damped_spring_state(1.0, 0.0, 100.0, {c}, 1.0, {t})", cause=cause)
         state = damped_spring_state(1.0, 0.0, 100.0, c, 1.0, t)
         count = len(state) if isinstance(state, (tuple, list)) else 1
-        both = "The function must return two numbers, the position and the velocity, as a tuple."
+        both = "Return two numbers in a tuple: the position and the velocity."
         expect_exactly(count, 2, then=": how many numbers", cause=both)
         expect_close(state[0], x, then="[0]", cause=named(state[0], about.cause, slips))
     about.call = "damped_spring_state(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]"
     about.cause = (
-        "The printed formula takes the square root of 4 k - d^2. For k = 1 and d = 10 that is "
-        "-96, because the formula only covers under-damping (E-23)."
+        "The printed formula takes the square root of 4 k - d^2. For k = 1 and d = 10 that is -96, "
+        "because the formula covers only under-damped springs (E-23)."
     )
     got = damped_spring_state(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]
     wanted = by_roots(1.0, 0.0, 1.0, 10.0, 1.0, 1.0)[0]
@@ -148,23 +147,23 @@ def test_any_start_any_mass(share: float, name: str, rng: Random) -> None:
         half, (x, v) = c / (2.0 * m), wanted
         fade = math.exp(-half * t)
         slips = {
-            "The damping is not divided by the mass, so a heavy body would lose its speed as fast "
-            "as a light one. Use c / (2 m) as the decay rate.": by_roots(x0, v0, k, c * m, m, t),
-            "The stiffness is not divided by the mass, so a heavy body would oscillate as fast as "
-            "a light one. The square of the natural frequency is k / "
+            "You didn't divide the damping by the mass, so a heavy body would slow down as fast as "
+            "a light one. Use c / (2 m) as the decay rate.": by_roots(x0, v0, k, c * m, m, t),
+            "You didn't divide the stiffness by the mass, so a heavy body would oscillate as fast "
+            "as a light one. The square of the natural frequency is k / "
             "m.": by_roots(x0, v0, k * m, c, m, t),
-            "Your position does not depend on v0. A body that starts with a velocity moves "
-            "farther, so add the term with v0.": (
+            "Your position ignores v0, although a body that is already moving ends up somewhere "
+            "else. Add the term with v0.": (
                 by_roots(x0, 0.0, k, c, m, t)[0],
                 v,
             ),
-            "Your velocity does not depend on x0, although the spring pulls on a displaced body. "
+            "Your velocity ignores x0, although the spring pulls on a displaced body. "
             "Differentiate the whole position to get the velocity.": (
                 x,
                 by_roots(0.0, v0, k, c, m, t)[1],
             ),
-            "Your code treats this spring as critically damped, although c^2 differs from 4 k m. "
-            "Compare them exactly, without a margin.": (
+            "Your code treats this spring as critically damped, although c^2 is not equal to 4 k "
+            "m. Compare them exactly, without a tolerance.": (
                 (x0 + (v0 + half * x0) * t) * fade,
                 (v0 - (half * v0 + k / m * x0) * t) * fade,
             ),
@@ -198,22 +197,20 @@ def test_the_critical_case_has_no_gap_on_either_side(rng: Random) -> None:
             (
                 -1e-9,
                 1e-7,
-                "This spring is slightly less than critically damped. There sin(gamma "
-                "t) / gamma is very close to t, so the result must be close to the "
-                "critical case.",
+                "This spring is damped slightly less than critically. sin(gamma t) / gamma is then "
+                "very close to t, so the result should be close to the critical case.",
             ),
             (
                 1e-9,
                 1e-7,
-                "This spring is slightly more than critically damped. There sinh(gamma "
-                "t) / gamma is very close to t, so the result must be close to the "
-                "critical case.",
+                "This spring is damped slightly more than critically. sinh(gamma t) / gamma is "
+                "then very close to t, so the result should be close to the critical case.",
             ),
             (
                 -1e-15,
                 1e-8,
-                "Very close to critical damping, rounding can make gamma 0. Make sure that your "
-                "code does not divide by gamma in that case.",
+                "Very close to critical damping, gamma can round to 0. Make sure that your code "
+                "doesn't divide by it in that case.",
             ),
             (
                 1e-15,
@@ -230,8 +227,8 @@ def test_the_critical_case_has_no_gap_on_either_side(rng: Random) -> None:
     about.call = "damped_spring_state(1.0, 0.0, 4.0, 4 - 4e-9, 1.0, 0.75), and with 4 + 4e-9: "
     about.call += "difference"
     about.cause = (
-        "The motion changes continuously with the damping. Results slightly below and slightly "
-        "above critical damping must therefore agree within 1e-8."
+        "The motion changes smoothly with the damping, so your results just below and just above "
+        "critical damping should agree to within 1e-8."
     )
     below = damped_spring_state(1.0, 0.0, 4.0, 4.0 - 4e-9, 1.0, 0.75)
     above = damped_spring_state(1.0, 0.0, 4.0, 4.0 + 4e-9, 1.0, 0.75)
@@ -245,21 +242,23 @@ def test_the_start_and_a_spring_that_is_none(rng: Random) -> None:
     x0, v0, t = draw_number(rng), draw_number(rng), positive_number(rng)
     c, m = positive_number(rng), positive_number(rng)
     about.call = f"damped_spring_state({x0}, {v0}, 3.0, {c}, {m}, 0.0)"
-    about.cause = "No time has passed yet, so the position and velocity must be x0 and v0."
+    about.cause = "No time has passed yet, so the position and the velocity are still x0 and v0."
     got = damped_spring_state(x0, v0, 3.0, c, m, 0.0)
     expect_close(got, (x0, v0))
     about.call = f"damped_spring_state({x0}, {v0}, 0.0, 0.0, {m}, {t})"
-    about.cause = "No force acts here, so the velocity is constant and the position is x0 + v0 t."
+    about.cause = (
+        "No force acts here, so the velocity stays constant and the position is x0 + v0 t."
+    )
     got = damped_spring_state(x0, v0, 0.0, 0.0, m, t)
     expect_close(got, (x0 + v0 * t, v0))
     about.call = f"damped_spring_state({x0}, {v0}, 0.0, {c}, {m}, {t})"
-    about.cause = "Only the damping acts here, so the velocity decays as v0 e^(-c t / m)."
+    about.cause = "With damping but no stiffness, the velocity decays as v0 e^(-c t / m)."
     got = damped_spring_state(x0, v0, 0.0, c, m, t)
     slow = math.exp(-c * t / m)
     wanted = (x0 + v0 * (1.0 - slow) * m / c, v0 * slow)
     expect_close(got, wanted, tolerance=1e-11)
     about.call = f"damped_spring_state({x0}, {v0}, 1.0, 0.0, 1.0, {t}): energy"
-    about.cause = "Without damping no energy is lost, so x^2 + v^2 must stay constant."
+    about.cause = "Without damping no energy is lost, so x^2 + v^2 should stay constant."
     x, v = damped_spring_state(x0, v0, 1.0, 0.0, 1.0, t)
     wanted_energy = x0 * x0 + v0 * v0
     expect_close(x * x + v * v, wanted_energy, tolerance=1e-11)
@@ -272,22 +271,21 @@ def test_soft_and_stiff_springs_swing_alike() -> None:
             (1.0, 1.0, 1e12, 1e3, 1.0, 100.0),
             0.0,
             1e-12,
-            "The damping has had 100 s to act, so the oscillation has died out and the position "
-            "must be 0.",
+            "After 100 s of damping the oscillation has died out, so the position should be 0.",
         ),
         (
             (1.0, 0.0, 1e-8, 0.0, 1.0, 1e4),
             math.cos(1.0),
             1e-12,
-            "A very soft spring is still a spring. Without damping it oscillates, only slowly, so "
-            "do not treat a small stiffness as zero.",
+            "A very soft spring is still a spring. Without damping it oscillates, just slowly, so "
+            "don't treat a small stiffness as zero.",
         ),
         (
             (1.0, 0.0, 1e-18, 0.0, 1.0, 1e9),
             math.cos(1.0),
             1e-12,
-            "Without damping even the softest spring oscillates. Compare half with chi exactly, "
-            "because a margin would treat this spring as critically damped.",
+            "Without damping even the softest spring oscillates. Compare half with chi exactly: "
+            "with a tolerance, this spring would count as critically damped.",
         ),
         (
             (1.0, 0.0, 1e12, 0.0, 1.0, math.pi * 1e-6),
@@ -309,15 +307,15 @@ def test_no_number_is_too_large_for_the_formula() -> None:
             (1.0, 0.0, 1.0, 1000.0, 1.0, 5000.0),
             math.exp(-5.0),
             1e-5,
-            "cosh(gamma t) overflows at such a time. Multiply out the product with e^(-half t), "
-            "so that only e^(-(half - gamma) t) and e^(-(half + gamma) t) remain.",
+            "cosh(gamma t) overflows at a time this late. Multiply it by e^(-half t) on paper, so "
+            "that your code only needs e^(-(half - gamma) t) and e^(-(half + gamma) t).",
         ),
         (
             (1.0, 0.0, 1.0, 1e9, 1.0, 1e9),
             math.exp(-1.0),
             1e-9,
             "half and gamma are almost equal here, so half - gamma loses all of its digits. Use "
-            "chi^2 / (half + gamma), which has the same value.",
+            "chi^2 / (half + gamma), which equals it.",
         ),
         (
             (1.0, 1.0, 5.0, 10.0, 1.0, 1e6),
@@ -332,8 +330,8 @@ def test_no_number_is_too_large_for_the_formula() -> None:
             (0.0, 1.0, 1.0, 1e9, 1.0, 1.0),
             1e-9,
             1e-17,
-            "Strong damping stops the body almost at once. It travels v0 m / c in total, so the "
-            "position must be close to that distance.",
+            "Strong damping stops the body almost at once, after a distance of v0 m / c. The "
+            "position should be close to that.",
         ),
     ):
         about.cause = cause
@@ -346,9 +344,8 @@ def test_the_motion_goes_on_from_where_it_is(rng: Random) -> None:
     x0, v0, m, some = draw_number(rng), draw_number(rng), positive_number(rng), positive_number(rng)
     first, second = positive_number(rng, 0.1, 2.0), positive_number(rng, 0.1, 2.0)
     about.cause = (
-        "The motion over two durations, one after the other, must end in the same state as the "
-        "motion over their sum. Otherwise, the position and the velocity do not belong to the same "
-        "motion."
+        "Two durations in a row should lead to the same state as their sum in one go. If they "
+        "don't, your position and your velocity don't belong to the same motion."
     )
     # With a stiffness of 4 m the damping is critical to the last digit.
     for share, k in ((0.0, some), (0.5, some), (1.0, 4.0 * m), (2.0, some)):
@@ -363,7 +360,7 @@ def test_the_motion_goes_on_from_where_it_is(rng: Random) -> None:
     about.call += "...)"
     about.cause = (
         "This spring has no damping. After half a period the body is on the opposite side, and "
-        "after a whole period it is back where it started."
+        "after a full period it is back where it started."
     )
     half = damped_spring_state(x0, v0, 1.0, 0.0, 1.0, math.pi)
     expect_close(half, (-x0, -v0), tolerance=1e-11)
@@ -379,8 +376,8 @@ def test_a_spring_state_needs_numbers_that_mean_something() -> None:
     bad = [(2, -2.0), (3, -3.0), (4, -4.0), (4, 0.0), (5, -5.0)]
     expect_finite_numbers("damped_spring_state", damped_spring_state, good, bad)
     about.cause = (
-        "An intermediate result is too large for a float here, because the angle of the "
-        "oscillation is about 1e350. Raise ValueError instead of returning a number."
+        "The angle of the oscillation is about 1e350 here, which is too large for a float. Raise "
+        "ValueError instead of returning a number."
     )
     expect_error(
         lambda: damped_spring_state(1.0, 0.0, 1e300, 0.0, 1.0, 1e200),
@@ -390,8 +387,8 @@ def test_a_spring_state_needs_numbers_that_mean_something() -> None:
     )
     about.call = "damped_spring_state(1.0, 0.0, 1.0, 2.0, 1.0, 1.0)"
     about.cause = (
-        "All arguments of this call are valid, so it must not raise an error. The spring is "
-        "critically damped, so the position is (1 + t) e^-t and the velocity is -t e^-t."
+        "All arguments of this call are valid, so don't raise an error. The spring is critically "
+        "damped, so the position is (1 + t) e^-t and the velocity is -t e^-t."
     )
     got = damped_spring_state(1.0, 0.0, 1.0, 2.0, 1.0, 1.0)
     wanted = (2.0 * math.exp(-1.0), -math.exp(-1.0))

@@ -25,8 +25,8 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
     for share, cause in (
         (
             1.9,
-            "The spring is stretched, but its length is below the limit, so it pulls like any "
-            "other spring. The force is -k (l - l0) d^.",
+            "The spring is stretched, but not beyond the limit, so it pulls like any other spring. "
+            "The force is -k (l - l0) d^.",
         ),
         (
             0.5,
@@ -36,8 +36,8 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
         (
             0.1,
             (
-                "A compressed spring pushes with its full stiffness, however short it is, because "
-                "the limit applies only to stretching."
+                "The limit applies only to stretching. A compressed spring pushes with its full "
+                "stiffness, however short it is."
             ),
         ),
     ):
@@ -51,31 +51,31 @@ def test_up_to_its_limit_it_is_a_spring(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         opposite = [-part for part in wanted]
         slips = {
-            "There is no force on p. Up to its limit this is an ordinary spring, so call "
-            "particle.add_force with the force of one.": ZERO,
-            "The force points along the offset, so a stretched spring would push. Check whether "
-            "the minus sign is missing.": opposite,
+            "There is no force on p. Below its limit this is an ordinary spring, so pass the usual "
+            "spring force to particle.add_force.": ZERO,
+            "The force points along the offset, so a stretched spring would push. Perhaps you left "
+            "out the minus sign.": opposite,
         }
         if share < 1.0:
             slips = {
-                "There is no force on p. Up to its limit this is an ordinary spring, so call "
-                "particle.add_force with the force of one.": ZERO,
-                "The extension is abs(l - l0), so a compressed spring pulls instead of pushing. "
+                "There is no force on p. Below its limit this is an ordinary spring, so pass the "
+                "usual spring force to particle.add_force.": ZERO,
+                "Your extension is abs(l - l0), so a compressed spring pulls instead of pushing. "
                 "Remove abs, because the extension of a compressed spring is negative "
                 "(E-3).": opposite,
             }
         blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-12)
         about.cause = (
-            "The other particle has received a force as well. This spring acts only on the "
-            "particle that was passed."
+            "You added a force to the other particle as well. This spring acts only on the "
+            "particle that is passed to update_force."
         )
         expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
     about.call = f"p at (4, 0, 0), q at (0, 0, 0); ElasticLimitSpring(q, {k}, 2, 4, "
     about.call += "0.25).update_force(p, 0.5); p.force_accumulator"
     about.cause = (
         "The length equals the limit here, so the spring still pulls with its full stiffness. "
-        "Multiply only the part of the length beyond the limit by share."
+        "Apply share only to the part of the length beyond the limit."
     )
     p, q = Particle(Vector3(4.0, 0.0, 0.0)), Particle()
     ElasticLimitSpring(q, k, 2.0, 4.0, 0.25).update_force(p, 0.5)
@@ -96,8 +96,8 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         about.call = f"p at {place}, q at {base}; ElasticLimitSpring(q, {k}, {rest}, {limit}, "
         about.call += f"{share}).update_force(p, 0.5)"
         about.cause = (
-            "Up to the limit the spring pulls with its full stiffness, and beyond it with share "
-            "* stiffness. Together this is k (limit - l0) + share k (l - limit)."
+            "Up to the limit the spring pulls with its full stiffness, and beyond it with share * "
+            "stiffness. That adds up to k (limit - l0) + share k (l - limit)."
         )
         p, q = Particle(Vector3(*place), mass=3.0), Particle(Vector3(*base))
         spring = ElasticLimitSpring(q, k, rest, limit, share)
@@ -106,19 +106,19 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         late = rest + limit  # the length of a limit that is counted from the rest length
         sizes = {
             (
-                "The force stops growing at the limit. Beyond it the force must still grow with "
-                "the length, but only with share * stiffness."
+                "Your force stops growing at the limit. Beyond the limit it should still grow with "
+                "the length, just more slowly, at a rate of share * stiffness."
             ): limit - rest,
             (
-                "Your code multiplies the whole extension by share. Multiply only the part of the "
-                "length beyond the limit by it."
+                "Your code multiplies the whole extension by share. Apply share only to the part "
+                "of the length beyond the limit."
             ): share * (length - rest),
-            "The spring pulls with its full stiffness beyond the limit as well. Multiply the "
+            "Your spring pulls with its full stiffness even beyond the limit. Multiply the "
             "stiffness by share for that part of the length.": length - rest,
-            "Only the part of the length beyond the limit counts here. Add the pull of the part "
-            "up to the limit, which is k (limit - l0).": share * beyond,
-            "The limit has been compared with the extension, as if it were measured from the "
-            "rest length. Compare it with the length of the spring.": (
+            "You counted only the part of the length beyond the limit. Add the pull of the part "
+            "below it, which is k (limit - l0).": share * beyond,
+            "You compared the limit with the extension, as if it were measured from the rest "
+            "length. Compare it with the length of the spring.": (
                 min(length, late) - rest + share * max(length - late, 0.0)
             ),
         }
@@ -127,8 +127,8 @@ def test_beyond_its_limit_more_length_counts_with_the_share(rng: Random) -> None
         blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
         about.cause = (
-            "The second call adds the same force again, because the spring does not remember "
-            "that it was stretched. Do not store anything between two calls."
+            "The second call should add the same force again, because the spring has no memory of "
+            "being stretched. Don't store anything between calls."
         )
         spring.update_force(p, 0.5)
         got = xyz(p.force_accumulator)
@@ -144,7 +144,7 @@ def test_ends_of_an_elastic_limit_spring_at_one_place(rng: Random) -> None:
     about.call += "1.0, 2.0, 0.5); s.update_force(p, 0.5)"
     about.cause = (
         "Both ends are at the same position, so the spring has no direction and adds no force. "
-        "The other forces on the particle must stay."
+        "Leave the other forces on the particle alone."
     )
     p, q = Particle(Vector3(*place)), Particle(Vector3(*place), mass=math.inf)
     p.add_force(Vector3(*f))
@@ -154,8 +154,8 @@ def test_ends_of_an_elastic_limit_spring_at_one_place(rng: Random) -> None:
     about.call += "; p.clear_forces(); q.position = q.position - Vector3(4, 0, 0); s.limit = 3.0; "
     about.call += "s.share = 2.0; s.stiffness = 4.0; s.rest_length = 0.0; s.update_force(p, 0.5)"
     about.cause = (
-        "The attributes were changed after the spring was created, so the pull is now 4 * 3 + 2 * "
-        "4 (4 - 3). Read the attributes in every call."
+        "The check changed the attributes after it created the spring, so the pull is now 4 * 3 + "
+        "2 * 4 (4 - 3). Read the attributes in every call."
     )
     p.clear_forces()
     q.position = q.position - Vector3(4.0, 0.0, 0.0)

@@ -51,12 +51,12 @@ def test_the_force_by_its_formula() -> None:
     got = xyz(p.force_accumulator)
     wanted = (-198.15499326694427, 0.0, 0.0)
     sizes = {
-        "The book's listing contains 1 / h * h, which divides by h and then multiplies by h again "
+        "The book's listing says 1 / h * h, which divides by h and then multiplies by it again "
         "(E-6). Write / h / h or / (h * h) to divide by h^2.": wanted[0] / 3600.0,
-        "The force is that of a real spring, -k x, which is too large for such a long step. Use "
-        "the position T that a real spring would reach.": -400.0,
-        "The force is twice as large as it should be. It fits a step that moves p by a h^2 / 2, "
-        "but semi-implicit Euler moves it by a h^2.": 2.0 * wanted[0],
+        "You used the force of a real spring, -k x, which is too strong for a step this long. Work "
+        "back from T, the position that a real spring would reach.": -400.0,
+        "The force is twice as large as it should be. It would be right if the step moved p by a "
+        "h^2 / 2, but semi-implicit Euler moves it by a h^2.": 2.0 * wanted[0],
     }
     blame(got, {slip: (size, 0.0, 0.0) for slip, size in sizes.items()})
     # 1 - cos(1/3) loses a digit, and is multiplied by 3600.
@@ -64,21 +64,21 @@ def test_the_force_by_its_formula() -> None:
     about.call = "p of 1 kg at (0, 0, 0), velocity (0, 2, 0); "
     about.call += "FakeStiffSpring(Vector3(), 400, 0).update_force(p, 1/60)"
     about.cause = (
-        "The particle is at the anchor and moves along y, so use (T - x) / h^2 - v / h with x = "
-        "0 and v = 2. Here T = v sin(chi h) / chi."
+        "The particle is at the anchor and moving along y, so use (T - x) / h^2 - v / h with x = 0 "
+        "and v = 2. Here T = v sin(chi h) / chi."
     )
     p = Particle(velocity=Vector3(0.0, 2.0, 0.0))
     FakeStiffSpring(Vector3(), 400.0, 0.0).update_force(p, 1.0 / 60.0)
     wanted = (0.0, (2.0 * math.sin(1.0 / 3.0) / 20.0 * 60.0 - 2.0) * 60.0, 0.0)
     got = xyz(p.force_accumulator)
     sizes = {
-        "The force is (T - x) / h^2 - v, as printed in the book (E-6). The units do not match, "
-        "because v is a velocity and not an acceleration, so subtract v / h "
+        "The force is (T - x) / h^2 - v, as printed in the book (E-6). The units don't match, "
+        "because v is a velocity rather than an acceleration. Subtract v / h "
         "instead.": wanted[1] + 120.0 - 2.0,
-        "The force is (T - x) / h^2, which ignores that the particle is already moving. Subtract "
-        "v / h as well.": wanted[1] + 120.0,
-        "There is no force, although p moves along y. At the anchor the offset of p is 0 and has "
-        "no direction, so a formula for the whole distance does not work. Compute x, y and z "
+        "The force is (T - x) / h^2, which ignores the fact that the particle is already moving. "
+        "Subtract v / h as well.": wanted[1] + 120.0,
+        "There is no force, although p moves along y. At the anchor the offset of p is zero and "
+        "has no direction, so you can't work with the distance as a whole. Compute x, y and z "
         "separately instead.": 0.0,
     }
     blame(got, {slip: (0.0, size, 0.0) for slip, size in sizes.items()})
@@ -90,14 +90,15 @@ def test_a_soft_spring_is_faked_too() -> None:
     about("p of 1 kg at (0, 0, 1), at rest; FakeStiffSpring(Vector3(), 0.5, ", read=READ)
     about.call += "0).update_force(p, 0.1)"
     about.cause = (
-        "With a soft spring, (T - x) / h^2 must be about half of a real spring's force, because "
-        "this force acts during the whole step. Use the same formula for every stiffness."
+        "For a soft spring, (T - x) / h^2 is about half of a real spring's force, because "
+        "semi-implicit Euler moves the particle by a h^2 and not by a h^2 / 2. Use the same "
+        "formula for every stiffness."
     )
     p = Particle(Vector3(0.0, 0.0, 1.0))
     FakeStiffSpring(Vector3(), 0.5, 0.0).update_force(p, 0.1)
     wanted = (0.0, 0.0, (math.cos(0.1 * math.sqrt(0.5)) - 1.0) * 100.0)
     got = xyz(p.force_accumulator)
-    only = "There is no force along z. Compute the force on all three axes in the same way."
+    only = "There is no force along z. Compute the force in the same way on all three axes."
     blame(got, [(ZERO, only)])
     # cos loses three digits, and is multiplied by 100.
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
@@ -114,9 +115,8 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         about.call += f"{k}, {c}); s.update_force(p, {h}); a step of semi-implicit Euler; "
         about.call += "p.position"
         about.cause = (
-            "Compute T from the position relative to the anchor, on each axis separately, with "
-            "the mass of this particle and the damping of the spring. The step must then end at "
-            "T."
+            "Compute T on each axis separately, from the position relative to the anchor, this "
+            "particle's mass and the spring's damping. The step should then end at T."
         )
         ends = faked(anchor, place, v, k, c, m, h, 1)
         wanted = tuple(
@@ -124,19 +124,17 @@ def test_it_lands_where_a_true_spring_would_be(rng: Random) -> None:
         )
         axes = list(zip(anchor, place, v, wanted, strict=True))
         slips = {
-            "The result is an acceleration, because it has not been multiplied by the mass. "
-            "Multiply it by particle.mass to get a "
-            "force.": [x + u * h + (end - x - u * h) / m for _, x, u, end in axes],
-            "The position T has been computed for a mass of 1 kg. Pass the particle's mass to "
-            "damped_spring_state.": [
+            "This is an acceleration. Multiply it by particle.mass to get a force.": [
+                x + u * h + (end - x - u * h) / m for _, x, u, end in axes
+            ],
+            "You computed T for a mass of 1 kg. Pass the particle's mass to damped_spring_state.": [
                 a + true_spring(x - a, u, k, c, 1.0, h) for a, x, u, _ in axes
             ],
-            "The position T has been computed without damping. Pass self.damping to "
-            "damped_spring_state.": [
+            "You computed T without damping. Pass self.damping to damped_spring_state.": [
                 a + true_spring(x - a, u, k, 0.0, m, h) for a, x, u, _ in axes
             ],
-            "The position T has been computed for an anchor at (0, 0, 0). Subtract self.anchor "
-            "from the position first.": [true_spring(x, u, k, c, m, h) for _, x, u, _ in axes],
+            "You computed T as if the anchor were at (0, 0, 0). Subtract self.anchor from the "
+            "position first.": [true_spring(x, u, k, c, m, h) for _, x, u, _ in axes],
         }
         blame(ends[-1], slips)
         # Divided by h^2 and multiplied by it again: a few roundings of numbers up to 20.
@@ -151,7 +149,7 @@ def test_a_spring_far_too_stiff_for_the_step_stays_calm(rng: Random) -> None:
     about.call += "s.update_force(p, h), a step of semi-implicit Euler"
     about.cause = (
         "A real spring explodes if k h^2 / m is above 4, and here it is 278. The faked spring "
-        "must come to rest all the same, so check that its damping is used."
+        "should come to rest anyway, so check that you use its damping."
     )
     ends = faked(ZERO, place, ZERO, 1e6, 200.0, 1.0, 1.0 / 60.0, 300)
     farthest = max(math.hypot(*end) for end in ends)
@@ -174,8 +172,8 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     about.call = f"p of 2 kg at {place}; s = FakeStiffSpring(Vector3{place}, 400, 3); "
     about.call += f"p.add_force(Vector3{f}); s.update_force(p, 0.5); p.force_accumulator"
     about.cause = (
-        "The particle is at rest at the anchor, so the spring adds no force. The other forces on "
-        "the particle must stay, so use add_force."
+        "The particle is at rest at the anchor, so the spring adds no force. Keep the other forces "
+        "on the particle by calling add_force."
     )
     p, s = Particle(Vector3(*place), mass=2.0), FakeStiffSpring(Vector3(*place), 400.0, 3.0)
     p.add_force(Vector3(*f))
@@ -186,8 +184,8 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     about.call = f"s.anchor = Vector3(); s.stiffness = 0.0; s.damping = 0.0; p at {place}, "
     about.call += f"velocity {f}; s.update_force(p, 0.5)"
     about.cause = (
-        "The stiffness and the damping have been set to 0, so the particle moves at constant "
-        "velocity and needs no force. Read the attributes in every call."
+        "The check has set the stiffness and the damping to 0, so the particle moves at constant "
+        "velocity and needs no force. Read the attributes on every call."
     )
     s.anchor, s.stiffness, s.damping = Vector3(), 0.0, 0.0
     p = Particle(Vector3(*place), Vector3(*f))
@@ -197,7 +195,7 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     s.stiffness = 100.0
     about.call = "p immovable at (1, 0, 0); s.update_force(p, 0.5); p.force_accumulator"
     about.cause = (
-        "The particle is immovable, and an infinite mass times 0 is NaN. Return before you "
+        "The particle is immovable, and its infinite mass times 0 is NaN. Return before you "
         "compute a force for it."
     )
     p = Particle(Vector3(1.0, 0.0, 0.0), mass=math.inf)
@@ -207,8 +205,8 @@ def test_a_faked_spring_beside_other_forces(rng: Random) -> None:
     about.call += "0).update_force(p, 0.5)"
     about.cause = (
         "The force is 2 (cos(chi h) - 1) / h^2 here, where chi is the square root of 100 / 2. "
-        "Compute it from the current attributes of the spring and the mass of the particle that "
-        "was passed."
+        "Compute it from the spring's current attributes and the mass of the particle that is "
+        "passed in."
     )
     p = Particle(Vector3(1.0, 0.0, 0.0), mass=2.0)
     s.update_force(p, 0.5)
@@ -223,7 +221,7 @@ def test_a_faked_spring_needs_a_duration() -> None:
     about.read = "the docstring of FakeStiffSpring.update_force"
     about.cause = (
         "The duration must be positive and finite. Check it with positive() before anything else, "
-        "so that ValueError is raised for an immovable particle too."
+        "so that an immovable particle gets the ValueError too."
     )
     s = FakeStiffSpring(Vector3(), 400.0, 3.0)
     for mass in (1.0, math.inf):
@@ -237,8 +235,8 @@ def test_a_faked_spring_needs_a_duration() -> None:
             )
     about.call = "FakeStiffSpring(Vector3(), 400, 3).update_force(p, 1/60), p at (1, 0, 0)"
     about.cause = (
-        "A duration of 1/60 s is valid, so the call must not raise an error. The damping of the "
-        "spring must be part of T."
+        "A duration of 1/60 s is valid, so don't raise an error. Remember to include the spring's "
+        "damping in T."
     )
     p = Particle(Vector3(1.0, 0.0, 0.0))
     s.update_force(p, 1.0 / 60.0)

@@ -26,15 +26,15 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
     for time, cause in (
         (
             0.0,
-            "The look-ahead time is 0, so the force pulls toward the current position of the "
-            "target. It is k (q - p).",
+            "With a look-ahead time of 0, the force pulls toward the target's current position, so "
+            "it is k (q - p).",
         ),
         (
             ahead,
             (
-                "The force is k times the displacement from p + v T to q + w T. Both particles "
-                "are assumed to move on in a straight line, so damping, acceleration and mass do "
-                "not matter."
+                "The force is k times the displacement from p + v T to q + w T. We assume that "
+                "both keep moving in a straight line, so damping, acceleration and mass don't "
+                "matter."
             ),
         ),
     ):
@@ -54,33 +54,33 @@ def test_it_aims_at_where_both_will_be(rng: Random) -> None:
         way = [now[i] + closing[i] * time for i in range(3)]
         pulls = {
             "The force pushes the bullet away from its target. Subtract the bullet's predicted "
-            "position from the target's, and not the other way round.": [-k * part for part in way],
-            "The force equals the displacement between the two future positions. Multiply this "
-            "displacement by the stiffness.": way,
-            "The force has the size k at every distance, as if the displacement had been "
-            "normalized. Multiply k by the whole displacement.": [
+            "position from the target's, not the other way around.": [-k * part for part in way],
+            "The force equals the vector between the two predicted positions. Multiply that vector "
+            "by the stiffness.": way,
+            "The force has the size k at every distance, as if you had normalized the "
+            "displacement. Multiply k by the whole displacement.": [
                 k * part / math.hypot(*way) for part in way
             ],
             (
-                "The force pulls toward the current position of the target. Use the position "
-                "that the target will have after look_ahead."
+                "The force pulls toward where the target is now. Aim at where it will be after "
+                "look_ahead seconds."
             ): [k * part for part in now],
             (
-                "The prediction leaves out the bullet's own velocity. The bullet also moves "
-                "during look_ahead, so start from where it will be then."
+                "Your prediction leaves out the bullet's own velocity. The bullet moves during "
+                "look_ahead too, so start from where it will be by then."
             ): [k * (now[i] + w[i] * time) for i in range(3)],
-            "The prediction leaves out the target's velocity. The target also moves during "
-            "look_ahead, so aim at where it will be then.": [
+            "Your prediction leaves out the target's velocity. The target moves during look_ahead "
+            "too, so aim at where it will be by then.": [
                 k * (now[i] - v[i] * time) for i in range(3)
             ],
-            "The prediction looks ahead by the duration of the step. Use self.look_ahead, which "
-            "does not depend on the step.": [k * (now[i] + closing[i] * 0.5) for i in range(3)],
+            "Your prediction looks ahead by the duration of the step. Use self.look_ahead, which "
+            "doesn't depend on the step.": [k * (now[i] + closing[i] * 0.5) for i in range(3)],
         }
         slips = {slip: [f[i] + pull[i] for i in range(3)] for slip, pull in pulls.items()}
         blame(got, slips)
         # A few roundings of numbers up to 2000.
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
-        about.cause = "The target has received a force as well. Add the force to the bullet only."
+        about.cause = "You added a force to the target as well. Add it to the bullet only."
         expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
 
 
@@ -92,7 +92,7 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
     about.call += "3.0); b.update_force(p, 0.5)"
     about.cause = (
         "add_scaled, += and *= change a vector in place. Copy a position or velocity before you "
-        "use them on it, or use + and *, which return new vectors."
+        "apply them to it, or use + and *, which return new vectors."
     )
     p, q = Particle(Vector3(*here), Vector3(*v)), Particle(Vector3(*there), Vector3(*w))
     b = HomingBullet(q, 2.0, 3.0)
@@ -107,8 +107,8 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
     about.call = f"p at {here}, velocity {v}; q at {there}, velocity {v}; b.stiffness changed from "
     about.call += "2 to 4, b.look_ahead from 3 to 1; b.update_force(p, 0.5)"
     about.cause = (
-        "The attributes and the target's velocity were changed after the bullet was created. "
-        "Read stiffness, look_ahead and the target's motion in every call."
+        "The check changed the attributes and the target's velocity after it created the bullet. "
+        "Read stiffness, look_ahead and the target's motion on every call."
     )
     p.clear_forces()
     b.stiffness, b.look_ahead, q.velocity = 4.0, 1.0, Vector3(*v)
@@ -121,8 +121,8 @@ def test_bullet_and_target_are_only_read(rng: Random) -> None:
         f"immovable particle at {w}; b.update_force(p, 0.5)"
     )
     about.cause = (
-        "The bullet has a new target now, so read self.target in every call. The new target is "
-        "immovable, which is valid too."
+        "The bullet has a new target now, so read self.target on every call. The new target is "
+        "immovable, which is fine."
     )
     p.clear_forces()
     b.target = Particle(Vector3(*w), mass=math.inf)
@@ -139,8 +139,8 @@ def test_it_catches_a_target_that_flies_straight_on(rng: Random) -> None:
     about.call = f"p at (0, 0, 0), at rest; q at {start}, velocity {w}; 20 s of HomingBullet(q, "
     about.call += "4.0, 1.0).update_force(p, h), p.integrate(h), h = 1/240: distance"
     about.cause = (
-        "The bullet must reach the target and stay with it, because k T acts as a damping of the "
-        "velocity relative to the target. Check that both velocities are in the prediction."
+        "The bullet should reach the target and stay with it, because k T damps its velocity "
+        "relative to the target. Check that your prediction includes both velocities."
     )
     distances = chased(start, w, 4.0, 1.0, 1.0 / 240.0, 4800)
     expect_close(distances[-1], 0.0, then=" in the end", tolerance=1e-6)

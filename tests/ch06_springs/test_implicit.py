@@ -40,8 +40,8 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
     for stiffness, damping in ((k, 0.0), (0.0, c), (k, c)):
         about.call = f"{method}({x}, {v}, {stiffness}, {damping}, {m}, {h}) = (x', v')"
         about.cause = (
-            f"The equations are {RULES[method]}, where m a = -k x - c v. Put the first one into "
-            "the second and solve for v'."
+            f"The equations are {RULES[method]}, where m a = -k x - c v. Substitute the first one "
+            "into the second and solve for v'."
         )
         new = METHODS[method](x, v, stiffness, damping, m, h)
         expect_close(len(new), 2, then=": the number of results")
@@ -49,30 +49,28 @@ def test_the_new_state_fits_its_own_equations(method: str, rng: Random) -> None:
         other = "trapezoidal" if method == "backward_euler" else "backward_euler"
         u = v + (-stiffness * x - damping * v) / m * h
         slips = {
-            "The result is the step of explicit Euler, which uses the old values only. Solve the "
-            "equations of this method for the new velocity instead.": (x + v * h, u),
-            "The result is the step of semi-implicit Euler, in which the force is still that of "
-            "the old state. Solve the equations of this method for the new "
-            "velocity instead.": (x + u * h, u),
+            "This is a step of explicit Euler, which uses only the old values. Solve the equations "
+            "of this method for the new velocity instead.": (x + v * h, u),
+            "This is a step of semi-implicit Euler, whose force still comes from the old state. "
+            "Solve the equations of this method for the new velocity instead.": (x + u * h, u),
         }
         fits = {
-            "The two results are in the wrong order. Return the position x' first and then the "
-            "velocity v'.": off(method, x, v, stiffness, damping, m, h, (new[1], new[0])),
+            "You swapped the two results. Return the position x' first and then the velocity "
+            "v'.": off(method, x, v, stiffness, damping, m, h, (new[1], new[0])),
             f"The result is that of {other}.": off(other, x, v, stiffness, damping, m, h, new),
-            "The damping has no effect on the result. The acceleration follows from m a = -k x - c "
-            "v, so include the term with c.": off(method, x, v, stiffness, 0.0, m, h, new),
-            "The stiffness has no effect on the result. The acceleration follows from m a = -k x - "
-            "c v, so include the term with k.": off(method, x, v, 0.0, damping, m, h, new),
-            "The stiffness and the damping have not been divided by the mass, but the acceleration "
-            "needs k / m and c / m. Divide both of them "
-            "first.": off(method, x, v, stiffness, damping, 1.0, h, new),
+            "Your result ignores the damping. The acceleration comes from m a = -k x - c v, so "
+            "include the term with c.": off(method, x, v, stiffness, 0.0, m, h, new),
+            "Your result ignores the stiffness. The acceleration comes from m a = -k x - c v, so "
+            "include the term with k.": off(method, x, v, 0.0, damping, m, h, new),
+            "You didn't divide the stiffness and the damping by the mass. The acceleration "
+            "contains k / m and c / m.": off(method, x, v, stiffness, damping, 1.0, h, new),
         }
         # If the new state solves the equations of a mistake, that mistake was made.
         slip = next((slip for slip in fits if max(map(abs, fits[slip])) < 1e-10), "")
         if not slip and abs(new[0] - x - v * h) < 1e-10:
-            slip = "The position uses only the old velocity, x' = x + v h."
+            slip = "Your position uses only the old velocity, x' = x + v h."
         if not slip and abs(new[0] - x - new[1] * h) < 1e-10 and left[0] != 0.0:
-            slip = "The position uses only the new velocity, x' = x + v' h."
+            slip = "Your position uses only the new velocity, x' = x + v' h."
         known = named(new, about.cause, slips)
         if slip and known == about.cause:
             about.cause = f"{slip} {about.cause}"
@@ -93,8 +91,8 @@ def test_half_the_frame_has_its_share_of_the_error(method: str, factor: float) -
     about.read = f"the docstring of {method}"
     about.call = f"{method}(x, v, 4.0, 0.5, 1.0, h) from x = 1, v = 0 to 2 s: the error of x"
     about.cause = (
-        f"With half the time step, the error must be 1 / {factor:g} of what it was, because of "
-        "the order of the method. Compare your two equations with those in the docstring."
+        "Given the order of this method, halving the time step should divide the error by "
+        f"{factor:g}. Compare your two equations with those in the docstring."
     )
     # x(2) by the closed form: e^-0.5 (cos 2g + sin 2g / (4 g)), g the root of 3.9375
     g = math.sqrt(3.9375)
@@ -117,12 +115,12 @@ def test_no_spring_is_too_stiff(method: str, rng: Random) -> None:
     about.read = f"the docstring of {method}"
     v = draw_number(rng)
     causes = {
-        "trapezoidal": "The trapezoidal rule keeps the energy of a spring without damping, "
-        "however stiff the spring is. Check that position and velocity both use the mean of the "
-        "old and the new value.",
-        "backward_euler": "Without damping, each step of backward Euler divides the energy by 1 "
-        "+ k h^2 / m, so even the stiffest spring calms down. Check that the force is that of "
-        "the new state.",
+        "trapezoidal": "The trapezoidal rule conserves the energy of an undamped spring, however "
+        "stiff the spring is. Check that the position and the velocity both use the "
+        "mean of the old and the new values.",
+        "backward_euler": "Without damping, each step of backward Euler divides the energy by 1 + "
+        "k h^2 / m, so even the stiffest spring settles down. Check that you use "
+        "the force of the new state.",
     }
     about.cause = causes[method]
     for k, steps in ((1e3, 5), (1e3, 1000), (1e6, 1000), (1e12, 1000)):
@@ -146,7 +144,7 @@ def test_backward_euler_loses_energy_by_its_factor(rng: Random) -> None:
         f"backward_euler({x}, {v}, {k}, 0.0, {m}, {h}): the final energy / the initial energy"
     )
     about.cause = (
-        "Without damping, each step of backward Euler must divide the energy by exactly 1 + k "
+        "Without damping, each step of backward Euler should divide the energy by exactly 1 + k "
         "h^2 / m. Check that both equations use the new position and the new velocity."
     )
     new = backward_euler(x, v, k, 0.0, m, h)
@@ -167,8 +165,8 @@ def test_an_implicit_step_needs_numbers_that_mean_something(method: str) -> None
     about(
         f"{method}(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)",
         cause=(
-            "The stiffness and the damping are 0 here, which is valid. There is no force then, so "
-            "the body keeps its velocity and moves by v h."
+            "A stiffness and a damping of 0 are valid. There is no force then, so the body keeps "
+            "its velocity and moves by v h."
         ),
     )
     got = step(5.0, 3.0, 0.0, 0.0, 1.0, 2.0)

@@ -27,7 +27,7 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
         about.call += f"{scale}).update_force(p, 0.5); p.force_accumulator"
         about.cause = (
             "Add an upward force of F e^(-y / H) to the forces that are already on the particle. "
-            "You can check it at y = H, where the lift must be 1 / e of F."
+            "To check it, try y = H, where the lift is F / e."
         )
         p = Particle(Vector3(3.0, y, 5.0), mass=7.0)
         p.add_force(Vector3(*f))
@@ -36,22 +36,22 @@ def test_the_lift_falls_off_with_the_height(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         lift = most * math.exp(-share)
         lifts = {
-            "The lift is F H / y, which is infinite at the ground. It must fall off "
+            "Your lift is F H / y, which is infinite at the ground. The lift falls off "
             "exponentially, so use F e^(-y / H).": most / share,
-            "The lift is F (1 - y / H), which decreases linearly and becomes negative above H. "
+            "Your lift is F (1 - y / H), which decreases linearly and becomes negative above H. "
             "Use F e^(-y / H), which never reaches 0.": most * (1.0 - share),
-            "The lift is F e^-y, as if the scale height were 1 m. Divide the height y by H "
-            "before you take the exponential.": most * math.exp(-y),
-            "The lift is F 2^(-y / H), so it is halved at the scale height. It must fall to 1 / "
-            "e there, so use math.exp.": most * 0.5**share,
-            "The lift is F / (1 + y / H), which decreases too slowly at large heights. Use F "
+            "Your lift is F e^-y, as if the scale height were 1 m. Divide the height y by H before "
+            "you take the exponential.": most * math.exp(-y),
+            "Your lift is F 2^(-y / H), which has dropped to half at the scale height. It should "
+            "have dropped to 1 / e, so use math.exp.": most * 0.5**share,
+            "Your lift is F / (1 + y / H), which decreases too slowly high above the ground. Use F "
             "e^(-y / H).": most / (1.0 + share),
-            "The lift is F e^(y / H), which grows with the height. The exponent needs a minus "
+            "Your lift is F e^(y / H), which grows with height. The exponent needs a minus "
             "sign.": most * math.exp(share),
-            "The lift points down, so the balloon would fall faster. Add the force along "
-            "positive y.": -lift,
-            "The lift has been multiplied by the mass of 7 kg. It does not depend on the mass of "
-            "the particle, so leave the mass out.": 7.0 * lift,
+            "Your lift points down, so the balloon would fall faster. Add the force along "
+            "+Y.": -lift,
+            "You multiplied the lift by the mass of 7 kg. The lift doesn't depend on the "
+            "particle's mass, so leave it out.": 7.0 * lift,
         }
         slips = {name: (f[0], f[1] + size, f[2]) for name, size in lifts.items()}
         blame(got, slips)
@@ -64,18 +64,18 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
     most, scale = positive_number(rng, 5.0, 90.0), positive_number(rng)
     balloon = LighterThanAir(most, scale)
     for y, cause in (
-        (0.0, "At the ground, at y = 0, the lift has its largest value, which is max_lift."),
+        (0.0, "On the ground, at y = 0, the lift is at its largest, which is max_lift."),
         (
             -0.5 * scale,
             (
-                "Below the ground the lift is the same as at the ground. The formula would make "
-                "it grow further, so use y = 0 there."
+                "Below the ground the lift should stay the same as on the ground, but the formula "
+                "makes it grow further. Clamp y to at least 0."
             ),
         ),
         (
             -1e6,
-            "Below the ground the lift is the same as at the ground, so use y = 0 there. Without "
-            "this limit, e^1000000 would overflow.",
+            "Below the ground the lift should stay the same as on the ground, so clamp y to at "
+            "least 0. Otherwise e^1000000 overflows.",
         ),
     ):
         about.cause = cause
@@ -89,8 +89,8 @@ def test_the_lift_is_finite_at_the_ground_and_below(rng: Random) -> None:
     about.call += f"balloon.scale_height = {3 * scale}; p at (0, {3 * scale}, 0); "
     about.call += "balloon.update_force(p, 0.5)"
     about.cause = (
-        "max_lift and scale_height were changed after the balloon was created. Read both "
-        "attributes in every call."
+        "The check changed max_lift and scale_height after it created the balloon. Read both "
+        "attributes on every call."
     )
     balloon.max_lift, balloon.scale_height = 2.0 * most, 3.0 * scale
     p = Particle(Vector3(0.0, 3.0 * scale, 0.0))
@@ -105,8 +105,8 @@ def test_a_balloon_comes_to_rest_where_its_lift_is_its_weight() -> None:
     about.call = "p of 2 kg, damping 0.5, g = 9.81; 60 s of LighterThanAir(30, 8).update_force(p, "
     about.call += "h), p.integrate(h) in frames of 1/60 s; p.position.y"
     about.cause = (
-        "The particle must rise until the lift F e^(-y / H) equals its weight m g, which is at "
-        "the height H ln(F / (m g)), and come to rest there."
+        "The particle should rise until the lift F e^(-y / H) equals its weight m g, and come to "
+        "rest there, at a height of H ln(F / (m g))."
     )
     y = risen(30.0, 8.0, 2.0, 0.5, 9.81, 1.0 / 60.0, 3600)
     wanted = 8.0 * math.log(30.0 / (2.0 * 9.81))

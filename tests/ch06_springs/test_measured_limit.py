@@ -36,37 +36,36 @@ def test_how_the_particle_is_released() -> None:
     seen = released()
     name = "swings_wider(integrator, 7.0, 0.25, 0.125): is the integrator called"
     calls = (
-        "Let the integrator that is passed make the steps. It can be any function, so no formula "
-        "can replace a trial with it."
+        "Let the integrator that is passed in make the steps. It can be any function, so there is "
+        "no formula for it: you have to try it out."
     )
     expect_exactly(len(seen) > 0, True, call=name, cause=calls)
     count, place, velocity, mass, damping, before, force, h, drift = seen[0]
     about.cause = (
-        "The integrator must get a list with exactly one particle. Do not add any others, such "
-        "as the anchor, to the list."
+        "Pass the integrator a list with exactly one particle. Don't add anything else, such as "
+        "the anchor."
     )
     expect_exactly(count, 1, then=": the number of particles")
     about.cause = (
-        "The particle must have a mass of 1 kg, because the stiffness is measured for this mass. A "
-        "heavier particle would tolerate a stiffer spring."
+        "Give the particle a mass of 1 kg, because the limit is measured for that mass. A heavier "
+        "particle would tolerate a stiffer spring."
     )
     expect_close(mass, 1.0, then=": its mass")
     about.cause = (
-        "The particle must have the damping that was passed to swings_wider. Pass it on when you "
+        "The particle should have the damping that is passed to swings_wider. Set it when you "
         "create the particle."
     )
     if damping == 1.0:
         about.cause = (
-            "The particle has no damping. Here the damping belongs to the particle and not to the "
+            "The particle has no damping. The damping belongs to the particle here, not to the "
             "spring, so pass it to Particle."
         )
     expect_close(damping, 0.25, then=": its damping")
     about.cause = (
-        "The integrator was called with a wrong duration. Pass the duration of the steps on to "
-        "it unchanged."
+        "You called the integrator with the wrong duration. Pass the duration on to it unchanged."
     )
     expect_close(h, 0.125, then=": the duration")
-    about.cause = "Release the particle at a distance of START from the anchor, which is 10 m."
+    about.cause = "Release the particle at a distance of START, which is 10 m, from the anchor."
     expect_close(math.hypot(*place), 10.0, then=": distance from the anchor")
     about.cause = (
         "This scene has no gravity. Leave the particle's own acceleration at 0, so that only the "
@@ -76,7 +75,7 @@ def test_how_the_particle_is_released() -> None:
     about.cause = "Release the particle at rest, with a velocity of 0."
     expect_close(velocity, (0.0, 0.0, 0.0), then=": velocity")
     by_hand = (
-        "A force was added to the particle before the integrator was called. Pass "
+        "You added a force to the particle before you called the integrator. Pass "
         "registry.update_forces as apply_forces, and let the integrator call it."
     )
     expect_close(
@@ -87,8 +86,8 @@ def test_how_the_particle_is_released() -> None:
         cause=by_hand,
     )
     about.cause = (
-        "Pass the update_forces of a registry as apply_forces. It must contain one AnchoredSpring "
-        "of this stiffness, with a rest length of 0 and no damping."
+        "Pass the update_forces of a registry as apply_forces. The registry should contain one "
+        "AnchoredSpring of this stiffness, with a rest length of 0 and no damping."
     )
     wanted = tuple(-7.0 * part for part in place)
     expect_close(force, wanted, then=": the force that apply_forces adds", tolerance=1e-11)
@@ -106,28 +105,28 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
             0.98,
             False,
             "The stiffness is 2 % below the limit, so the oscillation dies out. Perhaps you "
-            "compare swings that are too early, or single positions instead of maxima.",
+            "compare swings too early in the run, or single positions instead of maxima.",
         ),
         (
             1.02,
             True,
             (
-                "The stiffness is 2 % above the limit, so the oscillation grows, but only slowly "
-                "with the book's step. Make enough steps, and compare late swings with early "
-                "ones."
+                "The stiffness is 2 % above the limit, so the oscillation grows, although only "
+                "slowly with the book's step. Take enough steps, and compare late swings with "
+                "early ones."
             ),
         ),
         (
             0.5,
             False,
-            "The stiffness is half the limit, so the oscillation clearly dies out and the answer "
-            "must be False.",
+            "The stiffness is only half the limit, so the oscillation clearly dies out. Return "
+            "False.",
         ),
         (
             4.0,
             True,
-            "The stiffness is far above the limit, so the oscillation grows without bound. Stop "
-            "as soon as it is very large, before a number overflows.",
+            "The stiffness is far above the limit, so the oscillation grows without bound. Stop as "
+            "soon as it is huge, before a number overflows.",
         ),
         (
             1e6,
@@ -148,9 +147,9 @@ def test_swings_on_either_side_of_the_limit(explicit: bool, rng: Random) -> None
 def test_swings_that_stay_as_they_are_are_not_wider() -> None:
     about.read = WIDER
     about.cause = (
-        "Without damping, semi-implicit Euler keeps the amplitude, but a step can miss the "
-        "extreme of a swing. Compare the largest distance of many late swings with that of many "
-        "early ones."
+        "Without damping, semi-implicit Euler keeps the amplitude, but no step need fall exactly "
+        "on the peak of a swing. Compare the largest distance over many late swings with the "
+        "largest over many early ones."
     )
     for share in (0.1, 0.9, 0.98):
         k = share * 14_400.0
@@ -159,15 +158,14 @@ def test_swings_that_stay_as_they_are_are_not_wider() -> None:
         expect_exactly(got, False)
     about.call = "swings_wider(integrator, 14700, 1.0, 1/60), a step that is stable up to 14400 N/m"
     about.cause = (
-        "The stiffness is 2 % above the limit of 14400 N/m, so the oscillation grows and the "
-        "answer must be True."
+        "The stiffness is 2 % above the limit of 14400 N/m, so the oscillation grows. Return True."
     )
     got = wider(1.0, False, 14_700.0, 1.0, 1.0 / 60.0)
     expect_exactly(got, True)
     about.call = "swings_wider(integrator, 1.0, 1.0, 1/60), the book's step"
     about.cause = (
         "Without damping the book's step is unstable for every spring, but this oscillation grows "
-        "slowly, by only 12 % in FRAMES steps. Make that many steps before you decide."
+        "slowly, by only 12 % in FRAMES steps. Take that many steps before you decide."
     )
     got = wider(1.0, True, 1.0, 1.0, 1.0 / 60.0)
     expect_exactly(got, True)
@@ -184,29 +182,26 @@ def test_the_largest_stiffness_is_measured(explicit: bool, rng: Random) -> None:
     about.call = f"largest_stable_stiffness(integrator, {damping}, {h!r}), with an integrator that "
     about.call += "the check provides"
     about.cause = (
-        "Measure the limit with the integrator that is passed, because no formula covers all "
-        "integrators. Halve the interval between a stable and an unstable stiffness again and "
-        "again."
+        "Measure the limit with the integrator that is passed in, because no formula covers every "
+        "integrator. Keep halving the interval between a stable and an unstable stiffness."
     )
     got = measured(share, explicit, damping, h)
     wanted = limit_of(share, explicit, damping, h)
     slips = {
-        "The result is SOFTEST / h^2, where the search began. If a middle stiffness is stable, "
-        "make it the new lower bound.": 1e-7 / h**2,
-        "The result is STIFFEST / h^2, where the search began. If a middle stiffness is "
-        "unstable, make it the new upper bound.": 16.0 / h**2,
-        "The result is max_stable_stiffness, which is the formula for the book's step. The "
-        "integrator here is a different one, so measure with swings_wider.": limit_of(
-            1.0, True, damping, h
-        ),
-        "The result is STIFFEST / h. The bounds of the search contain the square of the "
-        "duration, so divide by h^2.": 16.0 / h,
+        "The result is still SOFTEST / h^2, where the search began. If the stiffness in the middle "
+        "is stable, make it the new lower bound.": 1e-7 / h**2,
+        "The result is still STIFFEST / h^2, where the search began. If the stiffness in the "
+        "middle is unstable, make it the new upper bound.": 16.0 / h**2,
+        "You returned max_stable_stiffness, the formula for the book's step. This is a different "
+        "integrator, so measure its limit with swings_wider.": limit_of(1.0, True, damping, h),
+        "The result is STIFFEST / h. The bounds of the search go with the square of the duration, "
+        "so divide by h^2.": 16.0 / h,
     }
     blame(got, slips)
     if isinstance(got, float) and 0.02 < abs(got / wanted - 1.0) < 0.3:
         about.cause = (
-            f"The result is {abs(got / wanted - 1.0):.1%} off. Continue to halve the interval "
-            "until its ends differ by less than 1 %."
+            f"The result is off by {abs(got / wanted - 1.0):.1%}. Keep halving the interval until "
+            "its ends differ by less than 1 %."
         )
     # 1 % is promised; as much again for those who measure in another way.
     expect_close(got, wanted, tolerance=0.02 * wanted)
@@ -219,15 +214,15 @@ def test_the_ends_of_what_is_measured() -> None:
     about.call = "largest_stable_stiffness(integrator, 0.5, 1/60), an integrator that makes every "
     about.call += "swing wider"
     about.cause = (
-        "With this integrator every oscillation grows, so no spring is stable. Return 0, or a "
-        "stiffness that is almost 0."
+        "With this integrator every oscillation grows, so no spring is stable. Return 0 or a "
+        "stiffness very close to it."
     )
     got = never_safe(h)
     # A spring of 0.36 N/m, with k h^2 / m = 1e-4, is softer than any that matters in a game.
     expect_between(got, -0.36, 0.36)
     about.cause = (
-        "The search ends at STIFFEST / h^2, so do not try any stiffness above it. If even this "
-        "one is stable, return it."
+        "The search ends at STIFFEST / h^2, so don't try anything stiffer. If even that is stable, "
+        "return it."
     )
     about.call = "largest_stable_stiffness(integrator, 0.5, 0.8), a step stable up to 400 / h^2"
     most = 16.0 / 0.8**2
@@ -235,8 +230,8 @@ def test_the_ends_of_what_is_measured() -> None:
     expect_close(got, most, tolerance=0.01 * most)
     about.call = "largest_stable_stiffness(integrator, 0.0, 1/60), semi-implicit Euler"
     about.cause = (
-        "A damping of 0 is valid. It stops the particle at the end of each step, so that even a "
-        "spring of STIFFEST / h^2 is stable here. Return this stiffness."
+        "A damping of 0 is valid. It stops the particle at the end of each step, so even a spring "
+        "of STIFFEST / h^2 is stable. Return that stiffness."
     )
     got = measured(1.0, False, 0.0, h)
     most = 16.0 * 3600.0
@@ -248,8 +243,8 @@ def test_the_ends_of_what_is_measured() -> None:
 def test_measuring_needs_numbers_that_mean_something() -> None:
     about.read = WIDER
     about.cause = (
-        "This argument is invalid, so ValueError must be raised. Particle and AnchoredSpring "
-        "check the damping and the stiffness for you, but you must check the duration yourself."
+        "This argument is invalid, so raise ValueError. Particle and AnchoredSpring check the "
+        "damping and the stiffness for you, but checking the duration is up to you."
     )
 
     def step(particles: list, apply_forces: object, duration: float) -> None:
@@ -282,8 +277,8 @@ def test_measuring_needs_numbers_that_mean_something() -> None:
         )
     about.call = "swings_wider(integrator, 10.0, 0.5, 1/60), the book's step"
     about.cause = (
-        "All arguments of this call are valid, so it must not raise an error. A stiffness of 10 "
-        "N/m is below the limit of 41.8 N/m, so the oscillation dies out."
+        "All arguments of this call are valid, so don't raise an error. A stiffness of 10 N/m is "
+        "below the limit of 41.8 N/m, so the oscillation dies out."
     )
     got = wider(1.0, True, 10.0, 0.5, 1.0 / 60.0)
     expect_exactly(got, False)

@@ -27,20 +27,19 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
         (
             0.25,
             (
-                "Every particle that is closer than the distance pushes p away with k (distance "
-                "- l), where l is how far away it is. The list contains p itself, which must not "
-                "push."
+                "Every particle that is closer than the distance pushes p away with k (distance - "
+                "l), where l is how far away it is. The list contains p itself, which doesn't push."
             ),
         ),
         (
             0.9,
             "The other particle is only slightly closer than the distance, so it pushes p away "
-            "with a small force. The push is k (distance - l) and has no minimum.",
+            "with a small force. The push is k (distance - l), however small that is.",
         ),
         (
             1.1,
-            "The other particle is farther away than the distance, so it exerts no force. Only "
-            "add a force where distance - l is positive.",
+            "The other particle is farther away than the distance, so it exerts no force. Add a "
+            "force only if distance - l is positive.",
         ),
     ):
         about.cause = cause
@@ -56,16 +55,16 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
         got = xyz(p.force_accumulator)
         near = share * distance
         pushes = {
-            "The force pulls p toward the other particle. It must push p away, so check the sign "
-            "of the offset.": -push,
-            "There is no push at all, perhaps because the loop ends when it finds p itself in the "
-            "list. Skip only p, and continue with the next particle.": 0.0,
-            "The push has the size k at every distance. It must grow as the particles come "
+            "Your force pulls p toward the other particle. It should push p away, so check the "
+            "sign of the offset.": -push,
+            "There is no push at all. Perhaps your loop ends when it finds p itself in the list. "
+            "Skip only p, and continue with the next particle.": 0.0,
+            "Your push has the size k at every distance. It should grow as the particles come "
             "closer, so multiply k by (distance - l).": k,
-            "The push has been multiplied by the whole offset, so it depends on the distance "
-            "twice. Multiply it by the unit vector along the offset.": push * near,
-            "The push uses the squared distance between the particles. Take the magnitude of the "
-            "offset instead.": k * (distance - near**2),
+            "You multiplied the push by the whole offset, so the distance counts twice. Multiply "
+            "by the unit vector along the offset instead.": push * near,
+            "You used the squared distance between the particles. Take the magnitude of the offset "
+            "instead.": k * (distance - near**2),
         }
         if share < 1.0:
             slips = {
@@ -75,8 +74,8 @@ def test_who_is_too_near_pushes(rng: Random) -> None:
             blame(got, slips)
         expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
         about.cause = (
-            "The other particle has received a force as well. Push only the particle that was "
-            "passed, because update_force is called for each particle."
+            "You added a force to the other particle as well. Push only the particle that is "
+            "passed in, because update_force is called for each particle in turn."
         )
         expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
 
@@ -90,8 +89,8 @@ def test_every_one_who_is_too_near_counts(rng: Random) -> None:
     about.call = f"p at {here}, others at distances of 1, 2, 1.5 and 4 m along x, y, -z and -y; "
     about.call += f"crowd = Overcrowding(all, 3.0, {k}); crowd.update_force(p, 0.5)"
     about.cause = (
-        "Three of the four others are closer than the distance, and each of them pushes. Add up "
-        "all the pushes instead of stopping after the first."
+        "Three of the other four are closer than the distance, and each of them pushes. Add up all "
+        "three pushes instead of stopping after the first."
     )
     p = Particle(Vector3(*here))
     others = [Particle(p.position + Vector3(*offset)) for offset in offsets]
@@ -103,8 +102,8 @@ def test_every_one_who_is_too_near_counts(rng: Random) -> None:
     about.call += "; p.clear_forces(); crowd.particles.pop(); crowd.distance = 1.25; "
     about.call += f"crowd.stiffness = {2 * k}; crowd.update_force(p, 0.5)"
     about.cause = (
-        "The list, the distance and the stiffness have changed since the last call, so read these "
-        "attributes in every call. The distance is 1.25 m now, and only one particle is still "
+        "The check has changed the list, the distance and the stiffness since the last call, so "
+        "read these attributes on every call. The distance is 1.25 m now, and only one particle is "
         "closer than that."
     )
     p.clear_forces()
@@ -123,8 +122,8 @@ def test_a_particle_does_not_push_itself_nor_who_is_at_its_place(rng: Random) ->
     about.call = f"p and q at {here}, r 1 m above; Overcrowding([p, q, r], 3.0, "
     about.call += "5.0).update_force(p, 0.5)"
     about.cause = (
-        "The particles p and q are at the same position, so there is no direction for a push "
-        "between them. Skip q, so that only r pushes p downward."
+        "p and q are at the same position, so a push between them has no direction. Skip q, so "
+        "that only r pushes p, downward."
     )
     p, q = Particle(Vector3(*here)), Particle(Vector3(*here))
     r = Particle(p.position + Vector3(0.0, 1.0, 0.0), mass=math.inf)
@@ -133,8 +132,8 @@ def test_a_particle_does_not_push_itself_nor_who_is_at_its_place(rng: Random) ->
     got = xyz(p.force_accumulator)
     expect_close(got, (0.0, -10.0, 0.0), then="; p.force_accumulator", tolerance=1e-12)
     about.cause = (
-        "The list of particles belongs to the caller, so you may only read it. Do not change its "
-        "order or move its particles."
+        "The list of particles belongs to the caller, so treat it as read-only. Don't reorder it "
+        "or move its particles."
     )
     got = [part for one in crowd.particles for part in xyz(one.position)]
     wanted = [here[0], here[1] + 1.0, here[2], *here, *here]
@@ -147,8 +146,8 @@ def test_a_particle_does_not_push_itself_nor_who_is_at_its_place(rng: Random) ->
     about.call = "p at (0, 1e-9, 0), not in the crowd; Overcrowding([q], 3.0, 5.0).update_force(p, "
     about.call += "0.5), q at (0, 0, 0); p.force_accumulator"
     about.cause = (
-        "The particle that is pushed may be missing from the list. Its neighbor is very close, "
-        "but not at the same position, so it has a direction and pushes."
+        "The particle that is pushed doesn't have to be in the list. Its neighbor is very close "
+        "but not at the same position, so the push has a direction."
     )
     p, q = Particle(Vector3(0.0, 1e-9, 0.0)), Particle()
     Overcrowding([q], 3.0, 5.0).update_force(p, 0.5)
@@ -166,8 +165,9 @@ def test_a_crowd_moves_apart_and_keeps_its_momentum(rng: Random) -> None:
     about.call = f"6 particles at {places[0]} ..., damping 0.2, Overcrowding(all, 1.0, 40.0) for "
     about.call += "each; 600 frames of registry.update_forces(h), p.integrate(h)"
     about.cause = (
-        "Particles that are closer than 1 m push each other apart with equal and opposite "
-        "forces. In the end none of them are that close, and the total momentum is still zero."
+        "Particles that are closer than 1 m push each other apart with equal and opposite forces. "
+        "At the end no two of them should be that close, and the total momentum should still be "
+        "zero."
     )
     nearest, momentum = crowded(places, 1.0, 40.0, 0.2, 1.0 / 60.0, 600)
     # Pushed out of the way, each coasts on a little, slowed by the damping.

@@ -83,9 +83,9 @@ def test_it_moves_all_by_their_forces(rng: Random) -> None:
     v, a, middle = components(rng), components(rng), components(rng)
     about.call = f"my_step with two particles of {m} and {n} kg on a spring of {stiffness} N/m"
     about.cause = (
-        "A method of order 2 is off by 0.003 m at most here. Either your method is less accurate, "
-        "or a particle does not move with its own mass, velocity and acceleration, or the forces "
-        "are not cleared after use."
+        "A method of order 2 is off by at most 0.003 m here. Either your method is less accurate, "
+        "or some particle doesn't move with its own mass, velocity and acceleration, or you don't "
+        "clear the forces after you use them."
     )
 
     def ends(swung: float, t: float) -> list[Components]:
@@ -170,7 +170,7 @@ def test_it_is_near_for_few_evaluations(rng: Random, most: float) -> None:
     expect_between(count, 0, FEW, then=name)
     about.cause = (
         f"The error is too large. You use {count} of the {FEW} evaluations that are allowed, so "
-        "take more parts where the particle is fast, or use a more accurate method."
+        "take shorter steps where the particle is fast, or use a more accurate method."
     )
     # Runge-Kutta 4, twice a frame, has 480 and 2.4e-4. These do not depend on what is drawn.
     expect_between(

@@ -27,8 +27,8 @@ def test_the_ground_pushes_out_what_has_sunk_in(rng: Random) -> None:
         about.call = f"p at (3, {height - depth}, 5); p.add_force(Vector3{f}); "
         about.call += f"PenaltyGround({height}, {k}).update_force(p, 0.5); p.force_accumulator"
         about.cause = (
-            "The ground pushes up with k times the depth of the particle below the height of the "
-            "ground. Add this force to those already on the particle."
+            "The ground pushes up with k times the depth of the particle below its surface. Add "
+            "that push to the forces already on the particle."
         )
         p = Particle(Vector3(3.0, height - depth, 5.0), Vector3(7.0, 0.0, 7.0), mass=2.0)
         p.add_force(Vector3(*f))
@@ -36,14 +36,14 @@ def test_the_ground_pushes_out_what_has_sunk_in(rng: Random) -> None:
         wanted = (f[0], f[1] + k * depth, f[2])
         got = xyz(p.force_accumulator)
         pushes = {
-            "The force pushes the particle farther into the ground. It must push up, so check "
-            "its sign.": -k * depth,
-            "The depth is measured from a height of 0, but this ground is at another height. "
-            "Subtract the position from self.height.": k * (depth - height),
-            "The push has been multiplied by the mass. It depends only on the stiffness and the "
-            "depth, so leave the mass out.": 2.0 * k * depth,
-            "There is no push, although p is below the ground. Check the sign of the depth, "
-            "which is self.height minus the y of p.": 0.0,
+            "Your force pushes the particle farther into the ground. It must push up, so check its "
+            "sign.": -k * depth,
+            "You measured the depth from a height of 0, but this ground is at a different height. "
+            "Subtract the particle's y from self.height.": k * (depth - height),
+            "You multiplied the push by the mass. It depends only on the stiffness and the depth, "
+            "so leave the mass out.": 2.0 * k * depth,
+            "There is no push, although p is below the surface. Check the sign of the depth, which "
+            "is self.height minus p's y.": 0.0,
         }
         slips = {slip: (f[0], f[1] + size, f[2]) for slip, size in pushes.items()}
         blame(got, slips)
@@ -58,20 +58,20 @@ def test_above_the_ground_nothing_pushes(rng: Random) -> None:
         (
             0.5,
             0.0,
-            "The particle is above the ground, so there is no force. The ground only pushes and "
-            "must never pull.",
+            "The particle is above the ground, so there is no force. The ground can push but never "
+            "pull.",
         ),
         (
             0.5,
             -9.0,
-            "The particle is still above the ground, so there is no damping yet, however fast it "
-            "falls. Check the depth before you compute any force.",
+            "The particle is still above the ground, so nothing damps its fall yet, however fast "
+            "it is. Check the depth before you compute any force.",
         ),
         (
             0.0,
             -9.0,
-            "The particle just touches the ground, so its depth is 0 and there is no force. The "
-            "damping acts only below the surface.",
+            "The particle just touches the ground, so its depth is 0 and there is no force. "
+            "Damping acts only below the surface.",
         ),
     ):
         about(f"p at (0, {height + above}, 0), velocity (0, {speed}, 0); ", cause=cause)
@@ -83,8 +83,8 @@ def test_above_the_ground_nothing_pushes(rng: Random) -> None:
     about.call = f"p at (0, -1e-6, 0); PenaltyGround(0, {k}).update_force(p, 0.5); "
     about.call += "p.force_accumulator"
     about.cause = (
-        "The particle is only slightly below the surface, so it gets a small push upward. Any "
-        "depth above 0 counts."
+        "The particle is only slightly below the surface, but that is enough for a small upward "
+        "push. Any depth above 0 counts."
     )
     p = Particle(Vector3(0.0, -1e-6, 0.0))
     PenaltyGround(0.0, k).update_force(p, 0.5)
@@ -93,8 +93,8 @@ def test_above_the_ground_nothing_pushes(rng: Random) -> None:
     about.call = f"p at (0, {height - 1}, 0); PenaltyGround({height}, {k}, {c}).update_force(p, "
     about.call += "0.5)"
     about.cause = (
-        "The particle is 1 m below the surface, so it gets a push upward. The depth is the "
-        "height of the ground minus the y of the particle."
+        "The particle is 1 m below the surface, so the ground pushes it up. The depth is the "
+        "height of the ground minus the particle's y."
     )
     p = Particle(Vector3(0.0, height - 1.0, 0.0))
     PenaltyGround(height, k, c).update_force(p, 0.5)
@@ -111,8 +111,8 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
     for share, cause in (
         (
             -2.0,
-            "The body is still sinking in, so v_y is negative and the damping increases the "
-            "push. The force is k depth - c v_y.",
+            "The body is still sinking in, so v_y is negative and the damping adds to the push. "
+            "The force is k depth - c v_y.",
         ),
         (
             0.5,
@@ -121,8 +121,8 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
         ),
         (
             2.0,
-            "The body leaves so fast that the damping exceeds the push. The ground cannot pull "
-            "it back, so the force must be 0 and not negative.",
+            "The body leaves so fast that the damping outweighs the push. The ground can't pull it "
+            "back, so clamp the force to 0.",
         ),
     ):
         about.cause = cause
@@ -135,25 +135,25 @@ def test_damping_of_the_ground_holds_nothing_back(rng: Random) -> None:
         wanted = (0.0, push * max(1.0 - share, 0.0), 0.0)
         got = xyz(p.force_accumulator)
         slips = {
-            "The damping is missing, so a body would bounce on this ground forever. Subtract c "
+            "You left out the damping, so a body would bounce on this ground forever. Subtract c "
             "v_y from the push.": (0.0, push, 0.0),
-            "The force is k depth + c v_y, so the damping acts with the motion. It must act "
-            "against the motion, so reverse its sign.": (
+            "Your force is k depth + c v_y, so the damping speeds the motion up. It has to oppose "
+            "the motion, so reverse its sign.": (
                 0.0,
                 max(push * (1.0 + share), 0.0),
                 0.0,
             ),
-            "The damping also acts along the ground, as friction would. It must depend only on "
+            "The damping also acts along the ground, as friction would. It should depend only on "
             "v_y, so leave the x and z components of the force at "
             "0.": (-4.0 * c, wanted[1], -4.0 * c),
-            "The force pulls the body down, but the ground can only push. If the sum of push and "
-            "damping is negative, use 0 instead.": (0.0, push * (1.0 - share), 0.0),
+            "Your force pulls the body down, but the ground can only push. If the push and the "
+            "damping add up to less than 0, use 0 instead.": (0.0, push * (1.0 - share), 0.0),
         }
         blame(got, slips)
         if got[0] or got[2]:
             about.cause = (
-                "The damping also acts along the ground, as friction would. It must depend only on "
-                "v_y, so leave the x and z components of the force at 0."
+                "The damping also acts along the ground, as friction would. It should depend only "
+                "on v_y, so leave the x and z components of the force at 0."
             )
         expect_close(got, wanted, tolerance=1e-11)
 
@@ -164,15 +164,15 @@ def test_a_body_comes_to_rest_in_the_sponge() -> None:
     about.call = "p of 2 kg falls 0.5 m, g = 10, on PenaltyGround(0, 400, 10); 20 s of "
     about.call += "update_force(p, h), a step of semi-implicit Euler, h = 1/240: p.position.y"
     about.cause = (
-        "A body that has come to rest on this ground has sunk in by m g / k, which is 5 cm here. "
-        "At this depth the push equals the weight."
+        "A body that comes to rest on this ground has sunk in by m g / k, which is 5 cm here. At "
+        "that depth the push equals the weight."
     )
     end, lowest = on_penalty_ground(400.0, 10.0, 2.0, 0.5, 1.0 / 240.0, 4800)
     # By then the swings have died out to e^-50.
     expect_close(end, -0.05, tolerance=1e-9)
     about.cause = (
-        "The body arrives at sqrt(10) m/s, and the spring must stop it within about 0.2 m. Check "
-        "the stiffness, and the sign of the damping."
+        "The body arrives at sqrt(10) m/s, and the spring should stop it within about 0.2 m. Check "
+        "the stiffness and the sign of the damping."
     )
     deepest = -0.05 - math.sqrt(0.05**2 + 10.0 * 2.0 / 400.0)  # without damping
     expect_between(lowest, deepest, 0.6 * deepest, then=", at its lowest")
@@ -180,8 +180,8 @@ def test_a_body_comes_to_rest_in_the_sponge() -> None:
     about.call += "0.5; p at (0, 0, 0), velocity (0, 2, 0); update_force(p, 0.5); "
     about.call += "p.force_accumulator"
     about.cause = (
-        "The attributes were changed after the ground was created, so read them in every call. "
-        "The force here is 3 N minus 0.5 times 2 m/s."
+        "The check changed the attributes after it created the ground, so read them on every call. "
+        "The force is now 3 N minus 0.5 times 2 m/s."
     )
     ground, p = PenaltyGround(0.0, 400.0), Particle(velocity=Vector3(0.0, 2.0, 0.0))
     ground.height, ground.stiffness, ground.damping = 1.0, 3.0, 0.5

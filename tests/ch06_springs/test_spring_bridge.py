@@ -49,24 +49,24 @@ def test_a_new_bridge_is_at_rest(rng: Random) -> None:
         *numbers
     )
     about.cause = (
-        "No spring may pull in a new bridge, so the rest length of each one is its current "
-        "length. That is the height for the hangers, and the distance between the two planks for "
-        "the others."
+        "In a new bridge no spring is under tension, so the rest length of each one is its current "
+        "length. For a hanger that is the height, and for the others it is the distance between "
+        "the two planks."
     )
     forces = hung_bridge(places, [(place, ZERO) for place in places], numbers)[:-1]
     # Lengths of up to 20 m are 1e-14 m off, times a stiffness of up to 9 N/m.
     height, k, _ = numbers
     for i, force in enumerate(forces):
         slack = (
-            "The hangers have a rest length of 0, so they pull the new bridge up. Use the "
-            "height, which is their length at the start."
+            "Your hangers have a rest length of 0, so they pull the new bridge up. Use the height, "
+            "which is their length at the start."
         )
         blame(force, [((0.0, k * height, 0.0), slack)])
         expect_close(force, ZERO, then=f"; planks[{i}].force_accumulator", tolerance=1e-12)
-    about.call += ", with a single plank that was moved 0.5 m down"
+    about.call += ", with a single plank that the check lowers by 0.5 m"
     about.cause = (
-        "The first plank has been moved down by 0.5 m, which stretches its hanger by 0.5 m. The "
-        "hanger must pull it back up with 0.5 k."
+        "The check lowers the first plank by 0.5 m. Its hanger is then stretched by 0.5 m, so it "
+        "should pull the plank up with a force of 0.5 k."
     )
     x, y, z = places[0]
     got = hung_bridge(places[:1], [((x, y - 0.5, z), ZERO)], numbers)
@@ -87,8 +87,8 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
     about.call = f"hang_bridge(registry, planks, {height}, {k}, {c}); all planks moved a little, "
     about.call += "with velocities; registry.update_forces(0.5)"
     about.cause = (
-        "Hang each plank on one AnchoredSpring whose anchor is straight above it. Then connect "
-        "each plank to the next one with a single call of connect, which acts on both ends."
+        "Hang each plank from one AnchoredSpring whose anchor is straight above it. Then join each "
+        "plank to the next with a single call of connect, which acts on both ends."
     )
     forces = hung_bridge(places, after, (height, k, c))
     for i, end in enumerate(after):
@@ -102,15 +102,15 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
         wanted = tuple(math.fsum(part[axis] for part in parts) for axis in range(3))
         below = pull(end, ((x, y - height, z), ZERO), k, height, c)
         slips = {
-            "The anchors are below the planks. Add the height to y, so that each plank hangs "
-            "from an anchor above it.": [
+            "Your anchors are below the planks. Add the height to y, so that each plank hangs from "
+            "an anchor above it.": [
                 total - hanger + part
                 for total, hanger, part in zip(wanted, parts[0], below, strict=True)
             ],
-            "Only the hangers act, but neighboring planks must pull on each other as well. Call "
+            "Only the hangers act, but neighboring planks should pull on each other too. Call "
             "connect for each pair of neighbors.": parts[0],
-            "Each spring between two planks acts twice. The spring that connect registers already "
-            "acts on both planks, so call connect only once for each pair.": [
+            "Your springs between the planks act twice. The spring that connect registers already "
+            "acts on both planks, so call connect only once per pair.": [
                 2.0 * total - hanger for total, hanger in zip(wanted, parts[0], strict=True)
             ],
         }
@@ -119,8 +119,8 @@ def test_hangers_and_ropes_pull_a_plank_back(rng: Random) -> None:
             forces[i], wanted, then=f"; planks[{i}].force_accumulator", cause=why, tolerance=1e-11
         )
     about.cause = (
-        "The registry already had a spring before the bridge was hung, and this spring must keep "
-        "acting. Only add to the registry, and do not clear it."
+        "The registry already held another spring before you hung the bridge, and that spring has "
+        "to keep acting. Add to the registry without clearing it."
     )
     expect_close(
         forces[-1],
@@ -138,43 +138,43 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         (
             -1.25,
             (0.75, 0.25, 0.0),
-            "The two planks beside the walker share the weight as 1 - s and s, and the nearer "
-            "one carries more. Check which plank gets which fraction.",
+            "The planks before and after the walker carry the fractions 1 - s and s of the weight, "
+            "and the nearer one carries more. Check which plank gets which fraction.",
         ),
         (
             1.0,
             (0.0, 0.25, 0.75),
-            "The fraction s must go from 0 at one plank to 1 at the next. The gap here is 2 m "
-            "and not 1 m, so divide the distance by the gap.",
+            "The fraction s should go from 0 at one plank to 1 at the next. The gap is 2 m here "
+            "rather than 1 m, so divide the distance by the gap.",
         ),
         (
             -0.5,
             (0.0, 1.0, 0.0),
-            "The walker is directly above a plank here, so this plank carries the whole weight.",
+            "The walker is standing right on a plank here, so that plank carries the whole weight.",
         ),
         (
             -7.0,
             (1.0, 0.0, 0.0),
             "The walker is before the first plank here, so the first plank carries the whole "
-            "weight. Limit x to the range of the bridge.",
+            "weight. Clamp x to the ends of the bridge.",
         ),
         (
             9.0,
             (0.0, 0.0, 1.0),
-            "The walker is beyond the last plank here, so the last plank carries the whole "
-            "weight. Limit x to the range of the bridge.",
+            "The walker is beyond the last plank here, so the last plank carries the whole weight. "
+            "Clamp x to the ends of the bridge.",
         ),
         (
             -1.5,
             (1.0, 0.0, 0.0),
-            "The walker is directly above the first plank here, so this plank carries the whole "
-            "weight. It has no plank before it.",
+            "The walker is standing right on the first plank, which carries the whole weight. "
+            "There is no plank before it.",
         ),
         (
             1.5,
             (0.0, 0.0, 1.0),
-            "The walker is directly above the last plank here, so this plank carries the whole "
-            "weight. It has no plank after it.",
+            "The walker is standing right on the last plank, which carries the whole weight. There "
+            "is no plank after it.",
         ),
     ):
         about(f"planks at x = -1.5, -0.5 and 1.5; load_bridge(planks, {x}, {weight})", cause=cause)
@@ -183,16 +183,17 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
         wanted = [-weight * share for share in shares]
         beside = max(shares) < 1.0
         slips = {
-            "The fractions s and 1 - s are swapped. The plank that the walker is closer to must "
-            "carry more.": [-weight * (1.0 - share) if share else 0.0 for share in shares],
-            "Each of the two planks carries half of the weight. The nearer one must carry more, "
+            "The fractions s and 1 - s are swapped. The plank nearer the walker must carry more.": [
+                -weight * (1.0 - share) if share else 0.0 for share in shares
+            ],
+            "You gave each of the two planks half of the weight. The nearer one must carry more, "
             "so use the fractions 1 - s and s.": [
                 -0.5 * weight * (share > 0.0) for share in shares
             ],
-            "The weight pushes the planks up. Weight is a force downward, so its y component "
-            "must be negative.": [-part for part in wanted],
-            "The weight has been multiplied by 9.81. It is a force in N already, and not a mass "
-            "in kg, so use it as it is.": [9.81 * part for part in wanted],
+            "Your weight pushes the planks up. Weight is a downward force, so its y component is "
+            "negative.": [-part for part in wanted],
+            "You multiplied the weight by 9.81. It is already a force in N, not a mass in kg, so "
+            "use it as is.": [9.81 * part for part in wanted],
         }
         about.cause = named(got, about.cause, slips) if beside else about.cause
         expect_close(
@@ -206,14 +207,14 @@ def test_a_walker_is_carried_by_the_planks_beside_him(rng: Random) -> None:
     about.call = f"one plank at x = -1.5; load_bridge([plank], 4.0, {weight})"
     about.cause = (
         "There is only one plank here, so it carries the whole weight wherever the walker is. "
-        "Perhaps your search needs a second plank."
+        "Perhaps your code looks for a second plank."
     )
     got = loaded(places[:1], 4.0, weight)[0][1] - 2.0
     expect_close(got, -weight, tolerance=1e-12 * weight)
     about.call = "load_bridge(planks, 0.0, 4.0), both planks at x = 0; the sum of what they carry"
     about.cause = (
-        "Both planks are at the same x, so the gap between them is 0 and you cannot divide by "
-        "it. Together they must still carry the whole weight."
+        "Both planks are at the same x, so you can't divide by the gap between them, which is 0. "
+        "Together they still have to carry the whole weight."
     )
     got = math.fsum(force[1] - 2.0 for force in loaded([ZERO, ZERO], 0.0, 4.0))
     expect_close(got, -4.0)
@@ -226,8 +227,8 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
     about.call = "7 planks of 2 kg, hang_bridge(registry, planks, 3, 200, 20); load_bridge(planks, "
     about.call += "3, 100) in every frame, 20 s: the pull of all hangers together"
     about.cause = (
-        "Nothing moves any more at the end, so the pull of all hangers must equal the weight of "
-        "the planks plus that of the walker."
+        "By the end the bridge is at rest, so the total pull of the hangers should equal the "
+        "weight of the planks plus that of the walker."
     )
     ends = settled_bridge(places, (3.0, 200.0, 20.0), 2.0, (3.0, 100.0), 1200)
     up = math.fsum(
@@ -240,15 +241,15 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
         "the same bridge: how far the first three planks sag, which must match the last three"
     )
     about.cause = (
-        "The walker is above the middle plank, so the bridge must sag equally on both sides. Check "
-        "that all planks hang on the same kind of spring and that all neighbors are connected."
+        "The walker is on the middle plank, so the bridge should sag equally on both sides. Check "
+        "that all planks hang from the same kind of spring and that all neighbors are connected."
     )
     sags = [-end[1] for end in ends]
     expect_close(sags[:3], sags[:3:-1], tolerance=1e-6)
     about.call = "the same bridge: the sag of the middle plank minus that of the first plank"
     about.cause = (
-        "The ropes between the planks spread the load, but the planks near the walker must still "
-        "sag more than those at the ends. Check that neighboring planks are connected."
+        "The springs between the planks spread the load, but the planks near the walker should "
+        "still sag more than those at the ends. Check that neighboring planks are connected."
     )
     # Without ropes between them 100 N over 200 N/m would be 0.5 m; the ropes share it out.
     expect_between(sags[3] - sags[0], 0.2, 0.499)
@@ -258,8 +259,8 @@ def test_a_loaded_bridge_sags_under_its_walker() -> None:
 @pytest.mark.robust
 def test_a_bridge_needs_numbers_that_mean_something() -> None:
     about(
-        cause="Height, stiffness or damping is invalid here, so raise ValueError, even if there "
-        "are no planks. Check all arguments before you add anything to the registry.",
+        cause="The height, stiffness or damping is invalid here, so raise ValueError, even if "
+        "there are no planks. Check all arguments before you add anything to the registry.",
         read=HANG,
     )
     planks = [Particle(), Particle()]
@@ -280,11 +281,11 @@ def test_a_bridge_needs_numbers_that_mean_something() -> None:
                 call="hang_bridge(registry, {}, {}, {}, {})".format(name, *bad),
                 allowed=lambda: hang_bridge(ForceRegistry(), planks, 1.0, 1.0, 1.0),
             )
-    about.call = "hang_bridge(registry, planks, ...) was refused; planks[0] is moved; "
+    about.call = "hang_bridge(registry, planks, ...) raised an error; planks[0] is moved; "
     about.call += "registry.update_forces(0.5)"
     about.cause = (
-        "The call was refused, but some of its springs are in the registry all the same. Check "
-        "all arguments before you add the first spring."
+        "The call raised an error but left some of its springs in the registry. Check all "
+        "arguments before you add the first spring."
     )
     planks[0].position.y = -0.5
     registry.update_forces(0.5)
@@ -294,7 +295,7 @@ def test_a_bridge_needs_numbers_that_mean_something() -> None:
     about.cause = (
         "At least one of the arguments is not valid, so raise ValueError. There must be at least "
         "one plank, x must be finite, and the weight must be finite and not negative. The "
-        "functions in arguments.py check such numbers for you."
+        "functions in arguments.py can check the numbers for you."
     )
     for count, x, weight in (
         (0, 1.0, 1.0),

@@ -40,32 +40,30 @@ def spring_slips(
         return [size * part for part in d]
 
     return {
-        "The extension is abs(l - l0), so a compressed spring pulls. Remove abs (E-3), because a "
+        "Your extension is abs(l - l0), so a compressed spring pulls. Remove abs (E-3), because a "
         "compressed spring pushes this end away, along the offset.": along(-abs(pull) - c * rate),
-        "The damping pushes in the direction of the motion, so the spring would swing more and "
-        "more. It must act against the motion, so check its sign.": along(c * rate - pull),
-        "The force points along the offset, so a stretched spring would push its end even "
-        "farther away. Check whether the minus sign is missing.": along(pull + c * rate),
-        "The force is -k l d^, as if the rest length were 0. Only the extension of the spring "
-        "counts, so subtract the rest length from the length.": along(-k * length - c * rate),
-        "The force has been multiplied by the whole offset, so a long spring is too strong. The "
-        "offset only gives the direction, so normalize it first.": along(
-            -(pull + c * rate) * length
-        ),
-        "The force uses the squared length of the offset. The extension needs the length itself, "
-        "so take the magnitude.": along(-k * (length**2 - rest) - c * rate),
-        "The damping force is missing. Add -c (v . d^) d^ along the spring.": along(-pull),
+        "Your damping pushes in the direction of the motion, so the spring would swing wider and "
+        "wider. It has to oppose the motion, so check its sign.": along(c * rate - pull),
+        "The force points along the offset, so a stretched spring would push its end even farther "
+        "away. Perhaps you left out the minus sign.": along(pull + c * rate),
+        "Your force is -k l d^, as if the rest length were 0. Only the extension counts, so "
+        "subtract the rest length from the length.": along(-k * length - c * rate),
+        "You multiplied the force by the whole offset, so a long spring is too strong. The offset "
+        "only gives the direction, so normalize it first.": along(-(pull + c * rate) * length),
+        "You used the squared length of the offset. The extension needs the length itself, so take "
+        "the magnitude.": along(-k * (length**2 - rest) - c * rate),
+        "You left out the damping force. Add -c (v . d^) d^ along the spring.": along(-pull),
         "There is no force, as if this were a slack rope. Unlike a rope, a spring pushes when it "
         "is shorter than its rest length.": along(0.0 * pull),
-        "The damping is -c v, so it also slows down motion across the spring, which does not "
-        "change its length. Use only the part of v along the spring.": [
+        "Your damping is -c v, which also slows down motion across the spring, although that "
+        "doesn't change its length. Use only the part of v along the spring.": [
             a - c * v for a, v in zip(along(-pull), velocity, strict=True)
         ],
-        "The damping uses the speed |v|, which is positive even while the spring gets shorter. "
-        "Use v . d^ instead, which is the rate at which the length changes.": along(
+        "Your damping uses the speed |v|, which is positive even while the spring gets shorter. "
+        "Use v . d^, the rate at which the length changes.": along(
             -pull - c * math.hypot(*velocity)
         ),
-        "The damping uses v . offset, which grows with the length of the spring. Normalize the "
+        "Your damping uses v . offset, which grows with the length of the spring. Normalize the "
         "offset first.": along(-pull - c * rate * length),
     }
 
@@ -79,8 +77,8 @@ def test_a_stretched_spring_pulls_and_a_compressed_one_pushes(rng: Random) -> No
         "Check the sign and the size of the extension."
     )
     pushes = (
-        "A spring that is shorter than its rest length pushes this end away, along the offset. "
-        "Its extension is negative, so do not take an absolute value."
+        "A spring that is shorter than its rest length pushes this end away, along the offset. Its "
+        "extension is negative, so don't take the absolute value."
     )
     for share, cause in ((1.5, pulls), (0.5, pushes), (1e-3, pushes)):
         about.cause = cause
@@ -117,8 +115,8 @@ def test_damping_acts_along_the_spring_alone(rng: Random) -> None:
     across = (-offset[1], offset[0], 0.0)
     about.call = f"spring_force(Vector3{offset}, Vector3{across}, 0.0, {rest}, {c})"
     about.cause = (
-        "The end moves at a right angle to the spring here, which does not change the length. "
-        "The damping must therefore be zero, so use only the part of v along the spring."
+        "The end moves at a right angle to the spring here, so the length doesn't change and there "
+        "is nothing to damp. Use only the part of v along the spring."
     )
     got = xyz(spring_force(Vector3(*offset), Vector3(*across), 0.0, rest, c))
     expect_close(got, ZERO, tolerance=1e-11)
@@ -130,8 +128,8 @@ def test_damping_acts_along_the_spring_alone(rng: Random) -> None:
     got = xyz(spring_force(Vector3(0.0, 2.0, 0.0), Vector3(0.0, 3.0, 0.0), 0.0, 2.0, 5.0))
     expect_close(got, (0.0, -15.0, 0.0))
     about.cause = (
-        "A compressed spring is damped like a stretched one, even if the damping exceeds the "
-        "push. Do not limit the force in either direction."
+        "A compressed spring is damped like a stretched one, even if the damping outweighs the "
+        "push. Don't clamp the force in either direction."
     )
     for speed, wanted in ((-5.0, 25.0), (5.0, -5.0)):
         about.call = f"spring_force(Vector3(0, 1, 0), Vector3(0, {speed}, 0), 10, 2, 3)"
@@ -146,7 +144,7 @@ def test_ends_at_one_place_have_no_direction(rng: Random) -> None:
     about.call = f"spring_force(Vector3(), Vector3{v}, 100.0, 2.0, 3.0)"
     about.cause = (
         "Both ends are at the same position, so the spring has no direction and exerts no force. "
-        "normalized() returns a zero vector in this case, which you can use directly."
+        "normalized() returns a zero vector in that case, so the formula works as is."
     )
     got = xyz(spring_force(Vector3(), Vector3(*v), 100.0, 2.0, 3.0))
     expect_close(got, ZERO)
@@ -167,14 +165,14 @@ def test_ends_at_one_place_have_no_direction(rng: Random) -> None:
         "and no force."
     )
     slips = {
-        "The spring behaves as if its other end were at (0, 0, 0). Subtract self.anchor from the "
+        "Your spring behaves as if its other end were at (0, 0, 0). Subtract self.anchor from the "
         "position to get the offset.": hooke(v, v, 100.0, 2.0, 3.0)
     }
     expect_close(got, ZERO, cause=named(got, about.cause, slips))
     about.call = "spring_force(Vector3(2, 0, 0), Vector3(), 100.0, 1.0)"
     about.cause = (
-        "The ends are 2 m apart here, so the spring has a direction and pulls with 100 N. Only "
-        "ends at exactly the same position exert no force."
+        "The ends are 2 m apart here, so the spring has a direction and pulls with 100 N. The "
+        "force vanishes only if both ends are at exactly the same position."
     )
     got = xyz(spring_force(Vector3(2.0, 0.0, 0.0), Vector3(), 100.0, 1.0))
     expect_close(got, (-100.0, 0.0, 0.0))
@@ -186,8 +184,8 @@ def test_the_vectors_of_a_spring_are_only_read(rng: Random) -> None:
     offset, velocity = components(rng), components(rng)
     about.call = f"o, v = Vector3{offset}, Vector3{velocity}; spring_force(o, v, 3.0, 1.0, 2.0)"
     about.cause = (
-        "Do not change the two vectors that are passed in. The method normalize and the operator "
-        "*= work in place, so use normalized and *, which return new vectors."
+        "Don't change the two vectors that are passed in. normalize and *= work in place, so use "
+        "normalized and *, which return new vectors."
     )
     o, v = Vector3(*offset), Vector3(*velocity)
     force = spring_force(o, v, 3.0, 1.0, 2.0)
@@ -202,8 +200,8 @@ def test_the_vectors_of_a_spring_are_only_read(rng: Random) -> None:
     about.call = f"p at {offset}, velocity {velocity}; q at {velocity}, velocity {offset}; "
     about.call += "Spring(q, 3.0, 1.0, 2.0).update_force(p, 0.5)"
     about.cause = (
-        "The spring must not change any position or velocity. The operator -= and the method "
-        "normalize work in place, so use - and normalized, which return new vectors."
+        "The spring must not change any position or velocity. -= and normalize work in place, so "
+        "use - and normalized, which return new vectors."
     )
     p = Particle(Vector3(*offset), Vector3(*velocity))
     q = Particle(Vector3(*velocity), Vector3(*offset))
@@ -224,7 +222,7 @@ def test_the_vectors_of_a_spring_are_only_read(rng: Random) -> None:
     expect_unchanged("p.position", xyz(p.position), velocity)
     about.call = "o = Vector3(); f = spring_force(o, Vector3(), 3.0, 1.0); f.x = 99.0"
     about.cause = (
-        "Perhaps the result is one of the vectors that were passed in, so changing it also "
+        "Perhaps you returned one of the vectors that were passed in, so changing the result also "
         "changes the caller's vector. Return a new vector, even if the offset has no direction."
     )
     o = Vector3()
@@ -245,9 +243,8 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
     q = Particle(Vector3(*there), Vector3(*w), mass=3.0)
     p.add_force(Vector3(*f))
     about.cause = (
-        "Subtract the other particle's position and velocity from p's, and add the force to p. It "
-        "depends only on the length of the spring and on how fast the length changes, and not on "
-        "a mass."
+        "Subtract the other particle's position and velocity from p's, and add the force to p. The "
+        "force depends only on the spring's length and how fast it changes, not on any mass."
     )
     s = Spring(q, k, rest, c)
     s.update_force(p, 0.5)
@@ -258,45 +255,45 @@ def test_a_spring_acts_on_the_particle_it_is_asked_for(rng: Random) -> None:
     got = xyz(p.force_accumulator)
     back = tuple(-part for part in offset)
     forces = {
-        "The offset is q - p, so the force on p has the wrong direction. Subtract the other "
+        "Your offset is q - p, so the force on p points the wrong way. Subtract the other "
         "particle's position from p's instead.": hooke(back, relative, k, rest, c),
-        "The velocity is q's minus p's, so the damping has the wrong sign. Subtract the other "
+        "Your velocity is q's minus p's, so the damping has the wrong sign. Subtract the other "
         "particle's velocity from p's instead.": hooke(
             offset, tuple(-part for part in relative), k, rest, c
         ),
-        "The damping uses the velocity of p alone, but the length also changes when q moves. "
-        "Subtract q's position and velocity from p's.": hooke(offset, v, k, rest, c),
-        "The damping force is missing. Add -c (v . d^) d^ along the spring.": hooke(
+        "Your damping uses p's velocity alone, but q's motion changes the length too. Subtract q's "
+        "position and velocity from p's.": hooke(offset, v, k, rest, c),
+        "You left out the damping force. Add -c (v . d^) d^ along the spring.": hooke(
             offset, relative, k, rest, 0.0
         ),
-        "The force points in the opposite direction. Check its sign, and check the order in which "
-        "you subtract the two positions.": tuple(-part for part in pull),
-        "The force has been divided by the mass of p. The integrator divides by the mass later, "
-        "so add the force itself.": tuple(part / 2.0 for part in pull),
-        "The force has been divided by the mass of q. The force of a spring does not depend on "
-        "any mass, so leave the masses out.": tuple(part / 3.0 for part in pull),
-        "The force on p is zero, although p is the particle that was passed. Call "
-        "particle.add_force with the force of the spring.": ZERO,
+        "The force points the wrong way. Check its sign and the order in which you subtract the "
+        "two positions.": tuple(-part for part in pull),
+        "You divided the force by p's mass. The integrator does that later, so add the force "
+        "itself.": tuple(part / 2.0 for part in pull),
+        "You divided the force by q's mass. A spring's force doesn't depend on any mass, so leave "
+        "the masses out.": tuple(part / 3.0 for part in pull),
+        "There is no force on p, although p is the particle that was passed in. Pass the spring's "
+        "force to particle.add_force.": ZERO,
     }
     slips = {name: [a + b for a, b in zip(f, force, strict=True)] for name, force in forces.items()}
     slips[
-        "The force that was already on p has been lost. Call add_force, which adds to the "
-        "existing force instead of replacing it."
+        "The force that was already on p is gone. Call add_force, which adds to the existing force "
+        "instead of replacing it."
     ] = [*pull]
     blame(got, slips)
     # A few roundings of numbers up to 600.
     expect_close(got, wanted, then="; p.force_accumulator", tolerance=1e-11)
     about.cause = (
-        "A force has been added to q as well. A Spring acts only on the particle that was "
-        "passed, and q needs a second Spring of its own."
+        "You added a force to q as well. A Spring acts only on the particle that is passed in; q "
+        "needs a Spring of its own."
     )
     expect_close(xyz(q.force_accumulator), ZERO, then="; q.force_accumulator")
     about.call = "s = Spring(q, 1, 1, 1) has acted; s.stiffness, s.rest_length, s.damping = 5, 2, "
     about.call += "3; p at (0, 3, 0), velocity (0, 1, 0), q at rest at (0, 0, 0); "
     about.call += "s.update_force(p, 0.5)"
     about.cause = (
-        "The attributes were changed after the spring was created, so the force is now -(5 (3 - 2) "
-        "+ 3 * 1). Read the attributes in every call."
+        "The check changed the attributes after it created the spring, so the force is now -(5 (3 "
+        "- 2) + 3 * 1). Read the attributes on every call."
     )
     s.stiffness, s.rest_length, s.damping = 5.0, 2.0, 3.0
     p, q.position, q.velocity = Particle(Vector3(0, 3, 0), Vector3(0, 1, 0)), Vector3(), Vector3()
@@ -319,34 +316,33 @@ def test_an_anchor_may_be_moved(rng: Random) -> None:
     s = AnchoredSpring(Vector3(*first), k, rest, c)
     about.call += "s.update_force(p, 0.5)"
     about.cause = (
-        "The offset is p.position minus the anchor, and because the anchor counts as being at "
-        "rest, the relative velocity is p.velocity itself. The mass has no effect on the force of "
-        "a spring."
+        "The offset is p.position minus the anchor, and because the anchor is at rest, the "
+        "relative velocity is simply p.velocity. The mass has no effect on a spring's force."
     )
     s.update_force(p, 0.5)
     offset = tuple(a - b for a, b in zip(here, first, strict=True))
     wanted = hooke(offset, v, k, rest, c)
     got = xyz(p.force_accumulator)
     slips = {
-        "The offset is anchor - position, so the force has the wrong direction. Use position - "
+        "Your offset is anchor - position, so the force points the wrong way. Use position - "
         "anchor instead.": hooke(tuple(-part for part in offset), v, k, rest, c),
-        "The damping force is missing. Add -c (v . d^) d^ along the spring.": hooke(
+        "You left out the damping force. Add -c (v . d^) d^ along the spring.": hooke(
             offset, v, k, rest, 0.0
         ),
-        "The force uses a rest length of 0. Pass on self.rest_length, so that only the extension "
+        "Your force uses a rest length of 0. Pass self.rest_length on, so that only the extension "
         "counts.": hooke(offset, v, k, 0.0, c),
-        "The spring behaves as if its other end were at (0, 0, 0). Subtract self.anchor from "
-        "the position to get the offset.": hooke(here, v, k, rest, c),
-        "The force points in the opposite direction. Check its sign, and check the order in which "
-        "you subtract the two positions.": tuple(-part for part in wanted),
+        "Your spring behaves as if its other end were at (0, 0, 0). Subtract self.anchor from the "
+        "position to get the offset.": hooke(here, v, k, rest, c),
+        "The force points the wrong way. Check its sign and the order in which you subtract the "
+        "two positions.": tuple(-part for part in wanted),
     }
     blame(got, slips)
     expect_close(got, wanted, tolerance=1e-11)
     about.call += f"; p.clear_forces(); s.anchor = Vector3{second}; s.stiffness, s.rest_length, "
     about.call += f"s.damping = {2 * k}, {longer}, {4 * c}; s.update_force(p, 0.5)"
     about.cause = (
-        "The anchor and the other attributes were changed after the spring was created. Read "
-        "them in every call instead of storing a result."
+        "The check changed the anchor and the other attributes after it created the spring. Read "
+        "them on every call instead of caching a result."
     )
     p.clear_forces()
     s.anchor, s.stiffness, s.rest_length, s.damping = Vector3(*second), 2 * k, longer, 4 * c
@@ -364,7 +360,7 @@ def test_a_particle_between_two_springs_swings_with_its_period() -> None:
     about.call += "spring.update_force(p, h), p.integrate(h) in steps of 1/1000 s, to the third "
     about.call += "return"
     about.cause = (
-        "The period must be 2 pi sqrt(m / k), which is 2 pi / 5 s here, in every direction. "
+        "The period should be 2 pi sqrt(m / k), which is 2 pi / 5 s here, in every direction. "
         "Check that the force is proportional to the distance from the anchor."
     )
     for axis in range(3):
@@ -384,8 +380,7 @@ def test_a_spring_of_its_length_at_rest_does_nothing(rng: Random) -> None:
     offset = tuple(rest * part for part in d)
     about.call = f"spring_force(Vector3{offset}, Vector3(), {k}, {rest})"
     about.cause = (
-        "At its rest length the spring has no extension, so k (l - l0) is 0 and there must be no "
-        "force."
+        "At its rest length the spring has no extension, so k (l - l0) is 0 and there is no force."
     )
     got = xyz(spring_force(Vector3(*offset), Vector3(), k, rest))
     expect_close(got, ZERO, tolerance=1e-13)

@@ -27,7 +27,7 @@ def largest_eigenvalue(matrix: tuple[float, float, float, float]) -> float:
 def test_the_largest_stiffness_by_known_values() -> None:
     about(
         cause="The largest stable stiffness is m (d^-h - 1) / h^2, where d is the damping per "
-        "second and h is the duration of a step. Compare your formula with this one, factor by "
+        "second and h is the duration of a step. Compare your formula with it, factor by "
         "factor.",
         read=READ,
     )
@@ -36,35 +36,32 @@ def test_the_largest_stiffness_by_known_values() -> None:
         got = max_stable_stiffness(d, 1.0 / 60.0)
         keep = d ** (1.0 / 60.0)
         slips = {
-            "The result is -m ln d / h, which is an approximation for short steps only. Use the "
+            "Your result is -m ln d / h, which is only an approximation for short steps. Use the "
             "exact m (d^-h - 1) / h^2.": -math.log(d) * 60.0,
-            "The result is m (d^-h - 1) / h. The duration of the step is squared in the limit, "
-            "so divide by h^2.": wanted / 60.0,
-            "The result is m (1 / d - 1) / h^2, which treats d as the damping per step. It is "
-            "the damping per second, so use d^-h instead of 1 / d.": (1.0 / d - 1.0) * 3600.0,
-            "The result is m (1 - d^h) / h^2, which is right for Eq. 3.6 but not for "
+            "Your result is m (d^-h - 1) / h. In the limit the duration is squared, so divide by "
+            "h^2.": wanted / 60.0,
+            "Your result is m (1 / d - 1) / h^2, which treats d as the damping per step. It is the "
+            "damping per second, so use d^-h instead of 1 / d.": (1.0 / d - 1.0) * 3600.0,
+            "Your result is m (1 - d^h) / h^2, which is right for Eq. 3.6 but not for "
             "Particle.integrate (E-16). Use d^-h - 1 instead of 1 - d^h.": (1.0 - keep) * 3600.0,
-            "The result is the limit of semi-implicit Euler. Particle.integrate is explicit "
-            "Euler, so a spring becomes unstable at a lower stiffness, m (d^-h - 1) / h^2.": 2.0
-            * (1.0 + keep)
-            / keep
-            * 3600.0,
+            "This is the limit of semi-implicit Euler. Particle.integrate is explicit Euler, whose "
+            "limit is lower: m (d^-h - 1) / h^2.": 2.0 * (1.0 + keep) / keep * 3600.0,
         }
         why = named(got, about.cause, slips)
         expect_close(got, wanted, cause=why, tolerance=1e-10 * wanted)
     for mass in (2.0, 0.25):
         about(
             f"max_stable_stiffness(0.5, 1/60, {mass})",
-            cause="A heavier particle tolerates a stiffer spring, because the largest stable "
-            "stiffness is proportional to the mass. Multiply the stiffness for 1 kg by the mass.",
+            cause="A heavier particle tolerates a stiffer spring: the limit is proportional to the "
+            "mass. Multiply the limit for 1 kg by the mass.",
         )
         got = max_stable_stiffness(0.5, 1.0 / 60.0, mass)
         wanted = mass * 41.829985086921
         slips = {
-            "The result is the limit for a mass of 1 kg. The limit is proportional to the mass, "
-            "so multiply by it.": 41.829985086921,
-            "The result has been divided by the mass. A heavier particle tolerates a stiffer "
-            "spring, so multiply by the mass instead.": 41.829985086921 / mass,
+            "This is the limit for a mass of 1 kg. The limit is proportional to the mass, so "
+            "multiply by it.": 41.829985086921,
+            "You divided by the mass. A heavier particle tolerates a stiffer spring, so multiply "
+            "by the mass instead.": 41.829985086921 / mass,
         }
         blame(got, slips)
         expect_close(got, wanted, tolerance=1e-10 * wanted)
@@ -80,8 +77,8 @@ def test_the_step_explodes_beyond_it_and_not_before(rng: Random) -> None:
         about.call += "of "
         about.cause = (
             "At the largest stable stiffness the oscillation neither grows nor dies out, so the "
-            "largest eigenvalue of the step has size 1. Its square is d^h (1 + k h^2 / m), which "
-            "you can solve for k."
+            "largest eigenvalue of the step has magnitude 1. The square of that magnitude is d^h "
+            "(1 + k h^2 / m), so set it to 1 and solve for k."
         )
         limit = max_stable_stiffness(d, h, m)
         for share in (0.98, 1.0, 1.02):
@@ -102,20 +99,20 @@ def test_the_ends_of_the_damping() -> None:
         (
             1.0,
             0.0,
-            "Without damping every spring is unstable with this step, so return 0 and not -0.",
+            "Without damping every spring is unstable with this step, so return 0 (and not -0).",
         ),
         (
             1.5,
             0.0,
             (
-                "With a damping above 1 the velocity grows by itself, so no spring is stable. "
+                "With a damping above 1 the velocity grows on its own, so no spring is stable. "
                 "Return 0 instead of the negative number from the formula."
             ),
         ),
         (
             0.0,
             math.inf,
-            "A damping of 0 stops the particle in each step, so every spring is stable. Return "
+            "A damping of 0 stops the particle in every step, so every spring is stable. Return "
             "math.inf.",
         ),
     ):
@@ -125,7 +122,7 @@ def test_the_ends_of_the_damping() -> None:
     about.call = "max_stable_stiffness(1 - 1e-12, 1e-3)"
     about.cause = (
         "If d is close to 1, d^-h is close to 1 too, and the subtraction d^-h - 1 loses most of "
-        "its digits. Use math.expm1, which computes e^x - 1 without this loss."
+        "its digits. Use math.expm1, which computes e^x - 1 without that loss."
     )
     d = 1.0 - 1e-12
     got = max_stable_stiffness(d, 1e-3)
@@ -134,7 +131,7 @@ def test_the_ends_of_the_damping() -> None:
     about(
         "max_stable_stiffness(0.5, 2.0)",
         cause="With d = 0.5, h = 2 and a mass of 1 kg the limit is (0.5^-2 - 1) / 2^2, which is "
-        "0.75. Compare each part of your formula with this.",
+        "0.75. Compare your formula with that, part by part.",
     )
     got = max_stable_stiffness(0.5, 2.0)
     expect_close(got, 0.75)
@@ -145,7 +142,7 @@ def test_the_ends_of_the_damping() -> None:
 def test_a_stiffness_too_large_for_a_float_is_infinite() -> None:
     about("max_stable_stiffness(1e-300, 1000.0)", read=READ)
     about.cause = (
-        "The limit is too large for a float here, so d^-h raises OverflowError. Catch this "
+        "The limit is too large for a float here, so d^-h raises OverflowError. Catch that "
         "exception and return math.inf."
     )
     got = max_stable_stiffness(1e-300, 1000.0)
@@ -182,8 +179,8 @@ def test_a_largest_stiffness_needs_numbers_that_mean_something() -> None:
         )
     about.call = "max_stable_stiffness(0.25, 1.0, 2.0)"
     about.cause = (
-        "All arguments of this call are valid, so it must not raise an error. The result is 2 "
-        "(0.25^-1 - 1) / 1^2, which is 6."
+        "All arguments of this call are valid, so don't raise an error. The result is 2 (0.25^-1 - "
+        "1) / 1^2, which is 6."
     )
     got = max_stable_stiffness(0.25, 1.0, 2.0)
     expect_close(got, 6.0)

@@ -26,8 +26,8 @@ RULES = {
     "+ a h) d^h.",
     "semi_implicit_euler": (
         "Semi-implicit Euler first changes the velocity and damps it once, v' = (v + a h) d^h. "
-        "Then it moves the old position with the new velocity, p' = p + v' h, so copy a vector if "
-        "you need its old value later."
+        "Then it moves the particle with the new velocity, p' = p + v' h. If you need a vector's "
+        "old value later, copy it first."
     ),
     "leapfrog": (
         "Leapfrog first moves for half the step, p1 = p + v h / 2, and evaluates the forces "
@@ -37,12 +37,11 @@ RULES = {
     "velocity_verlet": (
         "Velocity Verlet first moves the particle, p' = p + v h + a h^2 / 2. Then it evaluates the "
         "acceleration b at p', with the velocity v + a h, and sets v' = (v + (a + b) h / 2) d^h, "
-        "which is damped once."
+        "damped once."
     ),
     "runge_kutta_4": (
-        "Runge-Kutta takes a weighted mean of four rates, in which the second and the third "
-        "count double. Apply this mean to the starting state, and multiply the new velocity by "
-        "d^h once."
+        "Runge-Kutta takes a weighted mean of four rates, in which the second and the third count "
+        "double. Apply that mean to the starting state, and multiply the new velocity by d^h once."
     ),
 }
 EVALUATIONS = dict.fromkeys(EXERCISES, 1) | {"velocity_verlet": 2, "runge_kutta_4": 4}
@@ -70,8 +69,8 @@ def slips_of(
     """Return what walk would return after each likely mistake, keyed by its explanation."""
     p, v, a, mass, d, hand = body
     bodies: dict[str, Body] = {
-        "The step leaves out p.acceleration, which is the constant part of the acceleration, "
-        "such as gravity. Add it to f / m.": (
+        "Your step leaves out p.acceleration, the constant part of the acceleration (such as "
+        "gravity). Add it to f / m.": (
             p,
             v,
             ZERO,
@@ -79,12 +78,11 @@ def slips_of(
             d,
             hand,
         ),
-        "The step leaves out the force that was added by hand before it. That force acts during "
+        "Your step leaves out the force that was added by hand beforehand. That force acts during "
         "the whole step, so include it in every evaluation.": (p, v, a, mass, d, ZERO),
-        "The forces have not been divided by the mass. Divide them before you add them to "
-        "p.acceleration, because the whole acceleration is p.acceleration + f / "
+        "You didn't divide the forces by the mass. The full acceleration is p.acceleration + f / "
         "m.": (p, v, a, 1.0, d, hand),
-        "The velocity has not been damped. Multiply it by d^h once in each step.": (
+        "The velocity is never damped. Multiply it by d^h once per step.": (
             p,
             v,
             a,
@@ -92,14 +90,14 @@ def slips_of(
             1.0,
             hand,
         ),
-        "The velocity is multiplied by d, which is the damping for a whole second. The step "
-        "lasts only h seconds, so multiply by d^h instead.": (p, v, a, mass, d ** (1.0 / h), hand),
+        "You multiplied the velocity by d, which is the damping for a whole second. The step lasts "
+        "only h seconds, so multiply by d^h instead.": (p, v, a, mass, d ** (1.0 / h), hand),
     }
     slips = {slip: walk(method, wrong, k, c, h, frames) for slip, wrong in bodies.items()}
     slips[
         (
-            "The step ignores the forces of apply_forces. Call apply_forces with the duration of "
-            "the step, and read the accumulators after that."
+            "Your step ignores the forces of apply_forces. Call apply_forces with the duration of "
+            "the step, and read the accumulators afterward."
         )
     ] = walk(method, body, 0.0, 0.0, h, frames)
     slips |= {
@@ -132,8 +130,8 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
     about.read = f"the docstring of {method}"
     k, c, h = positive_number(rng), positive_number(rng, 0.2, 2.0), positive_number(rng, 0.1, 0.4)
     by_hand = (
-        "A force was added by hand before the step. It acts during the whole step, so it must "
-        "count in every evaluation of the forces."
+        "The check adds a force by hand before the step. It acts during the whole step, so it "
+        "counts in every evaluation of the forces."
     )
     for what, body, frames, cause in (
         ("one step", draw_body(rng), 1, RULES[method]),
@@ -142,15 +140,15 @@ def test_a_step_follows_its_formula(method: str, rng: Random) -> None:
             "three steps",
             draw_body(rng),
             3,
-            "A single step is right, but several steps in a row are not. Perhaps the forces of "
-            "one step are still in the accumulators at the next, so clear them before a step "
+            "A single step is right, but several in a row are not. Perhaps the forces of one step "
+            "are still in the accumulators at the start of the next. Clear them before the step "
             "ends.",
         ),
         (
             "one step",
             (*draw_body(rng)[:4], 0.0, ZERO),
             1,
-            "With d = 0 the factor d^h is 0, so the particle must have no velocity left at the "
+            "With d = 0 the factor d^h is 0, so the particle should have no velocity left at the "
             "end of the step.",
         ),
     ):
@@ -184,8 +182,8 @@ def test_all_particles_move_before_forces_are_asked_again(method: str, rng: Rand
     bodies: list[Body] = [(one, v, ZERO, mass, 1.0, ZERO), (two, w, ZERO, mass, 1.0, ZERO)]
     about.call = call_of(method, f"two particles of {mass} kg on a spring of {s} N/m, h = {h}")
     about.cause = (
-        "Each force depends on the positions of both particles. Move all particles before you "
-        "evaluate the forces again, instead of finishing one particle at a time."
+        "Each force depends on the positions of both particles, so move all of them before you "
+        "evaluate the forces again. Don't finish one particle at a time."
     )
     ends = stepped(method, bodies, (0.0, 0.0, 0.0, s), h, 1)
     states = [
@@ -215,16 +213,16 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
     bodies = [draw_body(rng, hand), draw_body(rng)]
     about.call = call_of(method, f"{frames} steps of h = {h}; before each, {hand} N by hand")
     about.cause = (
-        f"The number of force evaluations per step of {method} is {EVALUATIONS[method]}. Each "
-        "evaluation is a single call of apply_forces for all particles together."
+        f"{method} needs {EVALUATIONS[method]} force evaluations per step. Each one is a single "
+        "call of apply_forces for all particles together."
     )
     asked = stepped(method, bodies, (1.0, 0.1), h, frames)["asked"]
     expect_exactly(
         len(asked), frames * EVALUATIONS[method], then=": how often apply_forces is called"
     )
     about.cause = (
-        "Pass the duration of the whole step to apply_forces each time, even when you evaluate "
-        "the forces in the middle of the step."
+        "Always pass the duration of the whole step to apply_forces, even when you evaluate the "
+        "forces in the middle of it."
     )
     expect_close(
         [d for d, _, _ in asked],
@@ -232,12 +230,12 @@ def test_how_often_a_step_asks_for_forces(method: str, rng: Random) -> None:
         then=": the durations that apply_forces is called with",
     )
     about.cause = (
-        "Perhaps forces of an earlier evaluation are still in the accumulators. Clear the "
-        "accumulators before each evaluation, and then add again the forces that were added "
-        "before the step."
+        "Perhaps the forces of an earlier evaluation are still in the accumulators. Clear the "
+        "accumulators before each evaluation, and then put back the forces that were there before "
+        "the step."
     )
     gone = (
-        "The force that was added by hand before the step is lost. Store it, and add it again "
+        "The force that was added by hand before the step is gone. Store it, and add it again "
         "before each evaluation."
     )
     for number, (_, sums, _) in enumerate(asked, 1):
@@ -268,10 +266,9 @@ def test_where_a_step_asks_for_forces(method: str, rng: Random) -> None:
             places.append(p[i] + v[i] * h + 0.5 * first * h * h)
         elif method == "runge_kutta_4":
             about.cause = (
-                "Runge-Kutta evaluates the rates at four states, and the first one is the start. "
+                "Runge-Kutta evaluates the rates in four states, the first of which is the start. "
                 "To reach each of the other three, go back to the start and follow the previous "
-                "rate, first for half a step, then for half a step again, and then for a whole "
-                "step."
+                "rate: for half a step, half a step, and a whole step."
             )
             places.append(p[i] + 0.5 * h * v[i])
             second = a[i] - k * places[1] / mass
@@ -299,7 +296,7 @@ def test_what_a_step_leaves_behind(method: str, rng: Random) -> None:
     )
     about.cause = (
         "Some forces are still in the accumulators at the end of the step, so they would act again "
-        "in the next one. Clear the accumulators before the step ends."
+        "in the next one. Clear the accumulators first."
     )
     ends = stepped(method, [body], (k, c), h, 1)
     expect_close(ends["forces"][0], ZERO, then=": p.force_accumulator")
@@ -325,22 +322,22 @@ def test_an_immovable_particle_stays(method: str, rng: Random) -> None:
         method, f"an immovable particle at {place}, velocity {velocity}, beside another"
     )
     about.cause = (
-        "An immovable particle must keep its position and its velocity, whatever its velocity "
-        "and acceleration are. Skip it, or use drift and kick, which do that for you."
+        "An immovable particle stays where it is and keeps its velocity, whatever its velocity and "
+        "acceleration are. Skip it, or use drift and kick, which leave it alone."
     )
     ends = stepped(method, [still, other], (3.0, 0.5), 0.25, 2)
     expect_close(ends["positions"][0], place, then=": its position", tolerance=0.0)
     expect_close(ends["velocities"][0], velocity, then=": its velocity", tolerance=0.0)
     about.cause = (
         "Forces have no effect on an immovable particle, but they must not pile up. Clear its "
-        "accumulator at the end of the step as well."
+        "accumulator at the end of the step too."
     )
     expect_close(ends["forces"][0], ZERO, then=": its force_accumulator")
     x, v = 1.0, 0.0
     for _ in range(2):
         x, v, _ = one_step(method, x, v, 0.0, 1.5, 0.25, 1.0, 0.25)
     about.cause = (
-        "Perhaps the step ends at the immovable particle. Skip only that one, so that the "
+        "Perhaps your loop ends at the immovable particle. Skip only that one, so that the "
         "particles after it still move."
     )
     got = ends["positions"][1][0]
@@ -353,12 +350,12 @@ def test_a_step_needs_a_duration(method: str) -> None:
     about.read = "the docstring of the module"
     body: Body = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), ZERO, 1.0, 1.0, ZERO)
     refuse = (
-        "The duration of a step must be positive and finite. Raise ValueError for any other "
-        "value, for example with positive()."
+        "The duration of a step must be positive and finite. Raise ValueError for anything else, "
+        "for example with positive()."
     )
     late = (
-        "The duration was refused, but only after the particle had changed. Check the duration "
-        "before you change anything."
+        "You rejected the duration, but only after you had changed the particle. Check the "
+        "duration before you change anything."
     )
     for bad in (0.0, -1.0, math.inf, math.nan):
         about(f"{method}([p], apply_forces, {bad})", cause=refuse)
@@ -373,19 +370,21 @@ def test_a_step_needs_a_duration(method: str) -> None:
         expect_close(
             got,
             wanted,
-            then=" was refused; p.position, p.velocity and p.force_accumulator",
+            then=" raised an error; p.position, p.velocity and p.force_accumulator",
             cause=late,
             tolerance=0.0,
         )
         about.cause = (
-            "The duration was refused, but only after apply_forces had been called. Check the "
+            "You rejected the duration, but only after you had called apply_forces. Check the "
             "duration before you do anything else."
         )
-        expect_exactly(after["asked"], [0], then=" was refused; how often apply_forces was called")
+        expect_exactly(
+            after["asked"], [0], then=(" raised an error; how often apply_forces was called")
+        )
     about.call = f"{method}([], apply_forces, 0.5), and with one particle"
     about.cause = (
-        "An empty list of particles is not an error, and the step has nothing to do then. A "
-        "single particle must move like any other."
+        "An empty list of particles is not an error: there is simply nothing to do. And a single "
+        "particle moves like any other."
     )
     ends = stepped(method, [], (5.0, 0.0), 0.5, 1)
     expect_exactly(ends["positions"], [], then=": positions")

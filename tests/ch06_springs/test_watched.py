@@ -22,14 +22,14 @@ def test_a_watched_step_does_what_the_step_does(rng: Random) -> None:
     frames, limit = rng.randint(2, 5), positive_number(rng, 2.0, 90.0)
     about.call = f"{CALL.format(limit)}, {frames} times, h = 0.25, 1.25, ..."
     about.cause = (
-        "The watched step must make the same step as the integrator. Pass particles, "
-        "apply_forces and duration on unchanged, and call the integrator once in each call."
+        "The watched integrator should make the same step as the original. Pass particles, "
+        "apply_forces and duration on unchanged, and call the integrator once per call."
     )
     speeds = [[0.5 * limit, 0.999 * limit, -0.999 * limit]] * frames
     calls, error = watching(limit, speeds)
     at_limit = (
-        "No speed here is above the limit. The speed is the magnitude of the velocity, which is "
-        "the square root of the sum of the squares of its components."
+        "No speed is above the limit here. The speed is the magnitude of the velocity: the square "
+        "root of the sum of its squared components."
     )
     expect_exactly(error, None, then="; the error that was raised, if any", cause=at_limit)
     wanted = [(3, 0.25 + i) for i in range(frames)]
@@ -54,7 +54,7 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         )
         about.cause = (
             "Check every particle after each step, and raise SimulationDiverged(i, steps, speed, "
-            "speed_limit) for the first one that is too fast. Here i is its index in the list, and "
+            "speed_limit) for the first one that is too fast, where i is its index in the list and "
             "steps counts from 1."
         )
         calls, error = watching(limit, speeds)
@@ -62,24 +62,24 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
         got = (math.nan,) * 4 if error is None else tuple(error)
         size = 1.25 * limit
         slips = {
-            "The number of the step is one too small. The first step has the number 1, so "
-            "increase the counter before you check the speeds.": (
+            "The step number is one too small. The first step is number 1, so increase the counter "
+            "before you check the speeds.": (
                 fast,
                 number - 1,
                 size,
                 limit,
             ),
-            "The index of the particle is one too large. Particles are numbered from 0, like the "
-            "items of a list.": (fast + 1, number, size, limit),
-            "The error reports the last particle that is too fast. Go through the list from the "
+            "The index of the particle is one too large. Particles are numbered from 0, like list "
+            "items.": (fast + 1, number, size, limit),
+            "Your error reports the last particle that is too fast. Go through the list from the "
             "start, and report the first one you find.": (
                 3,
                 number,
                 2.0 * limit,
                 limit,
             ),
-            "The speed and the limit are in the wrong order. SimulationDiverged takes the speed "
-            "first and then the limit.": (
+            "The speed and the limit are swapped. SimulationDiverged takes the speed first and "
+            "then the limit.": (
                 fast,
                 number,
                 limit,
@@ -91,8 +91,8 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
             about.cause = f"No error was raised. {about.cause}"
         elif got[1] > number:
             about.cause = (
-                "The error was raised in a later step. Check the speeds right after each step, "
-                "and let each watched integrator count its own steps from 1."
+                "You raised the error in a later step. Check the speeds right after each step, and "
+                "let each watched integrator count its own steps from 1."
             )
         expect_close(
             got,
@@ -100,8 +100,8 @@ def test_the_first_particle_over_the_limit_is_named(rng: Random) -> None:
             then=": (particle, step, speed, limit) of the error, nan if none was raised",
         )
         about.cause = (
-            "The error was raised too early or too late. Check the speeds right after each step, "
-            "and raise the error before the next step if a particle is too fast."
+            "You raised the error too early or too late. Check the speeds right after each step, "
+            "and if a particle is too fast, raise the error before the next step."
         )
         expect_exactly(len(calls), number, then=": the number of steps that were made")
 
@@ -112,15 +112,15 @@ def test_a_speed_at_the_limit_is_not_over_it() -> None:
     about.call += "the error that was raised, if any"
     about.cause = (
         "A speed that equals the limit is still allowed. Write `not speed <= speed_limit`, which "
-        "refuses NaN as well, while `speed > speed_limit` does not."
+        "catches NaN as well, while `speed > speed_limit` doesn't."
     )
     _, error = watching(7.0, [[7.0]])
     expect_exactly(error, None)
     about.call = "watched(integrator, 1.0), 2 m/s after the first step: (particle, step) of the "
     about.call += "error, nan if none was raised"
     about.cause = (
-        "A limit of 1 m/s is valid, so this integrator must be watched like any other. Check the "
-        "speeds after each step, whatever the limit is."
+        "A limit of 1 m/s is valid, so watch this integrator like any other. Check the speeds "
+        "after each step, whatever the limit is."
     )
     _, error = watching(1.0, [[2.0]])
     got = (math.nan, math.nan) if error is None else tuple(error[:2])
@@ -135,8 +135,8 @@ def test_a_speed_that_is_no_number_is_over_every_limit() -> None:
         about.call = f"{CALL.format(1e300)}; the velocity of particle 1 has {what} along y after "
         about.call += "step 2"
         about.cause = (
-            "Every comparison with NaN is False, so `speed > speed_limit` does not notice NaN. "
-            "Write `not speed <= speed_limit` instead."
+            "Every comparison with NaN is False, so `speed > speed_limit` doesn't catch NaN. Write "
+            "`not speed <= speed_limit` instead."
         )
         _, error = watching(1e300, [[1.0, 1.0], [1.0, speed], [1.0, 1.0]])
         got = (math.nan, math.nan) if error is None else tuple(error[:2])
@@ -154,8 +154,7 @@ def test_an_explosion_is_told_with_its_step(rng: Random) -> None:
         about.call += "step and speed"
         about.cause = (
             "Compare the speed after the step, not before it. Here k h^2 / m is 1, so each step "
-            "rotates the state (v, chi x) by 45 degrees and multiplies its length by the square "
-            "root of 2."
+            "rotates the state (v, chi x) by 45 degrees and scales it by the square root of 2."
         )
         step, speed, told = exploding(limit)
         number, v, x = 0, 0.0, 1.0
@@ -174,8 +173,8 @@ def test_two_watches_count_for_themselves() -> None:
         "one is too fast after its first step"
     )
     about.cause = (
-        "Each watched integrator must count its own steps. Keep the count in a variable of "
-        "watched() and not of the module, because the two integrators would share the latter."
+        "Each watched integrator must count its own steps. Keep the count in a variable inside "
+        "watched(). The two integrators would share a variable of the module."
     )
     watching(5.0, [[1.0]] * 3)
     _, error = watching(5.0, [[9.0]])
@@ -186,8 +185,8 @@ def test_two_watches_count_for_themselves() -> None:
         "which a particle moves at 7 m/s"
     )
     about.cause = (
-        "The second integrator allows 9 m/s, although the first one has a limit of 5 m/s. Use "
-        "the speed_limit that was passed to the same call of watched()."
+        "The second integrator allows 9 m/s; the limit of 5 m/s belongs to the first one. Use the "
+        "speed_limit from the same call of watched()."
     )
     _, error = watching(9.0, [[7.0]])
     expect_exactly(error, None, then=": the error that was raised, if any")
@@ -201,8 +200,8 @@ def test_a_watch_goes_on_after_an_error(rng: Random) -> None:
     about.call = f"{CALL.format(limit)}; the first step raises ValueError, and after the third and "
     about.call += "the fifth a particle is too fast: the step of each error, or -1 for ValueError"
     about.cause = (
-        "If the integrator raises an exception, let it through and do not count that step. After "
-        "a SimulationDiverged, the next call must continue to count and to check."
+        "If the integrator raises an exception, let it through and don't count that step. After a "
+        "SimulationDiverged, the next call carries on counting and checking."
     )
     got = watching_on(limit)
     expect_close(got, (-1.0, 2.0, 4.0))

@@ -19,8 +19,8 @@ def test_explicit_euler_gains_energy_by_its_factor() -> None:
     about.call += "600 steps: the final energy / the initial energy"
     about.cause = (
         "With explicit Euler, each step multiplies the energy of this spring by 1 + k h^2 / m, "
-        "because the position moves with the old velocity. Check that you move the particle "
-        "before you change its velocity."
+        "because the particle moves with its old velocity. Check that you move the particle before "
+        "you change its velocity."
     )
     wanted = (1.0 + 100.0 / 3600.0) ** 600
     got = energy_left("explicit_euler", 100.0, 1.0 / 60.0, 600)
@@ -32,9 +32,9 @@ def test_explicit_euler_gains_energy_by_its_factor() -> None:
 def test_semi_implicit_euler_keeps_energy_near_its_start() -> None:
     about.read = "the docstring of semi_implicit_euler"
     about.cause = (
-        "The quantity x^2 + v^2 / chi^2 - h x v must stay constant, so the energy may vary by a "
-        "fraction of at most about chi h / 2. Check that you change the velocity first and then "
-        "move with the new velocity."
+        "x^2 + v^2 / chi^2 - h x v should stay constant, so the energy may vary by at most a "
+        "fraction of about chi h / 2. Check that you change the velocity first and then move with "
+        "the new velocity."
     )
     for frames in (600, 6000):
         about.call = "semi_implicit_euler([p], apply_forces, h) with a spring of 100 N/m, 1 kg, h "
@@ -47,9 +47,9 @@ def test_semi_implicit_euler_keeps_energy_near_its_start() -> None:
         "energy / the initial energy"
     )
     about.cause = (
-        "The particle starts at rest at 1 m, so one step must lead to the velocity -k h / m and, "
-        "with this new velocity, to the position 1 - k h^2 / m. Compare your first step with "
-        "these values."
+        "The particle starts at rest at 1 m, so one step should lead to the velocity -k h / m and, "
+        "with that new velocity, to the position 1 - k h^2 / m. Compare your first step with these "
+        "values."
     )
     kappa = 100.0 / 3600.0
     wanted = (1.0 - kappa) ** 2 + kappa
@@ -61,9 +61,9 @@ def test_semi_implicit_euler_keeps_energy_near_its_start() -> None:
 def test_leapfrog_swings_as_its_frequency_says() -> None:
     about.read = "the docstring of leapfrog"
     about.cause = (
-        "With leapfrog the oscillation is slightly too fast, because its frequency w satisfies "
-        "cos(w h) = 1 - k h^2 / (2 m), but its energy returns to the initial value. Check the "
-        "order: half drift, kick, half drift."
+        "Leapfrog oscillates slightly too fast, at a frequency w with cos(w h) = 1 - k h^2 / (2 "
+        "m), but its energy keeps returning to the initial value. Check the order: half drift, "
+        "kick, half drift."
     )
     h, k = 1.0 / 60.0, 100.0
     kappa = k * h * h
@@ -123,9 +123,9 @@ def test_the_order_of_a_step(method: str) -> None:
         if method == "leapfrog" and forces[1]:
             order = 1  # it asks with the old velocity for forces that depend on it
         about.cause = (
-            f"The method is of order {order}, so a step of half the length must reduce the error "
-            f"to {0.5**order:g} of what it was. Perhaps a force is evaluated at the wrong time, "
-            "or the position uses the wrong velocity."
+            f"This method is of order {order}, so halving the step should reduce the error to "
+            f"{0.5**order:g} of what it was. Perhaps you evaluate a force at the wrong time, or "
+            "move the particle with the wrong velocity."
         )
         about.call = f"{method}(particles, apply_forces, h); {what} for 1 s, in 80, 160 and "
         about.call += "320 steps"
@@ -160,8 +160,8 @@ def test_a_step_fails_just_beyond_its_limit_and_not_before(method: str, limit: f
         about.call += f"1/60, from 1 m, {frames} steps"
         about.cause = (
             f"The method is stable as long as k h^2 / m is below {limit:g}, and here it is "
-            f"{share * limit:g}. If your step behaves differently, compare it with the formulas "
-            "of the docstring."
+            f"{share * limit:g}. If your step behaves differently, compare it with the formulas in "
+            "the docstring."
         )
         far = growth(method, k, 1.0, h, frames)
         expect_exactly(far < 100.0, share < 1.0, then=": the largest distance is below 100 m")

@@ -42,20 +42,21 @@ def test_restitution_is_a_root(rng: Random) -> None:
     h, c = positive_number(rng), rng.uniform(0.1, 0.9)
     for initial, bounce, wanted in ((1.0, 0.64, 0.8), (h, c * c * h, c), (2.0, 2.0, 1.0)):
         about.call = f"restitution_of_drop({initial}, {bounce})"
-        about.cause = "The restitution is a ratio of speeds, and the speed grows with the square "
-        about.cause += "root of the height. Return sqrt(bounce_height / initial_height)."
+        about.cause = "The restitution is a ratio of speeds, and speed grows with the square root "
+        about.cause += "of height. Return sqrt(bounce_height / initial_height)."
         got = restitution_of_drop(initial, bounce)
         mistakes = [
             (wanted * wanted,
-             "The result is the ratio of the heights. The height of a rise grows with the square "
-             "of the speed, so take the square root of this ratio."),
-            (1.0 / wanted, "The ratio is inverted, so the restitution is above 1, as if the ball "
-            "bounced higher than it was dropped. Divide bounce_height by initial_height."),
+             "This is the ratio of the heights. Height grows with the square of the speed, so take "
+             "the square root of the ratio."),
+            (1.0 / wanted, "Your ratio is upside down, so the restitution is above 1, as if the "
+                           "ball bounced above its starting height. Divide bounce_height by "
+                           "initial_height."),
         ]  # fmt: skip
         blame(got, mistakes)
         expect_close(got, wanted)
-    cause = "This ball does not bounce at all, so its bounce height is 0. That is a valid "
-    cause += "measurement, and its restitution is 0."
+    cause = "This ball doesn't bounce at all, so its bounce height is 0. That is a valid "
+    cause += "measurement, and the restitution is 0."
     about("restitution_of_drop(2.0, 0.0)", cause=cause)
     got = restitution_of_drop(2.0, 0.0)
     expect_close(got, 0.0)
@@ -72,8 +73,8 @@ def test_a_drop_needs_heights_that_mean_something() -> None:
         ValueError,
         call="restitution_of_drop(2, 2.5)",
         allowed=lambda: restitution_of_drop(2, 2),
-        cause="A ball cannot bounce higher than it was dropped, so one of these heights must be "
-        "wrong. Raise ValueError.",
+        cause="A ball can't bounce above the height it was dropped from, so one of the two heights "
+        "must be wrong. Raise ValueError.",
     )
 
 
@@ -94,13 +95,13 @@ def test_each_material_has_its_row(rng: Random) -> None:
     counts = [row[1] for row in got]
     expect_exactly(counts, [4, 2, 1], then=": drops")
     about.cause = "Compute the restitution of each drop with restitution_of_drop, and then take "
-    about.cause += "the mean of these values."
+    about.cause += "the mean."
     wanted = (math.fsum(a) / 4.0, math.fsum(b) / 2.0, 0.5)
     means = [row[2] for row in got]
     # Roots of the heights, a few roundings of 1.
     roots = tuple(math.sqrt(math.fsum(c * c for c in part) / len(part)) for part in (a, b, [0.5]))
     name = (
-        "The mean was taken before the square root, which gives a slightly different number. "
+        "You took the mean before the square root, which gives a slightly different number. "
         "Compute the restitution of each drop first, and then take the mean."
     )
     blame(means, [(roots, name)])
@@ -113,18 +114,20 @@ def test_each_material_has_its_row(rng: Random) -> None:
     mistakes = [
         ((2.0 * errors[0], math.sqrt(2.0) * errors[1]),
          "This is the standard deviation s of single drops. The mean of n drops is more certain "
-         "than one drop, so divide s by sqrt(n)."),
-        ((math.sqrt(0.75) * errors[0], errors[1] / math.sqrt(2.0)), "This standard deviation "
-        "divides by n, which makes it a little too small for a sample. Divide by n - 1, as "
-        "statistics.stdev does."),
+         "than any one of them, so divide s by sqrt(n)."),
+        ((math.sqrt(0.75) * errors[0], errors[1] / math.sqrt(2.0)), "Your standard deviation "
+                                                                    "divides by n, which makes it "
+                                                                    "a little too small for a "
+                                                                    "sample. Divide by n - 1, as "
+                                                                    "statistics.stdev does."),
         ((0.5 * errors[0], errors[1] / math.sqrt(2.0)),
-         "The result is s / n, but the standard error falls only with the square root of n. Divide "
-         "s by sqrt(n)."),
+         "Your result is s / n, but the standard error falls only with the square root of n. "
+         "Divide s by sqrt(n)."),
     ]  # fmt: skip
     blame(seen, mistakes)
     expect_close(seen, errors, then=": standard errors", tolerance=1e-14)
     about.cause = (
-        "One drop says nothing about how much the drops vary, so there is no standard error. "
+        "A single drop says nothing about how much drops vary, so there is no standard error. "
         "Return None in its place."
     )
     expect_exactly(got[2][3], None, then=": the last error")
@@ -144,7 +147,7 @@ def test_a_table_refuses_what_a_drop_refuses() -> None:
     for bad, error in ((("oak", 0.0, 0.0), ValueError), (("ash", 1.0, "2"), TypeError)):
         about.call = f"table_of_drops([{good}, {bad}])"
         about.cause = "One of these drops is impossible. Call restitution_of_drop for every drop, "
-        about.cause += "and do not catch its error, so that the reader learns about the mistake."
+        about.cause += "and let its error through, so that the mistake gets noticed."
         expect_error(
             lambda bad=bad: table_of_drops([good, bad]),
             error,
@@ -155,9 +158,9 @@ def test_a_table_refuses_what_a_drop_refuses() -> None:
 @pytest.mark.exercise("7.1", weight=2)
 def test_bounces_were_measured() -> None:
     about("table_of_drops(the drops of your drops.csv): the drops in all rows", read=DATA)
-    about.cause = "Enter your own drops in drops.csv, with one drop on each line as in "
-    about.cause += "drops_sample.csv. A line is material,initial_height,bounce_height, with "
-    about.cause += "heights in m, and a bounce is never higher than its drop."
+    about.cause = "Enter your own drops in drops.csv, one drop per line, as in drops_sample.csv. "
+    about.cause += "A line is material,initial_height,bounce_height, with heights in m, and a "
+    about.cause += "bounce is never higher than its drop."
     drops = entered_drops()
     got = sum(row[1] for row in table_of_drops(drops))
     expect_exactly(got, len(drops))
@@ -175,40 +178,40 @@ def test_bounces_were_measured() -> None:
 def test_the_upper_ball_flies_off(rng: Random) -> None:
     about("top_ball_speed(1.0, 9.0, 1.0, 0.5, 0.75)", read=TWO)
     about.cause = "Both balls arrive at v = sqrt(20) m/s. The lower ball leaves the ground at 0.5 "
-    about.cause += "v, and after the impact of the two balls the upper one must rise at 1.3625 v "
-    about.cause += "= 6.0933 m/s."
+    about.cause += "v, and after the two balls collide, the upper one should rise at 1.3625 v = "
+    about.cause += "6.0933 m/s."
     got = top_ball_speed(1.0, 9.0, 1.0, 0.5, 0.75)
     v = math.sqrt(20.0)
     mistakes = [
         (0.575 * v,
-         "The lower ball was treated as being at rest. It has already bounced and rises at 0.5 v "
-         "when the upper ball hits it."),
-        (-0.7375 * v, "The masses are swapped. The heavier the lower ball, the more the upper one "
-                      "changes, so multiply by lower_mass / total."),
+         "You treated the lower ball as being at rest. It has already bounced and is rising at 0.5 "
+         "v when the upper ball hits it."),
+        (-0.7375 * v, "The masses are swapped. The heavier the lower ball, the more it changes the "
+                      "upper one's velocity, so multiply by lower_mass / total."),
         (2.3625 * v,
-         "The result is the change of the upper ball's velocity. Before the impact this ball "
-         "fell at v, so subtract v."),
-        (2.625 * v - v, "The upper ball got the whole change of the relative velocity, but the "
-                        "lower ball takes a part of it. The part of the upper ball is lower_mass "
-                        "/ total, here 0.9."),
+         "This is the change in the upper ball's velocity. Before the impact that ball was falling "
+         "at v, so subtract v."),
+        (2.625 * v - v, "You gave the upper ball the whole change in the relative velocity, but "
+                        "the lower ball takes part of it. The upper ball's fraction is lower_mass "
+                        "/ total, which is 0.9 here."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, 1.3625 * v)
     h, g, m = positive_number(rng), positive_number(rng), positive_number(rng)
     v = math.sqrt(2.0 * g * h)
     for lower, ground, pair, wanted, cause in (
-        (m, 1.0, 1.0, v, "The masses are equal and no energy is lost, so the two balls exchange "
-        "their velocities. The upper ball must therefore rise at the speed at which the lower one "
-        "rose."),
-        (m, 0.0, 1.0, 0.0, "The restitution of the ground is 0, so the lower ball stays there. "
-                           "The upper ball has the same mass, so it gives all of its motion to "
-                           "the lower one and stops."),
+        (m, 1.0, 1.0, v, "The masses are equal and no energy is lost, so the two balls swap "
+                         "velocities. The upper ball should rise at the speed at which the lower "
+                         "one was rising."),
+        (m, 0.0, 1.0, 0.0, "The ground has a restitution of 0, so the lower ball stays on it. The "
+                           "upper ball has the same mass, so it passes all of its motion on to the "
+                           "lower one and stops."),
         (3.0 * m, 1.0, 1.0, 2.0 * v,
-         "The lower ball has three times the mass and no energy is lost, so the upper ball leaves "
-         "at twice the speed at which it arrived."),
-        (m, 1.0, 0.0, 0.0, "The momenta of the two balls cancel, and at a restitution of 0 the "
-        "balls stick together, so both of them must stop."),
-        (3.0 * m, 0.0, 0.0, -0.25 * v, "At a restitution of 0 the balls stick together. They "
+         "The lower ball has three times the mass and no energy is lost, so the upper ball should "
+         "leave at twice the speed at which it arrived."),
+        (m, 1.0, 0.0, 0.0, "The momenta of the two balls cancel, and with a restitution of 0 they "
+                           "stick together, so both should stop."),
+        (3.0 * m, 0.0, 0.0, -0.25 * v, "With a restitution of 0 the balls stick together. They "
                                        "share the momentum of the upper ball, which was moving "
                                        "down, so the result is negative."),
     ):  # fmt: skip
@@ -221,8 +224,8 @@ def test_the_upper_ball_flies_off(rng: Random) -> None:
                 [
                     (
                         ten,
-                        "The result is right only where gravity is 10 m/s^2. Use the "
-                        "argument gravity in its place.",
+                        "Your result is right only where gravity is 10 m/s^2. Use the argument "
+                        "gravity instead.",
                     )
                 ],
             )
@@ -236,9 +239,9 @@ def test_two_balls_part_by_their_restitution(rng: Random) -> None:
     lower, upper = positive_number(rng), positive_number(rng)
     ground, pair = (round(rng.uniform(0.1, 0.9), 3) for _ in range(2))
     about.call = f"top_ball_speed({h}, {lower}, {upper}, {ground}, {pair}, {g})"
-    about.cause = "The impact of the two balls conserves momentum. They approach each other at "
-    about.cause += "ground_restitution * v + v, and they separate at the pair's restitution times "
-    about.cause += "this speed."
+    about.cause = "The collision conserves momentum. The balls approach each other at "
+    about.cause += "ground_restitution * v + v, and separate at the pair's restitution times that "
+    about.cause += "speed."
     got = top_ball_speed(h, lower, upper, ground, pair, g)
     v = math.sqrt(2.0 * g * h)
     momentum = (lower * ground - upper) * v
@@ -246,7 +249,7 @@ def test_two_balls_part_by_their_restitution(rng: Random) -> None:
     wanted = (momentum + lower * parting) / (lower + upper)
     expect_close(got, wanted, tolerance=1e-13)
     about.call = f"top_ball_speed({h}, {lower}, {upper}, {ground}, {pair})"
-    about.cause = "No gravity was passed here, so use the default value of 10 m/s^2."
+    about.cause = "The check passes no gravity here, so use the default value of 10 m/s^2."
     got = top_ball_speed(h, lower, upper, ground, pair)
     wanted *= math.sqrt(10.0 / g)
     expect_close(got, wanted, tolerance=1e-13)
@@ -255,11 +258,13 @@ def test_two_balls_part_by_their_restitution(rng: Random) -> None:
 @pytest.mark.exercise("7.3")
 def test_without_height_or_gravity_no_ball_flies_off() -> None:
     about("top_ball_speed(0.0, 2.0, 3.0, 0.5, 0.5, 10.0)", read=TWO)
-    about.cause = "The balls are dropped from a height of 0, so they have no speed. Return 0."
+    about.cause = (
+        "The balls are dropped from a height of 0, so they never pick up any speed. Return 0."
+    )
     got = top_ball_speed(0.0, 2.0, 3.0, 0.5, 0.5, 10.0)
     expect_close(got, 0.0)
     about.call = "top_ball_speed(1.0, 2.0, 3.0, 0.5, 0.5, 0.0)"
-    about.cause = "Without gravity the balls do not fall, so their speed is 0. Return 0 instead of "
+    about.cause = "Without gravity the balls don't fall, so their speed is 0. Return 0 instead of "
     about.cause += "raising an error."
     got = top_ball_speed(1.0, 2.0, 3.0, 0.5, 0.5, 0.0)
     expect_close(got, 0.0)
@@ -281,32 +286,31 @@ def test_a_short_push_is_a_weak_one(rng: Random) -> None:
     f, frame = components(rng), positive_number(rng, 0.1, 0.9)
     for share in (0.25, 1.0, 0.0):
         about.call = f"f = Vector3{f}; force_for_frame(f, {share * frame}, {frame})"
-        about.cause = "The impulse is the force times its duration. If the force acts for a longer "
-        about.cause += "time with the same impulse, it must be smaller, so multiply it by "
-        about.cause += "contact_time / frame."
+        about.cause = "The impulse is the force times its duration. To give the same impulse over "
+        about.cause += "a longer time, it must be smaller, so multiply it by contact_time / frame."
         force = Vector3(*f)
         got = expect_vector(force_for_frame(force, share * frame, frame))
         wanted = tuple(share * part for part in f)
         impulse = tuple(share * frame * part for part in f)
-        why = "This is the impulse in N s, but the result must be a force. The force acts for the "
+        why = "This is the impulse in N s, but you should return a force. The force acts for the "
         why += "whole frame, so divide the impulse by the duration of the frame."
         mistakes = [(impulse, why)]
         if share:
             longer = tuple(part / share for part in f)
             name = (
-                "The ratio is inverted. The same impulse is now spread over a longer time, so the "
-                "force must become smaller: multiply it by contact_time / frame."
+                "Your ratio is upside down. The same impulse is now spread over a longer time, so "
+                "the force must get smaller: multiply it by contact_time / frame."
             )
             mistakes.append((longer, name))
         why = cause_of(got, mistakes, about.cause)
         expect_close(got, wanted, cause=why, tolerance=1e-14)
-        kept = "The vector that was passed in has changed, perhaps because you used *=, which "
-        kept += "works in place. Return force * number instead, which creates a new vector."
+        kept = "You changed the vector that was passed in, perhaps with *=, which works in place. "
+        kept += "Return force * number instead, which creates a new vector."
         expect_unchanged("f", xyz(force), f, cause=kept)
     about.call = f"f = Vector3{f}; force_for_frame(f, 1.0, 1.0).x += 1.0"
     about.cause = (
-        "The result is the vector that was passed in. Return a new vector, even if the force keeps "
-        "its size, so that a change of one does not change the other."
+        "You returned the vector that was passed in. Return a new vector, even if the force keeps "
+        "its size, so that changing one doesn't change the other."
     )
     force = Vector3(*f)
     force_for_frame(force, 1.0, 1.0).x += 1.0
@@ -333,8 +337,8 @@ def test_a_push_is_not_longer_than_its_frame() -> None:
         about.cause = "The contact time must be at least 0 and at most the duration of the frame. "
         about.cause += "Raise an error for any other value."
         if isinstance(contact, str) or isinstance(frame, str):
-            about.cause = "One of the two times is a string and not a number, so raise TypeError. "
-            about.cause += "The functions in arguments.py do this for you."
+            about.cause = "One of the two times is a string rather than a number, so raise "
+            about.cause += "TypeError. The functions in arguments.py do that for you."
         elif not 0.0 < frame < math.inf:
             about.cause = "The duration of the frame must be positive and finite. Call positive "
             about.cause += "from arguments.py to check it."

@@ -18,40 +18,39 @@ CLOSE = "the docstring of time_to_close"
 def test_when_a_gap_closes(rng: Random) -> None:
     about.read = CLOSE
     t, pull = positive_number(rng), positive_number(rng)
-    rest = "The body starts from rest, so it has covered the gap when -a t^2 / 2 equals the gap. "
+    rest = "The body starts from rest, so it has crossed the gap once -a t^2 / 2 equals the gap. "
     rest += "Solve this for t."
     for gap, v, a, wanted, cause in (
-        (12.0, -4.0, 0.0, 3.0, "There is no acceleration, so the body covers the gap at constant "
-                               "speed. Return gap / -v instead of solving the quadratic "
-                               "equation."),
+        (12.0, -4.0, 0.0, 3.0, "There is no acceleration, so the body crosses the gap at constant "
+                               "speed. Return gap / -v instead of solving the quadratic equation."),
         (5.0, 0.0, -10.0, 1.0, rest),
         (15.0, 10.0, -10.0, 3.0, "The body first rises and then falls back, so it passes this "
-        "height twice. The gap closes only the second time, so return the later time."),
+                                 "height twice. The gap closes only on the way down, so return the "
+                                 "later time."),
         (40.0, -10.0, -10.0, 2.0,
-         "The equation has two solutions. One of them is negative and lies in the past, so take "
-         "the positive one."),
-        (6.0, -5.0, 2.0, 2.0, "The body slows down but still arrives. The second solution is the "
-                              "time when it would come back, so take the first one."),
+         "The equation has two solutions. The negative one lies in the past, so take the positive "
+         "one."),
+        (6.0, -5.0, 2.0, 2.0, "The body slows down but still arrives. The second solution is when "
+                              "it would come back, so take the first."),
         (0.5 * pull * t * t, 0.0, -pull, t, rest),
         (1e-6, -1e-6, 0.0, 1.0, "The body approaches slowly, but it does arrive. Return the time "
-         "at which it arrives instead of math.inf."),
+                                "of its arrival instead of math.inf."),
         (5e-7, 0.0, -1e-6, 1.0, "The acceleration is small, but it does bring the body to the "
-                                "ground. Do not treat it as 0."),
+                                "ground. Don't treat it as 0."),
         (0.0, 10.0, -10.0, 2.0,
          "The body is just leaving the ground, which is not an impact. Return the time when it "
          "comes back."),
         (-0.01, 10.0, -10.0, 1.0 + math.sqrt(0.998),
-         "The body starts slightly inside the ground and moves out of it. Return the later time, "
-         "when it comes back."),
+         "The body starts slightly inside the ground and is moving out of it. Return the later "
+         "time, when it comes back."),
         (-5.0, 3.0, -10.0, 0.3,
-         "The body moves outward but turns around before it is out of the ground. From this "
-         "moment on it is closing, so return the time when it turns around."),
+         "The body moves outward but turns around before it is out of the ground. From that moment "
+         "on the gap is closing, so return the time when it turns around."),
     ):  # fmt: skip
         about(f"time_to_close({gap}, {v}, {a})", cause=cause)
         got = time_to_close(gap, v, a)
-        mistakes = [(-wanted, "This time is negative, so it lies in the past. Check the signs of "
-                              "v and a, because both are positive when they make "
-                              "the gap larger.")]  # fmt: skip
+        mistakes = [(-wanted, "This time is negative, so it lies in the past. Check the signs of v "
+                              "and a: both are positive when they widen the gap.")]  # fmt: skip
         if a:
             other = -2.0 * v / a - wanted  # the sum of both solutions is -2 v / a
             mistakes.append(
@@ -62,8 +61,8 @@ def test_when_a_gap_closes(rng: Random) -> None:
             mistakes.append(
                 (
                     half,
-                    "The acceleration changes the gap by a t^2 / 2, but the factor 1/2 is missing "
-                    "here. Solve gap + v t + a t^2 / 2 = 0.",
+                    "The acceleration changes the gap by a t^2 / 2, but you left out the factor "
+                    "1/2. Solve gap + v t + a t^2 / 2 = 0.",
                 )
             )
         blame(got, mistakes)
@@ -75,31 +74,30 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
     about.read = CLOSE
     x = positive_number(rng)
     lies = (
-        "The body lies on the ground and is accelerated into it, so the gap closes at once. "
-        "Return 0."
+        "The body lies on the ground and accelerates into it, so the gap closes at once. Return 0."
     )
-    slow = "The speed is below VELOCITY_TOLERANCE, so it counts as a rounding error and does not "
-    slow += "close the gap. Return math.inf."
+    slow = "The speed is below VELOCITY_TOLERANCE, so treat it as a rounding error that never "
+    slow += "closes the gap. Return math.inf."
     for gap, v, a, wanted, cause in (
-        (0.0, -x, 0.0, 0.0, "The body touches the ground and moves into it, so the gap closes at "
-         "once. Return 0."),
-        (-x, -x, 3.0, 0.0, "The body is inside the ground and moves farther in, so the gap is "
-         "already closed. Return 0."),
-        (0.0, -1e-9, 0.0, 0.0, "The body touches the ground and moves into it, if only slowly, so "
-         "the gap closes at once. Return 0."),
-        (2.0, -2.0, 1.0, math.inf, "The root is 0, which means that the body reverses exactly when "
-         "it touches the ground. Because it arrives with no speed, there is no impact, so return "
-         "math.inf."),
+        (0.0, -x, 0.0, 0.0, "The body touches the ground and is moving into it, so the gap closes "
+                            "at once. Return 0."),
+        (-x, -x, 3.0, 0.0, "The body is inside the ground and moving farther in, so the gap is "
+                           "already closed. Return 0."),
+        (0.0, -1e-9, 0.0, 0.0, "The body touches the ground and is moving into it, however slowly, "
+                               "so the gap closes at once. Return 0."),
+        (2.0, -2.0, 1.0, math.inf, "The root is 0, which means that the body turns around exactly "
+                                   "when it touches the ground. It arrives with no speed, so there "
+                                   "is no impact. Return math.inf."),
         (0.0, 0.0, -x, 0.0, lies),
         (-1e-18, 0.0, -x, 0.0, lies),
-        (x, 1.0, 0.0, math.inf, "The body moves away, and no acceleration brings it back. Return "
-                                "math.inf."),
-        (x, 0.0, 0.0, math.inf, "The body does not move at all, so it never reaches the ground. "
-        "Return math.inf."),
-        (x, 0.0, 2.0, math.inf, "The body is at rest and is accelerated away from the ground, so "
-                                "it never arrives. Return math.inf."),
-        (x, 2.0, 3.0, math.inf, "The body moves away and is accelerated away as well, so it never "
-                                "arrives. Return math.inf."),
+        (x, 1.0, 0.0, math.inf, "The body is moving away, and no acceleration brings it back. "
+                                "Return math.inf."),
+        (x, 0.0, 0.0, math.inf, "The body isn't moving at all, so it never reaches the ground. "
+                                "Return math.inf."),
+        (x, 0.0, 2.0, math.inf, "The body is at rest and accelerates away from the ground, so it "
+                                "never arrives. Return math.inf."),
+        (x, 2.0, 3.0, math.inf, "The body moves away and accelerates away, so it never arrives. "
+                                "Return math.inf."),
         (x, -1.0, 1.0 / x, math.inf, "The body turns around before it arrives. The number under "
                                      "the root is then negative, so return math.inf instead of "
                                      "taking the root."),
@@ -107,13 +105,13 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
                                   "acceleration, so there is no impact. Return math.inf."),
         (0.0, x, 0.0, math.inf, "The body leaves the ground, and no acceleration brings it back. "
                                 "There is no impact, so return math.inf."),
-        (-x, 0.0, 0.0, math.inf, "The body is inside the ground, but it does not move, so there "
-                                 "is no impact. Return math.inf."),
-        (-x, 0.0, 2.0, math.inf, "The body is inside the ground, but it is accelerated out of it, "
-                                 "so there is no impact. Return math.inf."),
+        (-x, 0.0, 0.0, math.inf, "The body is inside the ground but isn't moving, so there is no "
+                                 "impact. Return math.inf."),
+        (-x, 0.0, 2.0, math.inf, "The body is inside the ground but accelerating out of it, so "
+                                 "there is no impact. Return math.inf."),
         (1.0, -1e-13, 0.0, math.inf, slow),
-        (-x, x, 1.0, math.inf, "The body is inside the ground, but it moves out of it, so there "
-                               "is no impact. Return math.inf."),
+        (-x, x, 1.0, math.inf, "The body is inside the ground but moving out of it, so there is no "
+                               "impact. Return math.inf."),
         (0.0, -1e-13, 0.0, math.inf, slow),
     ):  # fmt: skip
         about(f"time_to_close({gap}, {v}, {a})", cause=cause)
@@ -125,7 +123,7 @@ def test_a_gap_that_is_closed_or_never_closes(rng: Random) -> None:
 def test_the_digits_of_a_time_are_kept() -> None:
     about.read = CLOSE
     for a in (-10.0, 10.0):
-        about.cause = "The time has lost most of its digits, perhaps because you used (-v - "
+        about.cause = "Your result has lost most of its digits, perhaps because you used (-v - "
         about.cause += "sqrt(...)) / a, which subtracts two nearly equal numbers. Use 2 gap / "
         about.cause += "(sqrt(v v - 2 a gap) - v) instead."
         about.call = f"time_to_close(1e-10, -1000.0, {a})"

@@ -50,16 +50,14 @@ def test_two_part_as_one_sees_the_other(rng: Random) -> None:
         line = tuple(x - y for x, y in zip(p, q, strict=True))
         over = sum((x - y) * z for x, y, z in zip(v, w, line, strict=True)) / math.hypot(*line)
         mistakes = [
-            (-wanted, "The sign is wrong, so a contact that closes looks as if it separated. "
-                      "Compute (va - vb) . n, in which va - vb is the velocity of a relative to "
-                      "b."),
-            (dot(v, n), "Only the velocity of a was used, but b moves as well. Subtract its "
-                        "velocity first, and compute (va - vb) . n."),
-            (dot(v, n) + dot(w, n), "The two velocities were added. How fast the particles "
-                                    "separate depends on their difference, so subtract the "
-                                    "velocity of b."),
-            (over, "The result is the velocity along the line between the two positions. Use the "
-                "contact's normal as the direction."),
+            (-wanted, "The sign is wrong, so a closing contact looks as if it were separating. "
+                      "Compute (va - vb) . n, where va - vb is the velocity of a relative to b."),
+            (dot(v, n), "You used only a's velocity, but b is moving too. Subtract b's velocity "
+                        "first: compute (va - vb) . n."),
+            (dot(v, n) + dot(w, n), "You added the two velocities. How fast the particles separate "
+                                    "depends on their difference, so subtract the velocity of b."),
+            (over, "You measured the velocity along the line between the two positions. Use the "
+                   "contact's normal as the direction."),
         ]  # fmt: skip
         blame(got, mistakes)
         # A few roundings of numbers up to 20.
@@ -73,8 +71,8 @@ def test_the_world_does_not_move(rng: Random) -> None:
     for n in (UP, direction(rng)):
         about.call = f"a with velocity {v}; Contact(a, None, Vector3{n}).separating_velocity()"
         about.cause = (
-            "This contact is with something that does not move, so self.other is None and there is "
-            "no second velocity. Return va . n."
+            "This is a contact with something that doesn't move, so self.other is None and there "
+            "is no second velocity. Return va . n."
         )
         got = Contact(Particle(velocity=Vector3(*v)), None, Vector3(*n)).separating_velocity()
         blame(
@@ -82,8 +80,8 @@ def test_the_world_does_not_move(rng: Random) -> None:
             [
                 (
                     -dot(v, n),
-                    "The sign is wrong, so a contact that closes looks as if it "
-                    "separated. Return va . n.",
+                    "The sign is wrong, so a closing contact looks as if it were separating. "
+                    "Return va . n.",
                 )
             ],
         )
@@ -96,8 +94,8 @@ def test_to_ask_for_it_changes_nothing(rng: Random) -> None:
     v, w, n, m = components(rng), components(rng), direction(rng), direction(rng)
     about.call = f"a with velocity {v}, b with {w}; c = Contact(a, b, Vector3{n}); "
     about.call += "c.separating_velocity()"
-    about.cause = "Asking for the separating velocity must not change any vector. The operator -= "
-    about.cause += "works in place, so compute a - b instead, which creates a new vector."
+    about.cause = "Asking for the separating velocity must not change any vector. -= works in "
+    about.cause += "place, so compute a - b instead, which creates a new vector."
     a, b = Particle(velocity=Vector3(*v)), Particle(velocity=Vector3(*w))
     c = Contact(a, b, Vector3(*n))
     c.separating_velocity()
@@ -108,8 +106,8 @@ def test_to_ask_for_it_changes_nothing(rng: Random) -> None:
     ):
         expect_unchanged(name, now, before)
     about.call += f"; c.normal = Vector3{m}; a.velocity = Vector3(); c.separating_velocity()"
-    about.cause = "The velocity and the normal have changed since the first call. Do not store the "
-    about.cause += "result, but compute it from their current values on every call."
+    about.cause = "The check has changed the velocity and the normal since the first call. Don't "
+    about.cause += "cache the result: compute it from their current values on every call."
     c.normal = Vector3(*m)
     a.velocity = Vector3()
     got = c.separating_velocity()
@@ -135,31 +133,31 @@ def test_what_closes_bounces(rng: Random) -> None:
     for restitution, closing, n, v, w in samples:
         about.call = f"a with velocity {v}, b with {w}; Contact(a, b, Vector3{n}, "
         about.call += f"{restitution}).velocity_after()"
-        about.cause = f"They approach at {-closing} m/s and must separate at the restitution times "
-        about.cause += "that speed. This rule also holds for slow contacts."
+        about.cause = f"They approach at {-closing} m/s, so they should separate at the "
+        about.cause += "restitution times that speed. The rule holds for slow contacts too."
         a, b = Particle(velocity=Vector3(*v)), Particle(velocity=Vector3(*w), mass=3.0)
         got = Contact(a, b, Vector3(*n), restitution).velocity_after()
         wanted = -restitution * closing
         mistakes = [
             (
                 -wanted,
-                "The sign is wrong, so the particles would still move into each other after the "
-                "bounce. They must separate, so return -c v_s.",
+                "The sign is wrong, so the particles would still be approaching after the bounce. "
+                "They should separate, so return -c v_s.",
             ),
             (
                 -closing,
-                "The result does not depend on the restitution c, so the bounce loses no speed at "
-                "all. Return -c v_s.",
+                "Your result ignores the restitution c, so the bounce loses no speed at all. "
+                "Return -c v_s.",
             ),
             (
                 closing,
-                "The result is the separating velocity before the bounce. Return the one after the "
-                "bounce, which is -c v_s.",
+                "This is the separating velocity before the bounce. Return the one after it, which "
+                "is -c v_s.",
             ),
             (
                 wanted - closing,
-                "The result is the change of the velocity during the bounce. Return the velocity "
-                "after the bounce, which is -c v_s.",
+                "This is the change in the velocity during the bounce. Return the velocity after "
+                "the bounce, which is -c v_s.",
             ),
         ]
         if closing < -1e-3:  # below, all of these are near 0
@@ -180,7 +178,7 @@ def test_what_parts_goes_on(rng: Random) -> None:
         v = along(n, parting, rng)
         about.call = f"a with velocity {v}; Contact(a, None, Vector3{n}, "
         about.call += f"0.5).velocity_after({duration})"
-        about.cause = "This contact is separating already, so it does not bounce. Return its "
+        about.cause = "This contact is already separating, so it doesn't bounce. Return its "
         about.cause += "separating velocity, whatever the acceleration is."
         down = Vector3(*n) * -G
         a = Particle(velocity=Vector3(*v), acceleration=down)
@@ -189,7 +187,8 @@ def test_what_parts_goes_on(rng: Random) -> None:
     about.call = "a at rest, pulled down; Contact(a, None, Vector3(0, 1, 0), "
     about.call += "0.5).velocity_after(0.5)"
     about.cause = (
-        "The two particles neither approach nor separate, so there is nothing to bounce. Return 0."
+        "The two particles are neither approaching nor separating, so there is nothing to bounce. "
+        "Return 0."
     )
     a = Particle(acceleration=Vector3(0.0, -G, 0.0))
     got = Contact(a, None, Vector3(*UP), 0.5).velocity_after(0.5)
@@ -204,33 +203,32 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
     x, y, z = xyz(side)
     pull = (5.0 * x - G * n[0], 5.0 * y - G * n[1], 5.0 * z - G * n[2])
     for closing, wanted, cause in (
-        (G * h, 0.0, "This body is at rest and approaches the ground only with the velocity that "
-        "gravity has added in this time step. Leave that velocity out, so that the body does not "
-        "bounce."),
+        (G * h, 0.0, "This body is at rest. It approaches the ground only at the velocity that "
+                     "gravity has added in this time step. Leave that velocity out, so that the "
+                     "body doesn't bounce."),
         (0.4 * G * h, 0.0,
          "The time step added more than the whole closing speed, so nothing is left to bounce. "
-         "Return 0 and never less, because the particles must not move into each other."),
-        (5.0, c * (5.0 - G * h), "The time step itself added 0.1962 m/s of the 5 m/s, and only "
-                                 "the rest must bounce. Subtract that part first, and return c "
-                                 "(-v_s + a . n h)."),
+         "Never return less than 0, or the particles would move into each other."),
+        (5.0, c * (5.0 - G * h), "The time step itself added 0.1962 of the 5 m/s. Only the rest "
+                                 "should bounce, so return c (-v_s + a . n h)."),
     ):  # fmt: skip
         about.cause = cause
         size = math.hypot(*pull)
         mistakes = [
-            (c * closing, "The whole velocity bounces here. Leave out the part that this time "
-                          "step has added, or a resting body jitters."),
-            (c * closing - G * h, "The velocity that the step has added was subtracted after the "
-                                  "multiplication by the restitution. Subtract it before, as in "
-                                  "c (-v_s + a . n h)."),
+            (c * closing, "You let the whole velocity bounce. Leave out the part that this time "
+                          "step has added, or a resting body will jitter."),
+            (c * closing - G * h, "You subtracted the velocity that the step has added only after "
+                                  "you multiplied by the restitution. Subtract it first, as in c "
+                                  "(-v_s + a . n h)."),
             (c * (closing + G * h),
-             "The bounce became faster, but the velocity that the step has added must make it "
-             "slower. Here a . n is negative, so add a . n h to -v_s."),
+             "Your bounce got faster, but leaving out the velocity that the step has added should "
+             "make it slower. Here a . n is negative, so add a . n h to -v_s."),
             (c * (closing - size * h),
-             "The result uses the magnitude of the acceleration, |a|. Only its component along the "
+             "You used the magnitude of the acceleration, |a|. Only its component along the "
              "normal, a . n, closes the contact."),
-            (0.0, "The contact does not bounce, although the time step added only 0.1962 of the 5 "
-            "m/s. Perhaps a . n has not been multiplied by the duration h. Return c (-v_s + a . n "
-            "h)."),
+            (0.0, "The contact doesn't bounce, although the time step added only 0.1962 of the 5 "
+                  "m/s. Perhaps you forgot to multiply a . n by the duration h. Return c (-v_s + a "
+                  ". n h)."),
         ]  # fmt: skip
         v = along(n, -closing, rng)
         about.call = f"a of 3 kg with velocity {v}, acceleration {pull}, damping 0.25; Contact(a, "
@@ -242,8 +240,8 @@ def test_what_a_frame_has_built_up_does_not_bounce(rng: Random) -> None:
     about.call = f"a with velocity (0, -5, 0), acceleration (0, -{G}, 0); Contact(a, None, "
     about.call += "Vector3(0, 1, 0), 1.0).velocity_after(0.0)"
     about.cause = (
-        "A duration of 0 means that no time step has added any velocity, so the whole closing "
-        "velocity must bounce."
+        "With a duration of 0 no time step has added any velocity, so the whole closing velocity "
+        "bounces."
     )
     a = Particle(velocity=Vector3(0.0, -5.0, 0.0), acceleration=Vector3(0.0, -G, 0.0))
     got = Contact(a, None, Vector3(*UP), 1.0).velocity_after(0.0)
@@ -256,8 +254,8 @@ def test_an_acceleration_that_parts_explains_nothing(rng: Random) -> None:
     pull, c = positive_number(rng), round(rng.uniform(0.3, 0.9), 3)
     about.call = f"a with velocity (0, -2, 0), acceleration (3, {pull}, 3); Contact(a, None, "
     about.call += f"Vector3(0, 1, 0), {c}).velocity_after(0.25)"
-    about.cause = "This acceleration points away from the contact (a . n > 0), so it has not "
-    about.cause += "closed the contact. The whole 2 m/s must therefore bounce."
+    about.cause = "This acceleration points away from the contact (a . n > 0), so it didn't help "
+    about.cause += "to close the contact. The whole 2 m/s should bounce."
     a = Particle(velocity=Vector3(0.0, -2.0, 0.0), acceleration=Vector3(3.0, pull, 3.0))
     got = Contact(a, None, Vector3(*UP), c).velocity_after(0.25)
     expect_close(got, 2.0 * c)
@@ -271,8 +269,8 @@ def test_forces_build_up_as_well(rng: Random) -> None:
     about.call += f"Contact(a, None, Vector3(0, 1, 0), {c}).velocity_after({h})"
     about.cause = "The acceleration must include forces as well as gravity. The accumulator is "
     about.cause += "already empty at this point, so use last_acceleration, which includes them. "
-    about.cause += "The book uses only the constant acceleration, so a body under a gravity "
-    about.cause += "generator keeps bouncing (E-26)."
+    about.cause += "The book uses only the constant acceleration, so its bodies keep bouncing if "
+    about.cause += "gravity comes from a force generator (E-26)."
     a = Particle(mass=mass)
     a.add_force(Vector3(0.0, -mass * G, 0.0))
     a.integrate(h)
@@ -282,7 +280,7 @@ def test_forces_build_up_as_well(rng: Random) -> None:
     about.call += f"{-5.0 * mass}, 0)); a.integrate({h}); a.velocity.y = -1; Contact(a, None, "
     about.call += f"Vector3(0, 1, 0), {c}).velocity_after({h})"
     about.cause = "Both the constant acceleration and the forces accelerate the particle. Use "
-    about.cause += "last_acceleration, which combines them to -9 m/s^2."
+    about.cause += "last_acceleration, which combines the two: -9 m/s^2."
     a = Particle(acceleration=Vector3(0.0, -4.0, 0.0), mass=mass)
     a.add_force(Vector3(0.0, -5.0 * mass, 0.0))
     a.integrate(h)
@@ -291,7 +289,7 @@ def test_forces_build_up_as_well(rng: Random) -> None:
     expect_close(got, c * (1.0 - 9.0 * h), tolerance=1e-12)
     about.call = f"b of {mass} kg, pushed up by {7.0 * mass} N; b.integrate({h}); b.velocity.y = "
     about.call += f"1; Contact(a, b, Vector3(0, 1, 0), {c}).velocity_after({h}), a at rest"
-    about.cause = "Forces on the other particle can close the contact as well. Use the relative "
+    about.cause = "Forces on the other particle can close the contact too. Use the relative "
     about.cause += "acceleration along the normal, (aa - ab) . n."
     b = Particle(mass=mass)
     b.add_force(Vector3(0.0, 7.0 * mass, 0.0))
@@ -302,7 +300,7 @@ def test_forces_build_up_as_well(rng: Random) -> None:
     about.call = f"a of {mass} kg with acceleration (0, {-G}, 0), held by a force of its weight; "
     about.call += f"a.velocity.y = -1; Contact(a, None, Vector3(0, 1, 0), {c}).velocity_after({h})"
     about.cause = (
-        "The force cancels gravity, so the time step has added no velocity. All of the 1 m/s must "
+        "The force cancels gravity, so the time step has added no velocity. The whole 1 m/s should "
         "bounce."
     )
     a = Particle(acceleration=Vector3(0.0, -G, 0.0), mass=mass)
@@ -318,19 +316,19 @@ def test_two_that_fall_alike_build_up_nothing(rng: Random) -> None:
     about.read = REST
     pull, other = number(rng), positive_number(rng)
     c, h = round(rng.uniform(0.3, 0.9), 3), 0.02
-    immovable = "The other particle is immovable, so it does not accelerate, whatever its "
+    immovable = "The other particle is immovable, so it doesn't accelerate, whatever its "
     immovable += "last_acceleration says. Leave its acceleration out."
     for pa, pb, mass_a, mass_b, wanted, cause in (
         (pull, pull, 1.0, 2.0, c * 3.0,
-         "Both particles have the same acceleration, so a does not accelerate relative to b. Use "
-         "the difference of the two accelerations, (aa - ab) . n."),
+         "Both particles have the same acceleration, so a doesn't accelerate relative to b. Use "
+         "the difference between the two accelerations, (aa - ab) . n."),
         (0.0, other, 1.0, 2.0, c * (3.0 - other * h),
-         "Here b accelerates toward a, which closes the contact. Use the difference of the two "
-         "accelerations, (aa - ab) . n."),
+         "Here b accelerates toward a, which closes the contact. Use the difference between the "
+         "two accelerations, (aa - ab) . n."),
         (0.0, other, 1.0, math.inf, c * 3.0, immovable),
         (-other, 0.0, 1.0, math.inf, c * (3.0 - other * h),
-         "The other particle is immovable, so it does not accelerate. Use the whole acceleration "
-         "of a."),
+         "The other particle is immovable, so it doesn't accelerate. Use the whole acceleration of "
+         "a."),
         (-other, 0.0, math.inf, 1.0, c * 3.0, immovable),
     ):  # fmt: skip
         about.cause = cause
@@ -350,7 +348,7 @@ def test_to_say_how_it_bounces_changes_nothing(rng: Random) -> None:
     about.call = f"a with velocity {v}, acceleration (0, -2, 0); c = Contact(a, b, Vector3(0, 1, "
     about.call += "0), 0.5); c.velocity_after(0.5)"
     about.cause = (
-        "The call has changed a velocity. This method must only compute the new velocity, because "
+        "The call has changed a velocity. This method only computes the new velocity; "
         "resolve_velocity makes the change."
     )
     a = Particle(velocity=Vector3(*v), acceleration=Vector3(0.0, -2.0, 0.0))
@@ -366,8 +364,8 @@ def test_to_say_how_it_bounces_changes_nothing(rng: Random) -> None:
     ):
         expect_unchanged(name, now, before)
     about.call += "; c.restitution = 0.25; c.velocity_after(0.0)"
-    about.cause = "The restitution or a velocity has changed since the first call. Read both again "
-    about.cause += "on every call instead of storing the result."
+    about.cause = "The check has changed the restitution or a velocity since the first call. Read "
+    about.cause += "both on every call instead of caching the result."
     c.restitution = 0.25
     got = c.velocity_after(0.0)
     expect_close(got, -0.25 * v[1])
@@ -386,8 +384,8 @@ def test_a_bounce_needs_a_duration_that_means_something() -> None:
         ):
             about.call = f"Contact(a, None, Vector3(0, 1, 0)).velocity_after({duration!r}), a with "
             about.call += f"velocity (0, {velocity}, 0)"
-            about.cause = "A duration that is negative or not finite must be rejected before "
-            about.cause += "anything else happens. Call not_negative from arguments.py first."
+            about.cause = "Reject a duration that is negative or not finite before anything else "
+            about.cause += "happens. Call not_negative from arguments.py first."
             a = Particle(velocity=Vector3(0.0, velocity, 0.0))
             contact = Contact(a, None, Vector3(*UP))
             expect_error(

@@ -33,8 +33,8 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
     about.read = GROUND
     height, c = number(rng), round(rng.uniform(0.1, 0.9), 3)
     lowest = "The lowest point of the sphere, y - radius, is below the height of the ground. "
-    lowest += "Return a contact of that depth whatever the velocity is, because only the position "
-    lowest += "decides whether a sphere touches the ground."
+    lowest += "Return a contact of that depth, whatever the velocity is: only the position decides "
+    lowest += "whether a sphere touches the ground."
     for radius in (0.0, 0.25):
         about.call = f"GroundPlane([p], {height}, {radius}, {c}).contacts()"
         # Eighths of a meter are exact beside a radius of a quarter.
@@ -42,13 +42,13 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
             (
                 0.125,
                 [],
-                "The sphere is above the ground and does not touch it, so there is no contact.",
+                "The sphere is above the ground and doesn't touch it, so there is no contact.",
             ),
             (
                 1e-6,
                 [],
-                "The sphere is just above the ground, but it does not touch it yet, so "
-                "there is no contact.",
+                "The sphere is just above the ground but doesn't touch it yet, so there is no "
+                "contact.",
             ),
             (-0.5, [0.5], lowest),
             (-0.125, [0.125], lowest),
@@ -76,21 +76,22 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
                 # Rounding of heights up to 10 m.
                 shown = f"{name}: penetration"
                 mistakes = [
-                    (wanted - radius, "The radius is missing, so the center of the sphere would "
-                     "have to reach the ground. Use its lowest point, which is at y - radius."),
-                    (wanted - 2.0 * radius, "The radius has the wrong sign, so this is the "
-                                            "highest point of the sphere. The lowest point is at "
-                                            "y - radius."),
-                    (-wanted, "The penetration has the wrong sign. It must be positive if the "
-                    "sphere is inside the ground, so compute height + radius - y."),
+                    (wanted - radius, "You left out the radius, so the sphere touches the ground "
+                                      "only when its center does. Use its lowest point, which is "
+                                      "at y - radius."),
+                    (wanted - 2.0 * radius, "Your radius has the wrong sign, so this is the "
+                                            "highest point of the sphere. The lowest point is at y "
+                                            "- radius."),
+                    (-wanted, "The penetration has the wrong sign. It is positive when the sphere "
+                              "is inside the ground, so compute height + radius - y."),
                     (wanted - height,
-                     "The depth was computed as if the ground were at a height of 0. Compute "
+                     "You computed the depth as if the ground were at a height of 0. Compute "
                      "height + radius - y instead."),
                 ]  # fmt: skip
                 why = cause_of(depth, mistakes, about.cause)
                 expect_close(depth, wanted, call=shown, cause=why, tolerance=2e-14)
                 seen = (a, b, *normal, restitution)
-                why = "The depth is right, but the contact is not. Create it with the particle, "
+                why = "The depth is right, but the contact isn't. Create it with the particle, "
                 why += "None as its other, the normal (0, 1, 0), the detector's restitution and "
                 why += "the depth."
                 down = (0, -1, 0, -1, 0, c)
@@ -99,8 +100,8 @@ def test_what_touches_the_ground_is_in_contact(rng: Random) -> None:
                     [
                         (
                             down,
-                            "The normal points down, so the contact would push the sphere farther "
-                            "into the ground. It must point up, out of the ground.",
+                            "Your normal points down, so the contact would push the sphere farther "
+                            "into the ground. It should point up, out of the ground.",
                         )
                     ],
                     why,
@@ -115,21 +116,20 @@ def test_the_ground_is_for_all_that_moves(rng: Random) -> None:
     heights = [number(rng) for _ in range(6)]
     about.call = f"particles at the heights {heights}; g = GroundPlane(particles); g.contacts(): "
     about.call += "the indices of the particles"
-    about.cause = "Return one contact for each particle that is at or below the height, in the "
-    about.cause += "order of the list."
+    about.cause = "Return one contact for each particle at or below the surface, in list order."
     first, second, third = ground_of_a_list(heights)
     wanted = [i for i, y in enumerate(heights) if y <= 0.0]
     expect_exactly(first, wanted)
     about.call += "; all moved to -1, the second made immovable, one more appended; "
     about.call += "g.contacts(): the indices"
-    about.cause = "Some particles have moved since the first call, one has become immovable, and "
-    about.cause += "one has joined the list. Read the list again on every call, and skip "
+    about.cause = "Since the first call the check has moved some particles, made one immovable, "
+    about.cause += "and added one to the list. Read the list again on every call, and skip "
     about.cause += "immovable particles."
     expect_exactly(second, [0, 2, 3, 4, 5, 6])
     about.call += "; g.height, g.radius changed to -2 and 0.5; g.contacts(): the indices"
     about.cause = (
-        "A change of height or radius had no effect. Read both again on every call, instead of "
-        "storing what follows from them."
+        "The check changed height and radius, but nothing happened. Read both on every call "
+        "instead of caching anything computed from them."
     )
     expect_exactly(third, [])
 
@@ -140,8 +140,8 @@ def test_nothing_is_too_fast_for_the_ground(rng: Random) -> None:
     speed = positive_number(rng, 500.0, 2000.0)
     about.call = f"a particle 1 m above the ground falls at {speed} m/s for 1/60 s; the "
     about.call += "penetration from GroundPlane([p]).contacts() is added to its height"
-    about.cause = "The particle is now meters below the ground and must still be in contact. The "
-    about.cause += "ground is everything below the height, not just a line to cross."
+    about.cause = "The particle is now meters below the surface and should still be in contact. "
+    about.cause += "Everything below the height is ground, not just a line to cross."
     fallen, got = thrown_down(speed, 1.0 / 60.0)
     expect_close(got, 0.0, tolerance=1e-12)
     name = f"a particle 1 m above the ground falls at {speed} m/s for 1/60 s: its height"
@@ -153,14 +153,14 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
     about.read = PAIRS
     n, c = direction(rng), round(rng.uniform(0.1, 0.9), 3)
     q = components(rng)
-    cells = "If you use cells, compute their numbers with math.floor, because int rounds toward 0."
+    cells = "If you use cells, compute their indices with math.floor, because int rounds toward 0."
     for radius, distance, wanted, cause in (
         (
             0.75,
             1.500001,
             None,
-            "The centers are more than two radii apart, so the spheres do not "
-            "touch. Return no contact.",
+            "The centers are more than two radii apart, so the spheres don't touch. Return no "
+            "contact.",
         ),
         (
             0.75,
@@ -197,14 +197,14 @@ def test_spheres_touch_at_two_radii(rng: Random) -> None:
     expect_pairs(got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.0)])
     about.call = "a at (-1e-17, 0, 0), b at (2, 0, 0); ParticlePairs([a, b], 1.0).contacts()"
     about.cause = "Up to rounding, the centers are two radii apart, so the spheres touch. If you "
-    about.cause += "use cells, make them a little larger than two radii, or an empty cell can lie "
-    about.cause += "between the spheres."
+    about.cause += "use cells, make them a little larger than two radii, or there can be an empty "
+    about.cause += "cell between the spheres."
     pair = [Particle(Vector3(-1e-17)), Particle(Vector3(2.0))]
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
     expect_pairs(got, [(0, 1, (-1.0, 0.0, 0.0), 0.0, 0.0)])
     about.call = f"a and b at {q}; ParticlePairs([a, b], 1.0).contacts()"
-    about.cause = "Both centers are at the same position, so there is no direction between them. "
-    about.cause += "Use +Y as the normal."
+    about.cause = "Both centers are at the same position, so the normal has no natural direction. "
+    about.cause += "Use +Y."
     pair = [Particle(Vector3(*q)), Particle(Vector3(*q))]
     got = told(ParticlePairs(pair, 1.0).contacts(), pair)
     expect_pairs(got, [(0, 1, UP, 0.0, 2.0)])
@@ -219,39 +219,40 @@ def expect_pairs(got: list, wanted: list[tuple], size: float = 2.0) -> None:
     seen, pairs = ([(a, b) for a, b, *_ in contacts] for contacts in (got, wanted))
     found = {frozenset(pair) for pair in seen}
     if len(found) < len(seen):
-        about.cause = "The same pair was returned twice, perhaps once for each of its particles or "
-        about.cause += "cells. Return each pair only once, because a second contact costs the "
-        about.cause += "resolver time and changes nothing."
+        about.cause = "You returned the same pair twice, perhaps once for each of its particles "
+        about.cause += "or cells. Return each pair only once: a second contact costs the resolver "
+        about.cause += "time and changes nothing."
     elif missing := [pair for pair in pairs if frozenset(pair) not in found]:
         about.cause = f"The contact of the pair {missing[0]} is missing. {about.cause}"
     elif len(seen) > len(pairs):
         extra = [pair for pair in seen if pair not in pairs]
-        about.cause = f"The pair {extra[0]} has a contact, but it must not have one. {about.cause}"
+        about.cause = f"The pair {extra[0]} should not have a contact. {about.cause}"
     else:
-        about.cause = "The right pairs were found, but in the wrong order. Sort them by the "
-        about.cause += "indices of their particles, with the smaller index first in each pair."
+        about.cause = "You found the right pairs but returned them in the wrong order. Sort them "
+        about.cause += "by the indices of their particles, with the smaller index first in each "
+        about.cause += "pair."
     expect_exactly(len(got), len(wanted), then=": number of pairs")
     expect_exactly(seen, pairs, then=": the pairs, by index")
     for (_, _, normal, restitution, depth), right in zip(got, wanted, strict=True):
-        about.cause = "The normal of a contact is wrong. It must be the unit vector that points "
-        about.cause += "from the second particle of the pair to the first."
+        about.cause = "The normal of a contact is wrong. It should be the unit vector from the "
+        about.cause += "second particle of the pair to the first."
         # Differences of positions of up to 10 m, over a distance of half a meter or more.
         expect_close(normal, right[2], then=": normal", tolerance=1e-13)
-        about.cause = "A contact has the wrong restitution. Pass the restitution of the detector "
-        about.cause += "to each contact that you create."
+        about.cause = "A contact has the wrong restitution. Pass the detector's restitution to "
+        about.cause += "each contact that you create."
         expect_close(restitution, right[3], then=": restitution")
         apart = size - right[4]
         mistakes = [
             (size * size - apart * apart,
-             "The squares of the lengths were subtracted, which gives an area. Subtract the "
-             "distance itself from two radii."),
-            (-right[4], "The penetration has the wrong sign. It must be positive for overlapping "
-            "spheres, so subtract the distance from two radii."),
-            (0.5 * size - apart, "Only one radius was used, but the centers of touching spheres "
-            "are two radii apart. Subtract the distance from two radii."),
+             "You subtracted squared lengths, which gives an area. Subtract the distance itself "
+             "from two radii."),
+            (-right[4], "The penetration has the wrong sign. It is positive for overlapping "
+                        "spheres, so subtract the distance from two radii."),
+            (0.5 * size - apart, "You used only one radius, but the centers of touching spheres "
+                                 "are two radii apart. Subtract the distance from two radii."),
             (apart,
-             "The penetration is the distance of the centers, which becomes smaller the deeper "
-             "the overlap is. Subtract this distance from two radii."),
+             "Your penetration is the distance between the centers, which shrinks as the overlap "
+             "gets deeper. Subtract that distance from two radii."),
         ]  # fmt: skip
         otherwise = "The penetration of a contact is wrong. Compute it as two radii minus the "
         otherwise += "distance between the centers."
@@ -270,8 +271,8 @@ def test_every_pair_is_found_once(rng: Random) -> None:
         walls = {3, 4, 5, 6}
         about.call = f"{count} particles in a cube of {2 * size:g} m, numbers 3 to 6 immovable; "
         about.call += f"ParticlePairs(particles, {radius}).contacts()"
-        about.cause = "Every pair of touching spheres needs a contact, unless both are immovable. "
-        about.cause += "Particles 3 to 6 are immovable here."
+        about.cause = "Every pair of touching spheres needs a contact, unless both are immovable, "
+        about.cause += "as particles 3 to 6 are here."
         particles = [
             Particle(Vector3(*place), mass=math.inf if i in walls else 1.0)
             for i, place in enumerate(places)
@@ -291,8 +292,8 @@ def test_not_every_pair_is_looked_at() -> None:
     about("400 spheres of radius 0.5 m in a cube of 40 m; ParticlePairs(spheres, ", read=PAIRS)
     about.call += "0.5).contacts(): accesses to positions"
     about.cause = "Comparing all 79,800 pairs reads the positions more than 400,000 times, which "
-    about.cause += "is too slow. Use a grid or sort the particles along an axis, and compare only "
-    about.cause += "those that are near each other."
+    about.cause += "is too slow. Put the particles in a grid, or sort them along an axis, and "
+    about.cause += "compare only those that are near each other."
     asked, found, wanted = looked(400, 40.0)
     # A grid asks about 1,400 times, a sweep along an axis some 33,000 times.
     expect_between(asked, 0, 100_000)
@@ -301,8 +302,8 @@ def test_not_every_pair_is_looked_at() -> None:
         found,
         wanted,
         call=name,
-        cause="A pair of touching spheres has no contact. "
-        "Perhaps they are in neighboring cells that your search does not compare.",
+        cause="A pair of touching spheres has no contact. Perhaps they are in neighboring cells "
+        "that your search doesn't compare.",
     )
 
 
@@ -312,19 +313,20 @@ def test_pairs_are_those_of_now(rng: Random) -> None:
     radius = positive_number(rng, 0.5, 1.5)
     about.call = f"four particles in a row, three radii apart, radius {radius} m; p = "
     about.call += f"ParticlePairs(particles, {radius}); p.contacts(): the pairs, by index"
-    about.cause = "The spheres are more than two radii apart, so they do not touch. Return no "
+    about.cause = "The spheres are more than two radii apart, so they don't touch. Return no "
     about.cause += "contact."
     first, second, third = pairs_of_a_list(radius)
     expect_exactly(first, [])
     about.call += "; the last one moved next to the first, and one more put between the two others"
     about.cause = (
-        "Particles that have moved or joined the list since the first call were missed. Read the "
+        "You missed particles that have moved or joined the list since the first call. Read the "
         "list and the positions again on every call."
     )
     expect_exactly(second, [0, 3, 1, 4, 2, 4])
     about.call += "; p.radius doubled"
     about.cause = (
-        "The radius of the detector has changed since the first call. Read it again on every call."
+        "The check has changed the detector's radius since the first call. Read it again on every "
+        "call."
     )
     expect_exactly(third, [0, 1, 0, 3, 1, 2, 1, 4, 2, 4])
 
@@ -354,8 +356,8 @@ def test_a_pile_of_six_holds() -> None:
     about.read = "book 7.3.1, and the docstring of ParticlePairs.contacts"
     about.call = "six spheres of 1 kg, radius 0.5 m, stacked on the ground; 15 semi-implicit steps "
     about.call += "of 1/60 s with ParticlePairs and a ContactResolver of 500 iterations"
-    about.cause = "The spheres must not sink into each other. Check that each sphere has a contact "
-    about.cause += "with the sphere below it in every step."
+    about.cause = "The spheres should not sink into each other. Check that in every step each "
+    about.cause += "sphere has a contact with the one below it."
     particles = [
         Particle(Vector3(0.0, i + 0.5, 0.0), acceleration=Vector3(0.0, -9.81, 0.0))
         for i in range(6)

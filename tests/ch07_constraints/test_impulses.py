@@ -56,7 +56,7 @@ def test_two_balls_bounce_by_the_inverse_of_their_masses(rng: Random) -> None:
         a = Particle(velocity=Vector3(*v), mass=ma)
         b = Particle(velocity=Vector3(*w), mass=mb)
         about.cause = "The separating velocity must change from v_s to -c v_s. The impulse g is "
-        about.cause += "this change divided by 1 / ma + 1 / mb, and it changes the velocity of a "
+        about.cause += "that change divided by 1 / ma + 1 / mb, and it changes the velocity of a "
         about.cause += "by n g / ma."
         Contact(a, b, Vector3(*n), c).resolve_velocity()
         closing = dot(v, n) - dot(w, n)
@@ -65,20 +65,19 @@ def test_two_balls_bounce_by_the_inverse_of_their_masses(rng: Random) -> None:
         wanted_b = tuple(p - ma / (ma + mb) * change * q for p, q in zip(w, n, strict=True))
         got = xyz(a.velocity)
         impulse = change * ma * mb / (ma + mb)
-        momentum = "The impulse was added to the velocity, but it is a change of momentum (E-24). "
-        momentum += "Divide it by the mass first"
+        momentum = "You added the impulse to the velocity, but an impulse is a change in momentum "
+        momentum += "(E-24). Divide it by the mass first"
         unlike = -c * closing * impulse / change  # as if it had been at rest before
         mistakes = [
-            (change / ma, "The change of the separating velocity was used as the impulse. Divide "
-                          "it by 1 / ma + 1 / mb first, because the impulse is a change of "
-                          "momentum."),
+            (change / ma, "You used the change in the separating velocity as the impulse. An "
+                          "impulse is a change in momentum, so divide by 1 / ma + 1 / mb first."),
             (impulse / mb, "The masses are swapped. The impulse on a changes its velocity by n g "
                            "/ ma, so divide by the mass of a."),
             (-impulse / ma, "The impulse has the wrong sign, so it makes the contact close even "
-            "faster. It must push a along +n, which points away from b."),
-            (unlike / ma, "This would be right only if a and b had no closing velocity before. "
-                          "The separating velocity changes from v_s to -c v_s, so the change is "
-                          "-c v_s - v_s."),
+                            "faster. It should push a along +n, away from b."),
+            (unlike / ma, "You took the change to be -c v_s, as if the separating velocity had "
+                          "been 0 before. It changes from v_s to -c v_s, so the change is -c v_s - "
+                          "v_s."),
             (impulse, f"{momentum}, and add n g / ma."),
         ]  # fmt: skip
         seen = cause_of(got, along(v, n, mistakes), about.cause)
@@ -86,14 +85,14 @@ def test_two_balls_bounce_by_the_inverse_of_their_masses(rng: Random) -> None:
         expect_close(got, wanted_a, then="; a.velocity", cause=seen, tolerance=1e-12)
         got = xyz(b.velocity)
         mistakes = [
-            (0.0, "The velocity of b did not change. The impulse acts on both particles in "
-                  "opposite directions, so add -n g / mb to the velocity of b."),
-            (impulse / mb, "The impulse pushes b in the same direction as a. The two impulses are "
+            (0.0, "The velocity of b didn't change. The impulse acts on both particles in opposite "
+                  "directions, so add -n g / mb to the velocity of b."),
+            (impulse / mb, "Your impulse pushes b in the same direction as a. The two impulses are "
                            "opposite, so add -n g / mb to the velocity of b."),
             (-impulse, f"{momentum}, and add -n g / mb."),
         ]  # fmt: skip
-        otherwise = "The impulse on b is opposite to the impulse on a. It must therefore change "
-        otherwise += "the velocity of b by -n g / mb, with the mass of b."
+        otherwise = "The impulse on b is opposite to the impulse on a, so it changes the velocity "
+        otherwise += "of b by -n g / mb, with b's own mass."
         about.cause = cause_of(got, along(w, n, mistakes), otherwise)
         expect_close(got, wanted_b, then="; b.velocity", tolerance=1e-12)
 
@@ -106,8 +105,8 @@ def test_momentum_is_kept_and_energy_lost(rng: Random) -> None:
         v, w = closing_velocities(rng, n)
         about.call = f"a of {ma} kg, velocity {v}; b of {mb} kg, velocity {w}; Contact(a, b, "
         about.call += f"Vector3{n}, {c}).resolve_velocity()"
-        about.cause = "A collision conserves the total momentum at every restitution, so b must "
-        about.cause += "lose exactly the momentum that a gains."
+        about.cause = "A collision conserves the total momentum whatever the restitution is, so b "
+        about.cause += "must lose exactly the momentum that a gains."
         a = Particle(velocity=Vector3(*v), mass=ma)
         b = Particle(velocity=Vector3(*w), mass=mb)
         Contact(a, b, Vector3(*n), c).resolve_velocity()
@@ -122,7 +121,7 @@ def test_momentum_is_kept_and_energy_lost(rng: Random) -> None:
         wanted = 0.5 * ma * mb / (ma + mb) * (1.0 - c * c) * closing * closing
         name = f"{about.call}; the loss of kinetic energy"
         about.cause = "A bounce loses the kinetic energy mu (1 - c^2) v_s^2 / 2, where mu = ma mb "
-        about.cause += "/ (ma + mb). For an elastic bounce, with c = 1, this is 0 (E-7)."
+        about.cause += "/ (ma + mb). For an elastic bounce, with c = 1, that is 0 (E-7)."
         expect_close(lost, wanted, call=name, tolerance=1e-10)
 
 
@@ -139,14 +138,14 @@ def test_a_wall_takes_any_impulse(rng: Random) -> None:
         about.call = f"a of {mass} kg, velocity {v}; w immovable; {told}, Vector3{normal}, "
         about.call += f"{c}).resolve_velocity()"
         about.cause = "The inverse mass of the wall is 0, so only the velocity of a changes. It "
-        about.cause += "takes the whole change of the separating velocity, whatever its mass is."
+        about.cause += "takes the whole change in the separating velocity, whatever its mass is."
         a, w = Particle(velocity=Vector3(*v), mass=mass), Particle(mass=math.inf)
         ends = {"Contact(a, None": (a, None), "Contact(a, w": (a, w), "Contact(w, a": (w, a)}[told]
         Contact(*ends, Vector3(*normal), c).resolve_velocity()
         got = xyz(a.velocity)
         expect_close(got, wanted, then="; a.velocity", tolerance=1e-12)
-        about.cause = "The velocity of the immovable particle has changed. Its inverse mass is 0, "
-        about.cause += "so the impulse must not change its velocity."
+        about.cause = "You changed the velocity of the immovable particle. Its inverse mass is 0, "
+        about.cause += "so the impulse leaves it alone."
         got = xyz(w.velocity)
         expect_close(got, ZERO, then="; w.velocity")
 
@@ -158,10 +157,10 @@ def test_what_parts_or_cannot_be_moved_gets_no_impulse(rng: Random) -> None:
     if dot(v, n) < dot(w, n):
         v, w = w, v
     for mass, first, second, cause in (
-        (2.0, v, w, "The two particles are separating already, so no impulse is needed. Leave "
-                    "both velocities as they are."),
+        (2.0, v, w, "The two particles are already separating, so they need no impulse. Leave both "
+                    "velocities as they are."),
         (math.inf, w, v, "Both particles are immovable, so the sum of their inverse masses is 0. "
-                         "Return early instead of dividing by this sum."),
+                         "Return early instead of dividing by it."),
     ):  # fmt: skip
         about(f"a and b of {mass} kg, velocities {first} and {second}; Contact(a, b, ", cause=cause)
         about.call += f"Vector3{n}, 0.5, 1.0).resolve_velocity(0.5)"
@@ -173,8 +172,8 @@ def test_what_parts_or_cannot_be_moved_gets_no_impulse(rng: Random) -> None:
         expect_unchanged("b.velocity", got, second)
     about.call = f"a with velocity {w}, b with {v}; c = Contact(a, b, Vector3{n}, 0.0, -1.0); "
     about.call += "a.add_force(Vector3(1, 2, 3)); c.resolve_velocity(0.5)"
-    about.cause = "At a restitution of 0, the separating velocity of a closing contact must become "
-    about.cause += "0. The penetration makes no difference, so do not check it."
+    about.cause = "With a restitution of 0, the separating velocity of a closing contact should "
+    about.cause += "become 0. The penetration makes no difference, so don't check it."
     a, b = (Particle(velocity=Vector3(*u)) for u in (w, v))
     a.add_force(Vector3(1.0, 2.0, 3.0))
     c = Contact(a, b, Vector3(*n), 0.0, -1.0)
@@ -187,7 +186,7 @@ def test_what_parts_or_cannot_be_moved_gets_no_impulse(rng: Random) -> None:
         ("a.force_accumulator", xyz(a.force_accumulator), (1.0, 2.0, 3.0)),
     ):
         about.cause = "resolve_velocity has changed something other than a velocity. Leave "
-        about.cause += "everything except the two velocities as it is."
+        about.cause += "everything else alone."
         expect_unchanged(name, now, before)
 
 
@@ -197,14 +196,14 @@ def test_an_impulse_leaves_rest_at_rest(rng: Random) -> None:
     h, c, side = 0.02, round(rng.uniform(0.3, 0.9), 3), number(rng)
     about.call = f"a with velocity ({side}, {-9.0 * h}, 0), acceleration (0, -9, 0); Contact(a, "
     about.call += f"None, Vector3(0, 1, 0), {c}, 0.125).resolve_velocity({h})"
-    about.cause = "This body is at rest, so it must not bounce. Pass the duration on to "
+    about.cause = "This body is at rest, so it should not bounce. Pass the duration on to "
     about.cause += "velocity_after, which leaves out the velocity that this time step has added."
     a = Particle(None, Vector3(side, -9.0 * h, 0.0), Vector3(0.0, -9.0, 0.0), mass=3.0)
     Contact(a, None, Vector3(*UP), c, 0.125).resolve_velocity(h)
     got = xyz(a.velocity)
     expect_close(got, (side, 0.0, 0.0), then="; a.velocity")
-    about.cause = "The call has moved a particle. Leave this to resolve_penetration, because "
-    about.cause += "resolve_velocity must change only velocities."
+    about.cause = "The call has moved a particle. Leave that to resolve_penetration: "
+    about.cause += "resolve_velocity changes only velocities."
     got = xyz(a.position)
     expect_close(got, ZERO, then="; a.position")
 
@@ -217,9 +216,8 @@ def test_an_impulse_needs_a_duration_that_means_something() -> None:
         for duration in (-0.5, math.nan, math.inf):
             about.call = f"Contact(a, None, Vector3(0, 1, 0)).resolve_velocity({duration}), a of "
             about.call += f"{mass} kg with velocity (0, {velocity}, 0)"
-            about.cause = "A duration that is negative or not finite must be rejected, even if no "
-            about.cause += "impulse is needed. Call velocity_after first, because it checks the "
-            about.cause += "duration."
+            about.cause = "Reject a duration that is negative or not finite, even if no impulse "
+            about.cause += "is needed. Call velocity_after first, because it checks the duration."
             a = Particle(velocity=Vector3(0.0, velocity, 0.0), mass=mass)
             contact = Contact(a, None, Vector3(*UP))
             expect_error(

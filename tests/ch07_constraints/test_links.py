@@ -62,8 +62,8 @@ def expect_contacts(
     for seen, right in zip(got, wanted, strict=True):
         a, b, normal, restitution, depth = seen
         name = f"{about.call}: index of particle and other, -1 is None"
-        why = "The contact has the wrong ends. Its particle must be a, and its other must be b, or "
-        why += "None if the link ends at an anchor."
+        why = "The contact has the wrong ends. Its particle should be a, and its other should be "
+        why += "b, or None if the link ends at an anchor."
         expect_close((a, b), right[:2], call=name, cause=why)
         back = tuple(-part for part in right[2])
         why = f"The normal has the wrong sign. {about.cause}"
@@ -73,10 +73,10 @@ def expect_contacts(
         why += "rod."
         expect_close(restitution, right[3], then=": restitution", cause=why)
         depths = [
-            (-right[4], "The penetration has the wrong sign. It must be positive when the "
-                        "limit is exceeded and negative when there is still room."),
-            (far, "This penetration is the whole distance between the ends. Only the part beyond "
-                  "the limit must be removed, so subtract the limit from it."),
+            (-right[4], "The penetration has the wrong sign. It is positive beyond the limit and "
+                        "negative while there is still room."),
+            (far, "Your penetration is the whole distance between the ends. Only the part beyond "
+                  "the limit needs to go, so subtract the limit."),
         ]  # fmt: skip
         why = cause_of(depth, depths, about.cause)
         # Lengths of up to 20 m, rounded a few times.
@@ -93,7 +93,7 @@ def places(pair: list[Any]) -> Components:
 @scoped
 def expect_ends(pair: list[Any], before: Components) -> None:
     about.cause = "contacts() has moved an end of the link, perhaps because you used -=, which "
-    about.cause += "works in place. Compute b - a instead, because it creates a new vector."
+    about.cause += "works in place. Compute b - a instead, which creates a new vector."
     expect_unchanged("the pair of positions", places(pair), before)
 
 
@@ -109,7 +109,7 @@ def test_a_taut_cable_pulls(rng: Random, anchored: bool) -> None:
         pair[0].mass = math.inf
         told_ends = told_ends.replace("a at", "a, immovable, at")
     to_the_end = "This cable is stretched beyond its maximum length, so it pulls its ends "
-    to_the_end += "together. The normal must be the unit vector from a to the other end."
+    to_the_end += "together. The normal is the unit vector from a to the other end."
     before = places(pair)
     for max_length, cause in (
         (0.75 * length, to_the_end),
@@ -148,15 +148,14 @@ def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
         now = [pair[0], cable.anchor] if anchored else pair
         expect_ends(now, before)
     about.call += "; c.max_length /= 4; c.restitution = 0.5; c.contacts()"
-    about.cause = "max_length and restitution have changed since the first call, as with a winch. "
-    about.cause += "Read both again on every call."
+    about.cause = "The check has changed max_length and restitution since the first call, as a "
+    about.cause += "winch might. Read both again on every call."
     cable.max_length, cable.restitution = 0.3125 * length, 0.5
     wanted = [(0, -1 if anchored else 1, n, 0.5, 0.6875 * length)]
     expect_contacts(about.call, cable, pair, wanted)
     about.call += "; the other end moved to the opposite side of a; c.contacts()"
     about.cause = (
-        "The ends have moved since the first call. Read the positions of both ends again on every "
-        "call."
+        "The ends have moved since the first call. Read both positions again on every call."
     )
     x, y, z = xyz(pair[0].position)
     back = (-n[0], -n[1], -n[2])
@@ -168,8 +167,8 @@ def test_a_slack_cable_does_nothing(rng: Random, anchored: bool) -> None:
     wanted = [(0, -1 if anchored else 1, back, 0.5, 0.6875 * length)]
     expect_contacts(about.call, cable, pair, wanted)
     n = back
-    about.cause = "contacts() has changed a position or a velocity. Finding contacts must not move "
-    about.cause += "anything, so compute with new vectors."
+    about.cause = "contacts() has changed a position or a velocity. Finding contacts must not "
+    about.cause += "move anything, so work with new vectors."
     got = xyz(pair[0].position)
     there = cable.anchor if anchored else pair[1].position
     way = tuple(p - q for p, q in zip(xyz(there), got, strict=True))
@@ -187,9 +186,9 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
     make, name = (AnchoredRod, "AnchoredRod") if anchored else (Rod, "Rod")
     other = -1 if anchored else 1
     back = (-n[0], -n[1], -n[2])
-    both = "You returned two contacts, as the book's text says, but one of them would do nothing "
-    both += "(E-9). Return only the contact that pulls or pushes, or no contact if the length is "
-    both += "right."
+    both = "You returned two contacts, as the book's text suggests, but one of them would do "
+    both += "nothing (E-9). Return only the contact that pulls or pushes, or no contact if the "
+    both += "length is right."
     two = [
         (2, both),
         (
@@ -202,31 +201,31 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
         (
             0.75 * length,
             [(0, other, n, 0.0, 0.25 * length)],
-            "This rod is stretched, so it pulls like a cable. The normal must point from a to the "
-            "other end.",
+            "This rod is stretched, so it pulls like a cable. The normal should point from a to "
+            "the other end.",
         ),
         (
             1.25 * length,
             [(0, other, back, 0.0, 0.25 * length)],
-            "This rod is compressed, so it pushes. The normal must point away from the other end, "
-            "and the penetration must be positive.",
+            "This rod is compressed, so it pushes. The normal should point away from the other "
+            "end, and the penetration should be positive.",
         ),
         (
             1023.0 / 1024.0 * length,
             [(0, other, n, 0.0, length / 1024.0)],
-            "This rod is stretched, if only slightly, so it pulls. The normal must point from a "
-            "to the other end.",
+            "This rod is slightly stretched, so it pulls. The normal should point from a to the "
+            "other end.",
         ),
         (
             1025.0 / 1024.0 * length,
             [(0, other, back, 0.0, length / 1024.0)],
-            "This rod is compressed, if only slightly, so it pushes. The normal must point away "
-            "from the other end.",
+            "This rod is slightly compressed, so it pushes. The normal should point away from the "
+            "other end.",
         ),
         (
             length,
             [],
-            "This rod has exactly the right length, so it must not have a contact.",
+            "This rod has exactly the right length, so it should not have a contact.",
         ),
     ):
         about(f"{told_ends}; r = {name}(a, {'anchor' if anchored else 'b'}, {rod}); ", cause=cause)
@@ -234,8 +233,8 @@ def test_a_rod_pulls_and_pushes(rng: Random, anchored: bool) -> None:
         link = make(*pair, rod)
         expect_contacts(about.call, link, pair, wanted, two, length)
         about.call += f"; r.length = {0.5 * length}; r.contacts()"
-        about.cause = "The length of the rod has changed since the first call. Read it again on "
-        about.cause += "every call."
+        about.cause = "The check has changed the rod's length since the first call. Read it again "
+        about.cause += "on every call."
         link.length = 0.5 * length
         wanted = [(0, other, n, 0.0, 0.5 * length)]
         expect_contacts(about.call, link, pair, wanted)
@@ -246,9 +245,9 @@ def test_a_rod_without_a_direction_stands_up(rng: Random) -> None:
     about.read = ROD
     p, length = components(rng), positive_number(rng)
     down = (0.0, -1.0, 0.0)
-    about.cause = "Both ends are at the same position, so take +Y as the direction from a to b and "
-    about.cause += "push a down. direction_of returns +Y here, while normalized() would return "
-    about.cause += "zero."
+    about.cause = "Both ends are at the same position, so take +Y as the direction from a to b "
+    about.cause += "and push a down. direction_of returns +Y here, whereas normalized() would "
+    about.cause += "return zero."
     about.call = f"a and b at {p}; Rod(a, b, {length}).contacts()"
     pair = [Particle(Vector3(*p)), Particle(Vector3(*p))]
     expect_contacts(about.call, Rod(*pair, length), pair, [(0, 1, down, 0.0, length)])
@@ -256,7 +255,9 @@ def test_a_rod_without_a_direction_stands_up(rng: Random) -> None:
     rod = AnchoredRod(pair[0], Vector3(*p), length)
     expect_contacts(about.call, rod, pair, [(0, -1, down, 0.0, length)])
     about.call += "; r.anchor moved up by twice the length; r.contacts()"
-    about.cause = "The anchor has moved since the first call. Read it again on every call."
+    about.cause = (
+        "The check has moved the anchor since the first call. Read it again on every call."
+    )
     rod.anchor = Vector3(p[0], p[1] + 2.0 * length, p[2])
     expect_contacts(about.call, rod, pair, [(0, -1, UP, 0.0, length)])
 
@@ -269,9 +270,8 @@ def test_a_pendulum_swings_in_its_period() -> None:
         about.call = f"1 kg on AnchoredRod(bob, Vector3(0, 0, 0), 1.0), released at {degrees:g} "
         about.call += "degrees, g = 10; semi-implicit steps of 1/1000 s and contact.resolve: the "
         about.call += "period, s"
-        about.cause = "The contact of the rod must remove only the velocity along the rod, and its "
-        about.cause += "restitution must be 0. Otherwise the pendulum does not swing in its "
-        about.cause += "period."
+        about.cause = "The rod's contact should remove only the velocity along the rod, with a "
+        about.cause += "restitution of 0. Otherwise the pendulum doesn't swing in its period."
         bob = Particle(
             Vector3(math.sin(angle), -math.cos(angle), 0.0), acceleration=Vector3(0.0, -10.0, 0.0)
         )
@@ -283,7 +283,7 @@ def test_a_pendulum_swings_in_its_period() -> None:
         expect_close(got, period, tolerance=0.01 * period)
         name = f"{about.call}; the distance from the anchor at the end, m"
         about.cause = "The rod has changed its length. Return a contact with the right "
-        about.cause += "penetration, because it brings the rod back to its length in each step."
+        about.cause += "penetration, which brings the rod back to its length in every step."
         got = math.hypot(*seen[-1][0])
         expect_close(got, 1.0, call=name, tolerance=1e-12)
 
@@ -296,7 +296,7 @@ def test_a_string_bears_three_times_the_weight() -> None:
     about.call += "semi-implicit steps of 1/2000 s and contact.resolve: the largest pull on the "
     about.call += "way down, N"
     about.cause = "At the bottom, the rod carries the weight m g and also keeps the bob on its "
-    about.cause += "circle, which takes 2 m g more. The pull must be 3 m g."
+    about.cause += "circle, which takes another 2 m g. The pull should be 3 m g."
     bob = Particle(Vector3(1.0, 0.0, 0.0), None, Vector3(0.0, -10.0, 0.0), mass=mass)
     seen = swung(AnchoredRod(bob, Vector3(), 1.0), bob, 0.0005, 1173)  # a quarter of its period
     got = max(pull for _, _, pull in seen[100:])
@@ -316,16 +316,16 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
         (1023.0 / 1024.0, 1025.0 / 1024.0, [], "The distance is between the two limits, so the "
         "link neither pulls nor pushes. Return no contact."),
         (0.25, 0.5, [(0, 1, n, c, 0.5 * length)],
-         "The distance exceeds max_length, so the link pulls like a cable. The normal must point "
+         "The distance exceeds max_length, so the link pulls like a cable. The normal should point "
          "from a to b."),
         (0.5, 1.0, [(0, 1, n, c, 0.0)], "The distance is exactly max_length, so the link is taut. "
                                         "Return a contact with a penetration of 0."),
         (1.5, 2.0, [(0, 1, back, c, 0.5 * length)],
-         "The distance is below min_length, so the link pushes. The normal must point away from "
+         "The distance is below min_length, so the link pushes. The normal should point away from "
          "b, and the penetration is min_length minus the distance."),
         (1.0, 2.0, [(0, 1, back, c, 0.0)],
-         "The distance is exactly min_length, so the lower limit is reached. Return a contact "
-         "with a penetration of 0."),
+         "The distance is exactly min_length, so the link has reached its lower limit. Return a "
+         "contact with a penetration of 0."),
         (0.0, 2.0, [], "A min_length of 0 means that there is no lower limit, so there is no "
                        "contact here."),
     ):  # fmt: skip
@@ -334,8 +334,8 @@ def test_limits_act_at_their_ends(rng: Random) -> None:
         link = Limits(*pair, low * length, high * length, c)
         expect_contacts(about.call, link, pair, wanted, far=length)
     about.call += "; min_length, max_length and restitution changed to 1, 2 and 0.5; contacts()"
-    about.cause = "The limits and the restitution have changed since the first call. Read these "
-    about.cause += "attributes again on every call."
+    about.cause = "The check has changed the limits and the restitution since the first call. "
+    about.cause += "Read these attributes again on every call."
     link.min_length, link.max_length, link.restitution = 1.0, 2.0, 0.5
     wanted = [(0, 1, n, 0.5, length - 2.0)]
     expect_contacts(about.call, link, pair, wanted)
@@ -346,8 +346,8 @@ def test_equal_limits_both_act(rng: Random) -> None:
     about.read = LIMITS
     pair, n, length, told_ends = ends(rng, anchored=False)
     about.call = f"{told_ends}; l = Limits(a, b, {length}, {length}, 0.5); l.contacts()"
-    about.cause = "Both limits are equal to the distance, so both are reached. Return two contacts "
-    about.cause += "with opposite normals, one for each limit."
+    about.cause = "Both limits equal the distance, so the link has reached both. Return two "
+    about.cause += "contacts with opposite normals, one for each limit."
     link = Limits(*pair, length, length, 0.5)
     got = told(link.contacts(), pair)
     expect_exactly(len(got), 2, then=": number of contacts")
@@ -360,8 +360,8 @@ def test_equal_limits_both_act(rng: Random) -> None:
     same = [Particle(), Particle()]
     for low in (2.0, 0.5, 1e-3):
         about.call = f"a and b at the same position; l = Limits(a, b, {low}, 3); l.contacts()"
-        about.cause = "Both ends are at the same position, so the distance 0 is below min_length. "
-        about.cause += "Return a contact that pushes, with +Y as the direction from a to b."
+        about.cause = "The distance between the ends is 0 here, which is below min_length. Return "
+        about.cause += "a contact that pushes, with +Y as the direction from a to b."
         link = Limits(*same, low, 3.0)
         wanted = [(0, 1, (0.0, -1.0, 0.0), 0.0, low)]
         expect_contacts(about.call, link, same, wanted)
@@ -380,15 +380,15 @@ def test_a_two_sided_rod_always_has_both_contacts(rng: Random) -> None:
     for share in (0.75, 1023.0 / 1024.0, 1.0, 1.25):
         depth = (1.0 - share) * length
         about.call = f"{told_ends}; TwoSidedRod(a, b, {share * length}).contacts()"
-        about.cause = "Whatever the length is, return two contacts, of which the first pulls and "
-        about.cause += "the second pushes. Their normals and penetrations have opposite signs, so "
-        about.cause += "one penetration can be negative."
+        about.cause = "Whatever the length is, return two contacts: the first pulls and the "
+        about.cause += "second pushes. Their normals and penetrations have opposite signs, so one "
+        about.cause += "penetration can be negative."
         wanted = [(0, 1, n, 0.0, depth), (0, 1, back, 0.0, -depth)]
         rod = TwoSidedRod(*pair, share * length)
         expect_contacts(about.call, rod, pair, wanted)
         about.call += f"; its length changed to {0.5 * length}; contacts()"
-        about.cause = "The length of the rod has changed since the first call. Read it again on "
-        about.cause += "every call."
+        about.cause = "The check has changed the rod's length since the first call. Read it again "
+        about.cause += "on every call."
         rod.length = 0.5 * length
         wanted = [(0, 1, n, 0.0, 0.5 * length), (0, 1, back, 0.0, -0.5 * length)]
         expect_contacts(about.call, rod, pair, wanted)

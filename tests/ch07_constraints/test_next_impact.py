@@ -51,12 +51,12 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     time, contact = impact[0], impact[1]
     whole = min((fall + radius) / speed for fall, speed in zip(falls, speeds, strict=True))
     mistakes = [
-        (max(times), "The result is the time of the last impact. Return the time of the earliest "
-        "one instead."),
-        (times[0], "This is the impact of the first particle in the list. Compute the times of "
+        (max(times), "This is the time of the last impact. Return the time of the earliest one "
+                     "instead."),
+        (times[0], "This is the impact of the first particle in the list. Compute the times for "
                    "all particles and return the earliest one."),
-        (whole, "The radius is missing, so this is the time when the center arrives. The lowest "
-                "point of the sphere, at y - radius, arrives earlier."),
+        (whole, "You left out the radius, so this is when the center arrives. The lowest point of "
+                "the sphere, at y - radius, arrives earlier."),
     ]  # fmt: skip
     seen = cause_of(time, mistakes, about.cause)
     name = f"{about.call}: time"
@@ -64,18 +64,18 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     ((a, b, normal, restitution, depth),) = told([contact], particles)
     seen = (a, b, *normal, restitution, depth)
     wanted = (times.index(first), -1, *UP, c, 0.0)
-    about.cause = "The time is right, but the contact is not. Create it with the particle, None as "
+    about.cause = "The time is right, but the contact isn't. Create it with the particle, None as "
     about.cause += "its other, the normal (0, 1, 0), the detector's restitution and a penetration "
     about.cause += "of 0."
     for part, cause in (
-        (0, "The contact belongs to the wrong particle. It must belong to the particle that "
-            "reaches the ground first."),
+        (0, "The contact belongs to the wrong particle. It should be the one that reaches the "
+            "ground first."),
         (1, "The ground is not a particle, so pass None as the contact's other."),
-        (3, "The normal must point from the ground to the particle, so it must be (0, 1, 0)."),
+        (3, "The normal points from the ground to the particle, so it should be (0, 1, 0)."),
         (5, "The contact has the wrong restitution. Pass the restitution of the detector when you "
         "create the contact."),
-        (6, "The contact describes the moment of the impact, when the surfaces only touch. Its "
-            "penetration must be 0."),
+        (6, "The contact describes the moment of the impact, when the surfaces just touch, so its "
+            "penetration should be 0."),
     ):  # fmt: skip
         if seen[part] != wanted[part]:
             about.cause = cause
@@ -90,22 +90,22 @@ def test_the_first_on_the_ground(rng: Random) -> None:
     got = ground.next_impact(0.999 * first)
     expect_exactly(got is None, True, call=name)
     about.cause = "The first impact is exactly at the end of the duration. It still counts, so "
-    about.cause += "compare the time with <= instead of <."
+    about.cause += "compare with <= instead of <."
     got = ground.next_impact(float(time))
     name = f"{about.call}; g.next_impact({time!r}) is None"
     expect_exactly(got is None, False, call=name)
     about.call += f"; g.height -= 1, g.radius = 0, g.restitution = 0.5; g.next_impact({first!r} + "
     about.call += "9)"
-    about.cause = "The detector's attributes have changed, and all spheres now fall 1.25 m "
-    about.cause += "farther. Read height, radius and restitution again on every call."
+    about.cause = "The check has changed the detector's attributes, so all spheres now fall 1.25 "
+    about.cause += "m farther. Read height, radius and restitution again on every call."
     ground.height -= 1.0
     ground.radius, ground.restitution = 0.0, 0.5
     impact = ground.next_impact(first + 9.0)
     later = min((fall + 1.25) / speed for fall, speed in zip(falls, speeds, strict=True))
     seen = (impact[0], impact[1].restitution)
     expect_close(seen, (later, 0.5), then=": time, restitution")
-    about.cause = "next_impact has changed a particle. It only predicts the impact, so it must not "
-    about.cause += "change any position or velocity."
+    about.cause = "next_impact has changed a particle. It should only predict the impact, without "
+    about.cause += "changing any position or velocity."
     for i, particle in enumerate(particles):
         now = (*xyz(particle.position), *xyz(particle.velocity))
         before = (*places[i], 5.0, -speeds[i], 5.0)
@@ -120,7 +120,7 @@ def test_the_ground_sees_accelerations_and_walls(rng: Random) -> None:
     about.call += "p.add_force(Vector3(0, -14, 0)); p.integrate(1e-9); "
     about.call += "GroundPlane([p]).next_impact(100): time"
     about.cause = "Forces accelerate the particle as well, so use last_acceleration, which "
-    about.cause += "includes them and is -5 m/s^2 here. With the constant acceleration alone, the "
+    about.cause += "includes them and is -5 m/s^2 here. Under the constant acceleration alone, the "
     about.cause += "particle would rise and never reach the ground."
     p = Particle(Vector3(0.0, 2.5 * t * t, 0.0), None, Vector3(0.0, 2.0, 0.0), mass=2.0)
     p.add_force(Vector3(0.0, -14.0, 0.0))
@@ -141,8 +141,8 @@ def test_the_ground_sees_accelerations_and_walls(rng: Random) -> None:
     expect_close(impact[0], 1.0)
     about.call = "two particles at height 2 with velocity (0, -2, 0); "
     about.call += "GroundPlane(particles).next_impact(1)"
-    about.cause = "Both impacts are at the same time. In this case, return the impact of the "
-    about.cause += "particle that comes first in the list."
+    about.cause = "Both impacts happen at the same time. Return the one whose particle comes "
+    about.cause += "first in the list."
     particles = [Particle(Vector3(i, 2.0, 0.0), down) for i in range(2)]
     impact = expect_impact(GroundPlane(particles).next_impact(1.0))
     ((first, *_),) = told([impact[1]], particles)
@@ -150,7 +150,7 @@ def test_the_ground_sees_accelerations_and_walls(rng: Random) -> None:
     expect_close(impact[0], 1.0, then=": time")
     about.call = "p at height -1 with velocity (0, -2, 0); GroundPlane([p]).next_impact(0): time, "
     about.call += "penetration"
-    about.cause = "The particle is inside the ground and moves farther in, so the impact is now. "
+    about.cause = "The particle is inside the ground and moving farther in, so the impact is now. "
     about.cause += "Return a time of 0 and a contact with a penetration of 0."
     impact = expect_impact(GroundPlane([Particle(Vector3(0.0, -1.0, 0.0), down)]).next_impact(0.0))
     seen = (impact[0], impact[1].penetration)
@@ -172,7 +172,7 @@ def test_the_ground_looks_ahead_for_a_duration() -> None:
 
 @scoped
 def expect_durations(name: str, detector: object) -> None:
-    about.cause = "A duration that is negative, not finite or not a number must be rejected. Call "
+    about.cause = "Reject a duration that is negative, not finite or not a number. Call "
     about.cause += "not_negative from arguments.py."
     for duration, error in (
         (-0.5, ValueError),
@@ -194,9 +194,9 @@ def test_pairs_look_ahead_for_a_duration() -> None:
     about.read = PAIRS
     pair = [Particle(Vector3(5.0), Vector3(-1.0)), Particle()]
     expect_durations("ParticlePairs([a, b], 1.0)", ParticlePairs(pair, 1.0))
-    about.cause = "With different accelerations the relative path is curved, so the equation for a "
-    about.cause += "straight line gives a wrong time. Raise ValueError, even if the two particles "
-    about.cause += "are moving apart."
+    about.cause = "With different accelerations the relative path is curved, so the equation for "
+    about.cause += "a straight line gives the wrong time. Raise ValueError, even if the two "
+    about.cause += "particles are moving apart."
     for velocity, one, other, force, mass in (
         (-1.0, (0.0, -9.0, 0.0), (0.0, 0.0, 0.0), 0.0, 1.0),
         (1.0, (0.0, -9.0, 0.0), (0.0, 0.0, 0.0), 0.0, 1.0),

@@ -33,8 +33,8 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
     p, q, n = components(rng), components(rng), direction(rng)
     ma, mb, depth = positive_number(rng), positive_number(rng), positive_number(rng, 0.1, 0.9)
     wall = math.inf
-    share_of_a = "The two particles move by the penetration depth in total, and the lighter one "
-    share_of_a += "moves farther. a moves by mb / (ma + mb) of the depth."
+    share_of_a = "Together the two particles move by the penetration depth, the lighter one "
+    share_of_a += "farther. a moves by mb / (ma + mb) of the depth."
     whole_a = "Only a can move here, so it moves by the whole depth, whatever its mass is."
     simple, drawn = ((0.0, 2.0, 0.0), UP, 0.5), (p, n, depth)
     small = (p, n, 1e-10)  # only the resolver has a tolerance; a contact resolves any depth
@@ -42,7 +42,7 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
         (simple, 1.0, 3.0, 0.75, share_of_a),
         (drawn, ma, mb, mb / (ma + mb), share_of_a),
         (drawn, ma, wall, 1.0, whole_a),
-        (small, wall, mb, 0.0, "The particle a is immovable, so b must move by the whole depth."),
+        (small, wall, mb, 0.0, "a is immovable, so b has to move by the whole depth."),
         (small, ma, None, 1.0, whole_a),
     ):
         about(f"a of {first} kg at {p}, b ", cause=cause)
@@ -53,24 +53,24 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
         contact = Contact(a, b, Vector3(*n), 0.5, depth)
         moves = contact.resolve_penetration()
         got = xyz(contact.normal)
-        whole = "The contact's normal has changed, perhaps because you used *= or normalize, which "
-        whole += "work in place. Compute a new vector with * instead."
+        whole = "You changed the contact's normal, perhaps with *= or normalize, which work in "
+        whole += "place. Compute a new vector with * instead."
         expect_unchanged("the normal", got, n, cause=whole)
         move = tuple(share * depth * part for part in n)
         back = tuple((share - 1.0) * depth * part for part in n)
         wanted = tuple(x + m for x, m in zip(p, move, strict=True))
         got = xyz(a.position)
         mistakes = [
-            ((1.0 - share) * depth, "The masses are swapped. The lighter particle must move "
-                                    "farther, so a moves by mb / (ma + mb) of the depth."),
+            ((1.0 - share) * depth, "The masses are swapped. The lighter particle moves farther, "
+                                    "so a moves by mb / (ma + mb) of the depth."),
             (0.5 * depth,
-             "Both particles moved by half of the depth, which is right only for equal masses. "
-             "The lighter one must move farther."),
-            (depth, "a moved by the whole depth, but b can move as well. Divide the depth between "
+             "You moved both particles by half of the depth, which is right only for equal masses. "
+             "The lighter one moves farther."),
+            (depth, "You moved a by the whole depth, but b can move too. Divide the depth between "
                     "them in proportion to their inverse masses."),
             (-share * depth, "The move of a has the wrong sign, so the particles overlap even "
                              "more. The normal points from b to a, so a must move along +n."),
-            (0.0, "The position of a did not change. Add the move of a to its position."),
+            (0.0, "The position of a didn't change. Add the move of a to its position."),
         ]  # fmt: skip
         both = first != wall and second not in (wall, None)
         moved = [(tuple(x + s * y for x, y in zip(p, n, strict=True)), why) for s, why in mistakes]
@@ -79,8 +79,7 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
         expect_close(got, wanted, then="; a.position", cause=seen, tolerance=1e-14 * 8)
         got = xyz(moves[0])
         expect_close(got, move, then="; moves[0]", tolerance=1e-15)
-        about.cause = "b moves in the direction of -n, by the part of the depth that a does not "
-        about.cause += "cover."
+        about.cause = "b moves along -n, by the part of the depth that a does not cover."
         got = xyz(moves[1])
         turned = tuple(-part for part in back)
         why = "The move of b has the wrong sign. The normal points from b to a, so b must move "
@@ -91,8 +90,8 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
             wanted = tuple(x + m for x, m in zip(q, back, strict=True))
             got = xyz(b.position)
             expect_close(got, wanted, then="; b.position", tolerance=1e-14 * 8)
-        about.cause = "After the move, the particles only touch. Set the contact's penetration to "
-        about.cause += "0, which the book's listing does not do (E-8)."
+        about.cause = "After the move, the particles just touch. Set the contact's penetration to "
+        about.cause += "0, which the book's listing doesn't do (E-8)."
         got = contact.penetration
         expect_close(got, 0.0, then="; penetration")
 
@@ -101,16 +100,16 @@ def test_the_lighter_one_moves_more(rng: Random) -> None:
 def test_what_is_not_in_each_other_is_not_moved(rng: Random) -> None:
     about.read = "E-27, and the docstring of Contact.resolve_penetration"
     p, q, n = components(rng), components(rng), direction(rng)
-    gap = "A negative penetration means that there is a gap between the particles. Do not move "
+    gap = "A negative penetration means that there is a gap between the particles. Don't move "
     gap += "them, however small the gap is."
     for depth, mass, cause in (
-        (0.0, 2.0, "The penetration is 0, so the two particles only touch. Do not move either of "
-        "them."),
+        (0.0, 2.0, "The penetration is 0, so the two particles just touch. Don't move either of "
+                   "them."),
         (-positive_number(rng), 2.0, gap),
         (-0.125, 2.0, gap),
         (-1e-10, 2.0, gap),
         (1.0, math.inf, "Both particles are immovable, so the sum of their inverse masses is 0. "
-                        "Return two zero vectors before you divide by this sum."),
+                        "Return two zero vectors before you divide by it."),
     ):  # fmt: skip
         about.cause = cause
         about.call = f"a and b of {mass} kg; c = Contact(a, b, Vector3{n}, 0.5, {depth}); moves = "
@@ -118,8 +117,8 @@ def test_what_is_not_in_each_other_is_not_moved(rng: Random) -> None:
         a, b = Particle(Vector3(*p), mass=mass), Particle(Vector3(*q), mass=mass)
         c = Contact(a, b, Vector3(*n), 0.5, depth)
         moves = c.resolve_penetration()
-        none = "The result is None. Return two moves in every case, and make both of them zero "
-        none += "vectors if nothing moves."
+        none = "You returned None. Always return two moves, and make both of them zero vectors if "
+        none += "nothing moves."
         expect_exactly(moves is None, False, then="; moves is None", cause=none)
         for name, now, before in (
             ("a.position", xyz(a.position), p),
@@ -129,12 +128,12 @@ def test_what_is_not_in_each_other_is_not_moved(rng: Random) -> None:
         ):
             expect_close(now, before, then=f"; {name}", tolerance=0.0)
         got = c.penetration
-        about.cause = "No particle moved, so the penetration is still the same. Change it only "
-        about.cause += "after you have moved something."
+        about.cause = "No particle moved, so the penetration is still the same. Change it only if "
+        about.cause += "you have moved something."
         expect_close(got, depth, then="; c.penetration")
         moves[0].x += 1.0
-        about.cause = "Both moves are the same Vector3 object, so changing one changes the other "
-        about.cause += "as well. Return two separate vectors."
+        about.cause = "Both moves are the same Vector3 object, so changing one changes the other. "
+        about.cause += "Return two separate vectors."
         got = xyz(moves[1])
         expect_close(got, ZERO, then="; moves[0].x += 1; moves[1]")
     about.call = f"a and b of 2 kg; c = Contact(a, b, Vector3{n}, 0.5, 0.5); "
@@ -142,13 +141,13 @@ def test_what_is_not_in_each_other_is_not_moved(rng: Random) -> None:
     a, b = Particle(Vector3(*p), mass=2.0), Particle(Vector3(*q), mass=2.0)
     c = Contact(a, b, Vector3(*n), 0.5, 0.5)
     c.resolve_penetration()
-    about.cause = "The penetration is still there after the move. Set it to 0, because otherwise "
-    about.cause += "the next call moves the particles again (E-8)."
+    about.cause = "The penetration is still there after the move. Set it to 0, or the next call "
+    about.cause += "will move the particles again (E-8)."
     got = c.penetration
     expect_close(got, 0.0, then="; c.penetration")
     about.call += "; moves = c.resolve_penetration()"
-    about.cause = "This call moved nothing, so both moves must be zero vectors. Do not return the "
-    about.cause += "moves of an earlier call, because they are outdated (E-27)."
+    about.cause = "This call moved nothing, so both moves should be zero vectors. Don't return "
+    about.cause += "the moves of an earlier call, which are out of date (E-27)."
     moves = c.resolve_penetration()
     got = (*xyz(moves[0]), *xyz(moves[1]))
     expect_close(got, ZERO + ZERO, then="; both moves")
@@ -160,8 +159,8 @@ def test_the_moves_are_vectors_of_their_own(rng: Random) -> None:
     p, q, n = components(rng), components(rng), direction(rng)
     about.call = f"a at {p}; c = Contact(a, None, Vector3{n}, 0.5, 1.0); moves = "
     about.call += "c.resolve_penetration(); moves[0].x += 1; moves[1].x += 1"
-    separate = "The caller may change the two returned vectors, so they must be new. Do not return "
-    separate += "the contact's normal or a particle's position itself, and do not change the "
+    separate = "The caller may change the two vectors that you return, so make them new. Don't "
+    separate += "return the contact's normal or a particle's position itself, and don't change the "
     separate += "normal."
     about.cause = separate
     a = Particle(Vector3(*p))
@@ -192,8 +191,8 @@ def test_the_moves_are_vectors_of_their_own(rng: Random) -> None:
         expect_close(got, wanted, call=shown, tolerance=1e-14 * 8)
         got = xyz(particle.velocity)
         shown = f"{about.call}; {name}.velocity"
-        about.cause = "A velocity has changed. Leave the velocities to resolve_velocity, because "
-        about.cause += "resolve_penetration must change only positions."
+        about.cause = "A velocity has changed. Leave the velocities to resolve_velocity: "
+        about.cause += "resolve_penetration changes only positions."
         expect_close(got, ZERO, call=shown)
 
 
@@ -205,9 +204,9 @@ def test_what_lies_on_the_ground_stays_there() -> None:
         about.call = f"a body of restitution {restitution} lies on the ground, gravity is "
         about.call += f"{gravity}; 15 s of semi-implicit steps of 1/60 s, each with "
         about.call += "Contact.resolve(1/60)"
-        sinks = "The body sinks into the ground, perhaps because only its velocity is resolved. "
-        sinks += "Contact.resolve must call resolve_velocity and then resolve_penetration."
-        jumps = "The body jumps, although it should lie still. Pass the duration on to "
+        sinks = "The body sinks into the ground, perhaps because you resolve only its velocity. "
+        sinks += "Contact.resolve should call resolve_velocity and then resolve_penetration."
+        jumps = "The body hops, although it should lie still. Pass the duration on to "
         jumps += "resolve_velocity, so that the velocity that gravity has added in this time step "
         jumps += "does not bounce."
         about.cause = sinks

@@ -38,18 +38,17 @@ def test_what_closes_fastest_is_first() -> None:
         (
             1,
             (1.0, -2.25, -0.75),
-            "The right pair must be resolved first, because it closes at 3 "
-            "m/s and the left pair only at 1 m/s.",
+            "Resolve the right pair first: it is closing at 3 m/s, the left pair only at 1 m/s.",
         ),
         (
             2,
             (-1.4375, 0.1875, -0.75),
-            "The left pair comes next, because it now closes at 3.25 m/s.",
+            "The left pair comes next, because it is now closing at 3.25 m/s.",
         ),
         (
             9,
             (-1.4375, -0.515625, -0.046875),
-            "After two resolutions the right pair closes again, so it must be resolved once more.",
+            "After two resolutions the right pair is closing again, so resolve it once more.",
         ),
     ):
         about.cause = f"{cause} Compare the separating velocities of all contacts again before "
@@ -57,21 +56,21 @@ def test_what_closes_fastest_is_first() -> None:
         used, bodies, _ = resolved(row(1.0, 0.0, -3.0), contacts, "resolve_velocities", limit)
         got = tuple(velocity[0] for _, velocity in bodies)
         mistakes = [
-            ((1.0, 0.0, -3.0), "No contact was resolved. A contact is closing if its separating "
-                               "velocity is below -VELOCITY_TOLERANCE, so check the sign in "
-                               "your comparison."),
+            ((1.0, 0.0, -3.0), "You resolved no contact at all. A contact is closing if its "
+                               "separating velocity is below -VELOCITY_TOLERANCE, so check the "
+                               "sign in your comparison."),
             ((0.25, 0.75, -3.0),
-             "The first closing contact in the list was resolved. Choose the contact that closes "
+             "You resolved the first closing contact in the list. Choose the one that is closing "
              "fastest, which has the lowest separating velocity."),
-            ((-1.4375, -0.515625, -0.046875), "Three contacts were resolved, but the limit is "
-                                              f"{limit}. Stop when the limit is reached."),
-            ((-1.4375, 0.1875, -0.75), "You stopped after two resolutions, but the right pair "
-                                       "closes again now. Keep resolving until no contact "
-                                       "closes or the limit is reached."),
+            ((-1.4375, -0.515625, -0.046875), "You resolved three contacts, but the limit is "
+                                              f"{limit}. Stop when you reach it."),
+            ((-1.4375, 0.1875, -0.75), "You stopped after two resolutions, but the right pair is "
+                                       "closing again. Keep going until no contact is closing or "
+                                       "you reach the limit."),
         ]  # fmt: skip
         blame(got, mistakes)
         expect_close(got, wanted, then=f" {limit}: velocities")
-        about.cause = "Stop when no contact closes anymore or when the limit is reached, and "
+        about.cause = "Stop when no contact is closing anymore or when you reach the limit, and "
         about.cause += "return how many times you resolved a contact."
         expect_exactly(used, min(limit, 3), then=f" {limit}: returned")
 
@@ -90,28 +89,28 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
     about.call = f"a of 100 kg with (0, -2, 0) and b of 100 kg with ({side}, -1, {side}) hit the "
     about.call += "ground, restitution 1; c of 1 kg at rest, 0.25 m above a wall that moves with "
     about.call += "(0, 3, 0), restitution 0; resolve_velocities of the three contacts, limit 1"
-    about.cause = "Resolve the contact that closes fastest, which is the contact of c. It closes "
-    about.cause += "at 3 m/s because its wall moves, so include the velocity of the other particle "
-    about.cause += "even if that particle is immovable."
+    about.cause = "Resolve the contact that is closing fastest, which is c's. It is closing at 3 "
+    about.cause += "m/s because its wall moves, so include the velocity of the other particle even "
+    about.cause += "if that particle is immovable."
     used, after, depths = resolved(bodies, contacts, "resolve_velocities", 1)
     got = tuple(velocity[1] for _, velocity in after[:3])
     mistakes = [
-        ((2.0, -1.0, 0.0), "The contact of a was resolved, but the contact of c closes faster. "
-        "Compare only the separating velocities, because the depth, the restitution and an "
-        "immovable end make no difference here."),
-        ((-2.0, 1.0, 0.0), "The contact of b was resolved. It is the deepest, and b is the fastest "
-        "particle, but only the separating velocity counts in this phase. It is lowest for the "
-        "contact of c, so resolve that one first."),
+        ((2.0, -1.0, 0.0), "You resolved a's contact, but c's is closing faster. Compare only the "
+                           "separating velocities: the depth, the restitution and an immovable end "
+                           "make no difference here."),
+        ((-2.0, 1.0, 0.0), "You resolved b's contact. It is the deepest, and b is the fastest "
+                           "particle, but only the separating velocity counts in this phase. It is "
+                           "lowest for c's contact, so resolve that one first."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, (-2.0, -1.0, 3.0), then=": upward velocities")
     why = (
-        "Exactly one contact was resolved here, so the method must return 1. Count the "
-        "resolutions and return their number."
+        "You resolved exactly one contact here, so return 1. Count the resolutions and return the "
+        "total."
     )
     expect_exactly(used, 1, then="; returned", cause=why)
-    about.cause = "The order of the contacts has changed. The list belongs to the caller, so do "
-    about.cause += "not sort or reorder it."
+    about.cause = "The contacts are in a different order now. The list belongs to the caller, so "
+    about.cause += "don't sort or reorder it."
     expect_close(depths, (0.5, 0.75, -0.25), then="; penetrations of the contacts")
     about.call = "resolve_velocities([], 9, 0.5)"
     about.cause = (
@@ -125,8 +124,8 @@ def test_the_fastest_is_by_its_closing_velocity(rng: Random) -> None:
 @pytest.mark.exercise("B7.5")
 def test_of_equal_ones_the_first_is_taken() -> None:
     about.read = FASTEST
-    about.cause = "Both pairs close at 2 m/s, so resolve the one that comes first in the list. If "
-    about.cause += "your code chose the second one, compare with < instead of <=."
+    about.cause = "Both pairs are closing at 2 m/s, so resolve the one that comes first in the "
+    about.cause += "list. If your code chose the second one, compare with < instead of <=."
     for order, wanted in (
         (((1, 0), (2, 1)), (0.0, 2.0, -2.0)),
         (((2, 1), (1, 0)), (2.0, -2.0, 0.0)),
@@ -138,8 +137,8 @@ def test_of_equal_ones_the_first_is_taken() -> None:
         got = tuple(velocity[0] for _, velocity in bodies)
         expect_close(got, wanted)
         why = (
-            "Exactly one contact was resolved here, so the method must return 1. Count the "
-            "resolutions and return their number."
+            "You resolved exactly one contact here, so return 1. Count the resolutions and return "
+            "the total."
         )
         expect_exactly(used, 1, then="; returned", cause=why)
 
@@ -155,14 +154,14 @@ def test_a_push_goes_through_a_row(rng: Random) -> None:
         (
             2,
             2,
-            "Each resolution passes the whole velocity on to the next ball, so after two of "
-            "them the third ball moves. Stop at the limit.",
+            "Each resolution passes the whole velocity on to the next ball, so after two of them "
+            "the third ball is moving. Stop at the limit.",
         ),
         (
             4,
             4,
-            "After four resolutions, the last ball must have the whole velocity, and all others "
-            "must be at rest.",
+            "After four resolutions, the last ball should have the whole velocity, and all the "
+            "others should be at rest.",
         ),
         (
             50,
@@ -185,20 +184,20 @@ def test_only_what_closes_is_resolved(rng: Random) -> None:
     about.read = FASTEST
     n = direction(rng)
     for closing, depth, wanted, cause in (
-        (1e-13, 0.0, 0, "This closing speed is below VELOCITY_TOLERANCE, so it counts as a "
-                        "rounding error. Do not resolve this contact."),
-        (1e-11, 0.0, 1, "This contact closes slowly, but faster than VELOCITY_TOLERANCE, so it "
-                        "must be resolved."),
-        (0.5, -1.0, 1, "This contact is closing, so it must be resolved. Its penetration is "
-                       "negative, but that makes no difference in this phase."),
-        (-0.5, 1.0, 0, "This contact is separating already, so do not resolve it, however deep it "
+        (1e-13, 0.0, 0, "This closing speed is below VELOCITY_TOLERANCE, so treat it as a rounding "
+                        "error and don't resolve the contact."),
+        (1e-11, 0.0, 1, "This contact is closing slowly, but faster than VELOCITY_TOLERANCE, so "
+                        "resolve it."),
+        (0.5, -1.0, 1, "This contact is closing, so resolve it. Its penetration is negative, but "
+                       "that makes no difference in this phase."),
+        (-0.5, 1.0, 0, "This contact is already separating, so don't resolve it, however deep it "
                        "is."),
-        (0.0, 1.0, 0, "This contact is deep but not closing, so do not resolve its velocity. "
-                      "Unlike the book's listing, leave deep contacts to resolve_penetrations."),
-        (1e-13, 1.0, 0, "This closing speed is below VELOCITY_TOLERANCE, so it counts as a "
-                        "rounding error. Do not resolve this contact."),
-        (1e-11, 1.0, 1, "This contact closes slowly, but faster than VELOCITY_TOLERANCE, so it "
-                        "must be resolved."),
+        (0.0, 1.0, 0, "This contact is deep but not closing, so don't resolve its velocity. Unlike "
+                      "the book's listing, leave deep contacts to resolve_penetrations."),
+        (1e-13, 1.0, 0, "This closing speed is below VELOCITY_TOLERANCE, so treat it as a rounding "
+                        "error and don't resolve the contact."),
+        (1e-11, 1.0, 1, "This contact is closing slowly, but faster than VELOCITY_TOLERANCE, so "
+                        "resolve it."),
     ):  # fmt: skip
         about.cause = cause
         u = components(rng)  # the velocity across the normal does not count
@@ -215,9 +214,8 @@ def test_only_what_closes_is_resolved(rng: Random) -> None:
         left = 0.0 if wanted else closing
         # Some roundings of numbers up to 20.
         expect_close(got, left, then=": the closing speed", tolerance=5e-14)
-        about.cause = "A position or a penetration has changed. Leave these to "
-        about.cause += "resolve_penetrations, because resolve_velocities must change only "
-        about.cause += "velocities."
+        about.cause = "A position or a penetration has changed. Leave those to "
+        about.cause += "resolve_penetrations: resolve_velocities changes only velocities."
         expect_close(after[0][0], ZERO, then=": position")
         expect_close(depths[0], depth, then=": penetration")
 
@@ -236,22 +234,22 @@ def test_many_contacts_come_to_an_end(rng: Random) -> None:
         contacts.append((a, b, n, 0.5, 0.0))
     about.call = "9 particles, one of them immovable, with 11 closing contacts, restitution 0.5; "
     about.call += "resolve_velocities, limit 2000"
-    about.cause = "Some contact is still closing at the end. Keep resolving until no contact "
-    about.cause += "closes faster than VELOCITY_TOLERANCE."
+    about.cause = "Some contact is still closing at the end. Keep going until no contact is "
+    about.cause += "closing faster than VELOCITY_TOLERANCE."
     used, after, _ = resolved(bodies, contacts, "resolve_velocities", 2000)
     got = max(dot(after[b][1], n) - dot(after[a][1], n) for a, b, n, _, _ in contacts)
     name = f"{about.call}: the largest closing speed left (negative when all separate)"
     # VELOCITY_TOLERANCE is 1e-12. Separating is fine, and nothing separates faster than 100 m/s.
     expect_between(got, -100.0, 2e-12, call=name)
     # One resolution changes two bodies, and no two bodies take part in all of the contacts.
-    about.cause = "The returned number is wrong. Count how many times you resolve a contact, and "
-    about.cause += "return this number, which is above 1 and below the limit here."
+    about.cause = "You returned the wrong number. Count how many times you resolve a contact, and "
+    about.cause += "return that count, which is above 1 and below the limit here."
     expect_between(used, 2, 1998, then=": returned")
     before, now = (
         sum(0.5 * m * dot(v, v) for (_, _, m), v in zip(bodies[:8], velocities, strict=False))
         for velocities in ([v for _, v, _ in bodies], [v for _, v in after])
     )
-    about.cause = "The kinetic energy has grown, but impulses at a restitution of 0.5 can only "
+    about.cause = "The kinetic energy has grown, but with a restitution of 0.5 impulses can only "
     about.cause += "reduce it. Check the signs and the masses in Contact.resolve_velocity."
     name = f"{about.call}: ratio of the kinetic energy to its value before"
     expect_between(now / before, 0.0, 1.0, call=name)
@@ -262,8 +260,8 @@ def test_each_resolution_knows_the_duration() -> None:
     about.read = FASTEST
     about.call = "a and b with velocity (0, -4, 0), acceleration (0, -4, 0); resolve_velocities of "
     about.call += "their contacts with the ground, restitution 0.75, limit 9, duration"
-    about.cause = "The velocity that the time step has added must not bounce. Pass the duration on "
-    about.cause += "to Contact.resolve_velocity, which takes care of this."
+    about.cause = "The velocity that the time step has added should not bounce. Pass the duration "
+    about.cause += "on to Contact.resolve_velocity, which takes care of that."
     for duration, wanted in ((0.25, 2.25), (0.5, 1.5), (1.0, 0.0)):
         contacts = [(0, -1, UP, 0.75, 0.0), (1, -1, UP, 0.75, 0.0)]
         bodies = [(ZERO, (0.0, -4.0, 0.0), 2.0), (ZERO, (0.0, -4.0, 0.0), 3.0)]

@@ -36,21 +36,23 @@ def test_without_an_impact_the_flight_is_exact(rng: Random) -> None:
     about.read = READ
     v, h = (positive_number(rng), positive_number(rng), -positive_number(rng)), 0.5
     about.call = f"p at (0, 9, 0), velocity {v}, acceleration {DOWN}; one step of {h} s; its "
-    about.cause = "Between two impacts the acceleration is constant, so the motion can be computed "
-    about.cause += "exactly. The new position is p + v t + a t^2 / 2, and the new velocity is v + "
-    about.cause += "a t."
+    about.cause = "Between two impacts the acceleration is constant, so you can compute the "
+    about.cause += "motion exactly. The new position is p + v t + a t^2 / 2, and the new velocity "
+    about.cause += "is v + a t."
     after, _, _, _ = flown([((0.0, 9.0, 0.0), v, 2.0)], DOWN, 0.0, (0.5, None), h, 1)
     place, velocity = after[0][0]
     wanted = (v[0] * h, 9.0 + v[1] * h - 5.0 * h * h, v[2] * h)
     without = (wanted[0], 9.0 + v[1] * h, wanted[2])
     mistakes = [
         ((0.0, 9.0, 0.0),
-         "The particle has not moved. When there are no more impacts in the step, move every "
+         "The particle hasn't moved. When there are no more impacts in the step, move every "
          "particle to the end of the step."),
-        (without, "The term a t^2 / 2 is missing, as in explicit Euler. Use p + v t + a t^2 / 2."),
+        (without, (
+            "You left out the term a t^2 / 2, as explicit Euler does. Use p + v t + a t^2 / 2."
+        )),
         ((wanted[0], 9.0 + v[1] * h - 10.0 * h * h, wanted[2]),
-         "The step adds a t^2 to the position. The velocity grows from v to v + a t, so on average "
-         "only half of the growth counts, and the term must be a t^2 / 2."),
+         "Your step adds a t^2 to the position. The velocity grows from v to v + a t, so on "
+         "average only half of that growth counts: the term is a t^2 / 2."),
     ]  # fmt: skip
     seen = cause_of(place, mistakes, about.cause)
     expect_close(place, wanted, then="position", cause=seen)
@@ -76,19 +78,19 @@ def test_a_ball_bounces_when_it_is_due(rng: Random) -> None:
             times.append(t)
             t += 2.0 * e ** len(times)
         about.cause = "A step can contain several impacts. Move the particles to each impact, "
-        about.cause += "resolve its velocity, and ask for the next impact in the rest of the "
+        about.cause += "resolve its velocity, and ask for the next impact in what is left of the "
         about.cause += "step."
         seen, found, asked, _ = flown(
             [((0.0, 5.0, 0.0), ZERO, 2.0)], DOWN, 0.0, (e, None), h, frames
         )
         if len(found) > 1000:
-            about.cause = "The step finds one impact after another without end. Pass only the time "
-            about.cause += "that is left in the step to next_impact, and resolve each velocity "
-            about.cause += "with a duration of 0."
+            about.cause = "Your step keeps finding impacts forever. Pass next_impact only the "
+            about.cause += "time that is left in the step, and resolve each velocity with a "
+            about.cause += "duration of 0."
         if h > 1.0 and len(found) == 1:
             about.cause = (
-                "The step resolved only the first impact, but there is a second one before the "
-                "step ends. After each impact, call next_impact again for the rest of the step."
+                "You resolved only the first impact, but there is a second one before the step "
+                "ends. After each impact, call next_impact again for the rest of the step."
             )
         expect_exactly(len(found), len(times), then="number of impacts")
         expect_exactly(len(found), len(times), then="impacts")
@@ -98,17 +100,17 @@ def test_a_ball_bounces_when_it_is_due(rng: Random) -> None:
         wanted = (speed * left - 5.0 * left * left, speed - 10.0 * left)
         place, velocity = seen[-1][0]
         about.cause = "Resolve each velocity at the time of its impact with a duration of 0. With "
-        about.cause += "any other duration, a part of the velocity is left out of the bounce."
+        about.cause += "any other duration, part of the velocity is left out of the bounce."
         # Some 200 flights, each with a few roundings of 10 m.
         name = f"{about.call}height and speed"
         expect_close((place[1], velocity[1]), wanted, call=name, tolerance=1e-11)
-        about.cause = "next_impact was called with a wrong duration. Pass the duration of the "
+        about.cause = "You called next_impact with the wrong duration. Pass the duration of the "
         about.cause += "whole step to the first call, and the time that is left in the step to "
-        about.cause += "each later call."
+        about.cause += "each later one."
         name = f"{about.call}the longest duration that next_impact got"
         expect_close(max(asked), h, call=name)
         name = f"{about.call}number of calls of next_impact"
-        about.cause = "next_impact was called too often or not often enough. Call it once at the "
+        about.cause = "You called next_impact too often or not often enough. Call it once at the "
         about.cause += "start of the step and once more after each impact."
         expect_exactly(len(asked), frames + bounces, call=name)
 
@@ -118,17 +120,17 @@ def test_nothing_is_lost_at_restitution_one() -> None:
     about.read = READ
     about.call = "a ball falls 2 m, g = 10, restitution 1; 20 s of steps of 1/60 s: the lowest and "
     about.call += "highest energy, divided by m g, in m"
-    about.cause = "The flights are exact, and a bounce with a restitution of 1 loses no energy, so "
-    about.cause += "the ball must always rise to 2 m again. Check how you move the particles "
-    about.cause += "between the impacts."
+    about.cause = "The motion between bounces is exact, and a bounce with a restitution of 1 "
+    about.cause += "loses no energy, so the ball should always rise back to 2 m. Check how you "
+    about.cause += "move the particles between the impacts."
     seen, found, _, _ = flown([((0.0, 2.0, 0.0), ZERO, 1.0)], DOWN, 0.0, (1.0, None), FRAME, 1200)
     heights = [place[1] + velocity[1] ** 2 / 20.0 for ((place, velocity),) in seen]
     got = (min(heights), max(heights))
     # 1200 steps, each with a few roundings of 2 m.
     expect_close(got, (2.0, 2.0), tolerance=1e-11)
     name = "the same: number of impacts"
-    about.cause = "The first impact must be after sqrt(0.4) s, and after that another one must "
-    about.cause += "follow every 2 sqrt(0.4) s."
+    about.cause = "The first impact is due after sqrt(0.4) s, and from then on there should be "
+    about.cause += "one every 2 sqrt(0.4) s."
     expect_exactly(len(found), 16, call=name)
 
 
@@ -137,8 +139,7 @@ def test_rest_is_told_with_its_time() -> None:
     about.read = "the docstring of TooManyImpacts"
     about.call = "a ball falls 2 m, g = 10, restitution 0.5; steps of 1/60 s until TooManyImpacts: "
     about.cause = "The bounces get lower and end after sqrt(2 h / g) (1 + e) / (1 - e) s. After "
-    about.cause += "that the ball is at rest and has impacts without end, so raise "
-    about.cause += "TooManyImpacts."
+    about.cause += "that the ball is at rest and the impacts never stop, so raise TooManyImpacts."
     seen, _, _, ended = flown([((0.0, 2.0, 0.0), ZERO, 1.0)], DOWN, 0.0, (0.5, None), FRAME, 200)
     expect_exactly(ended is not None, True, then="was it raised?")
     impacts, time = ended or (0, 0.0)
@@ -151,42 +152,41 @@ def test_rest_is_told_with_its_time() -> None:
     mistakes = [(2.0 * early + FRAME - ends, name)]
     blame(got, mistakes, tolerance=1e-7)
     expect_close(got, ends, then="its time, s", tolerance=1e-7)
-    about.cause = "Resolve at most max_impacts impacts in a step. If another one follows, raise "
+    about.cause = "Resolve at most max_impacts impacts per step. If there is another one, raise "
     about.cause += "TooManyImpacts without resolving it."
     expect_exactly(impacts, 1000, then="error.impacts")
     about.call = "a particle lies on the ground, g = 10, restitution 0.5; one step: error.impacts "
     about.call += "and error.time"
-    about.cause = "A particle that lies on the ground has one impact after another at time 0, and "
-    about.cause += "this never ends. Raise TooManyImpacts after max_impacts impacts."
+    about.cause = "A particle that lies on the ground has one impact after another at time 0, "
+    about.cause += "forever. Raise TooManyImpacts after max_impacts impacts."
     _, _, _, ended = flown([(ZERO, ZERO, 1.0)], DOWN, 0.0, (0.5, None), FRAME, 1)
     expect_close(ended or (0, -1.0), (1000, 0.0))
     about.call = "a ball falls 5 m, g = 10, restitution 0.5; one step of 2.6 s, max_impacts 3: was "
     about.call += "TooManyImpacts raised?"
     about.cause = "The ball bounces three times, after 1, 2 and 2.5 s. Three impacts are allowed, "
-    about.cause += "so do not raise an error."
+    about.cause += "so don't raise an error."
     body = ((0.0, 5.0, 0.0), ZERO, 1.0)
     _, _, _, ended = flown([body], DOWN, 0.0, (0.5, None), 2.6, 1, 3)
     expect_exactly(ended is not None, False)
     for most in (3, 1):
         about.call = "a ball of damping 0.5 falls 5 m, g = 10, restitution 0.5; one step of 9 s, "
         about.call += "max_impacts "
-        about.cause = "Resolve at most max_impacts impacts in a step. If another one follows, "
+        about.cause = "Resolve at most max_impacts impacts per step. If there is another one, "
         about.cause += "raise TooManyImpacts without resolving it."
         seen, _, _, ended = flown([body], DOWN, 0.0, (0.5, None), 9.0, 1, most, 0.5)
         impacts, time = ended or (0, 0.0)
         times = [1.0, 2.0, 2.5, 2.75]
         expect_exactly(impacts, most, then=f"{most}: error.impacts")
-        about.cause = "The impacts must be at 1, 2, 2.5 and 2.75 s. If the velocity is damped at "
+        about.cause = "The impacts are due at 1, 2, 2.5 and 2.75 s. If you damp the velocity at "
         about.cause += "each impact, they come too early, so apply the damping only once, at the "
         about.cause += "end of the step."
         name = f"{about.call}{most}: error.time"
         expect_close(time, times[most], call=name, tolerance=1e-12)
         place, velocity = seen[0][0]
         speed = -10.0 * 0.5**most
-        about.cause = "When you raise TooManyImpacts, the particles must already be at the time of "
-        about.cause += "the next impact. Move them there, but do not resolve this impact and do "
-        about.cause += "not apply the damping."
-        early = "The particles are still where the last allowed impact left them. Move them to the "
+        about.cause = "Before you raise TooManyImpacts, move the particles to the time of the "
+        about.cause += "next impact. Don't resolve that impact, and don't apply the damping."
+        early = "You left the particles where the last allowed impact happened. Move them to the "
         early += "time of the next impact, and then raise the error."
         blame((place[1], velocity[1]), [((0.0, -speed), early)])
         name = f"{about.call}{most}: height and velocity then"
@@ -204,9 +204,9 @@ def test_a_cradle_passes_its_motion_on(rng: Random) -> None:
         about.call = f"five spheres of radius 1, mass 2, restitution 1; the first {count} arrive "
         about.call += f"at {speed} m/s after 0.75 s, the others touch; 2 s in steps of 0.5 s: "
         about.call += "velocities"
-        about.cause = "Each impact passes the velocity on to the next sphere at once, so as many "
-        about.cause += "spheres must leave as have arrived. Resolve one impact after another, "
-        about.cause += "even if they are at the same time."
+        about.cause = "Each impact passes the velocity straight on to the next sphere, so as many "
+        about.cause += "spheres should leave as arrive. Resolve the impacts one after another, "
+        about.cause += "even if they happen at the same time."
         bodies = [((x, 0.0, 0.0), (v, 0.0, 0.0), 2.0) for x, v in zip(places, speeds, strict=True)]
         seen, found, _, _ = flown(bodies, ZERO, 1.0, (None, 1.0), 0.5, 4)
         got = tuple(velocity[0] for _, velocity in seen[-1])
@@ -228,8 +228,8 @@ def test_impacts_come_in_their_order(rng: Random) -> None:
     ]
     about.call = f"spheres of radius 1, of 3, 1 and 3 kg, at -3, 0 and {3.0 + late}, with 1, 0 and "
     about.call += "-1 m/s, restitution 1; a step of 5 s: "
-    about.cause = "The left sphere hits first, after 1 s. This impact changes the time of the next "
-    about.cause += "one, so call next_impact again after each impact."
+    about.cause = "The left sphere hits first, after 1 s. That impact changes the time of the "
+    about.cause += "next one, so call next_impact again after each impact."
     seen, found, _, _ = flown(bodies, ZERO, 1.0, (None, 1.0), 5.0, 1)
     # After the first impact: 3 kg at 0.5, 1 kg at 1.5 m/s, which meets the right one at 2.5 m/s.
     wanted_times = (1.0, late / 2.5)
@@ -239,15 +239,15 @@ def test_impacts_come_in_their_order(rng: Random) -> None:
     name = f"{about.call}their pairs, by index"
     pairs = [number for a, b, _ in found[:2] for number in (a, b)]
     expect_exactly(pairs, [0, 1, 1, 2], call=name)
-    about.cause = "Impacts at a restitution of 1 conserve momentum and kinetic energy. Check that "
-    about.cause += "each impact is resolved only once."
+    about.cause = "With a restitution of 1, impacts conserve momentum and kinetic energy. Check "
+    about.cause += "that you resolve each impact only once."
     momentum = math.fsum(m * v[0] for (_, _, m), (_, v) in zip(bodies, seen[0], strict=True))
     energy = math.fsum(
         0.5 * m * v[0] ** 2 for (_, _, m), (_, v) in zip(bodies, seen[0], strict=True)
     )
     name = f"{about.call}momentum and kinetic energy"
     expect_close((momentum, energy), (0.0, 3.0), call=name, tolerance=1e-13)
-    about.cause = "Two spheres have passed through each other, so an impact was missed. Call "
+    about.cause = "Two spheres have passed through each other, so you missed an impact. Call "
     about.cause += "next_impact again after each impact."
     gaps = [right[0][0] - left[0][0] - 2.0 for left, right in pairwise(seen[0])]
     got = min(0.0, *gaps)
@@ -273,21 +273,22 @@ def test_a_frame_uses_the_forces_up(rng: Random) -> None:
     speed, rest = 0.5 * (4.0 - a * fall), h - fall
     height = speed * rest + 0.5 * a * rest * rest
     end = 0.5 * (speed + a * rest)
-    about.cause = "The acceleration is the constant acceleration plus f / m. It must stay the same "
+    about.cause = "The acceleration is the constant acceleration plus f / m. It stays the same "
     about.cause += "for the whole step, even after an impact."
     bouncing, falling, fixed = pushed(pushes, d, h)
     # Some roundings of 5 m/s.
     name = f"{about.call}position"
     wanted = (3.0 * h, height, 0.0)
     expect_close(bouncing[0], wanted, call=name, tolerance=1e-13)
-    about.cause = "The damping must be applied once for the whole step. Multiply the velocity by "
-    about.cause += "damping ** duration at the end of the step."
+    about.cause = "Apply the damping once for the whole step: multiply the velocity by damping ** "
+    about.cause += "duration at the end."
     name = f"{about.call}velocity"
     mistakes = [
-        ((3.0, 2.0 * end, 0.0), "Damping is missing, so nothing slows the particle down. Multiply "
-                                "the velocity by damping ** duration at the end of the step."),
+        ((3.0, 2.0 * end, 0.0), "You left out the damping, so nothing slows the particle down. "
+                                "Multiply the velocity by damping ** duration at the end of the "
+                                "step."),
         ((0.75, 0.5 * end, 0.0),
-         "The velocity was multiplied by the damping of a whole second. The step is shorter, so "
+         "You multiplied the velocity by the damping for a whole second. The step is shorter, so "
          "multiply by damping ** duration."),
     ]  # fmt: skip
     blame(bouncing[1], mistakes)
@@ -305,19 +306,19 @@ def test_a_frame_uses_the_forces_up(rng: Random) -> None:
     name = "the second of three particles: 2 kg, damping 0.25, at rest at (9, 90, 0), with a force "
     name += f"of (8, 0, 0); a step of {h} s without an impact: position, velocity"
     wanted = (9.5, 90.0, 0.0, 1.0, 0.0, 0.0)
-    still = "This particle has not moved, although a force of 8 N along X acts on it. Call "
+    still = "This particle hasn't moved, although a force of 8 N along X acts on it. Call "
     still += "kick(0.0) on every particle at the start of the step, not only on the first one."
     blame(got, [((9.0, 90.0, 0.0, 0.0, 0.0, 0.0), still)])
     expect_close(got, wanted, call=name, tolerance=1e-13)
-    about.cause = "An immovable particle must keep its position and velocity, but its forces must "
-    about.cause += "be cleared like those of all other particles."
+    about.cause = "An immovable particle keeps its position and velocity, but you have to clear "
+    about.cause += "its forces like those of any other particle."
     got = fixed[0] + fixed[1] + fixed[3]
     name = "an immovable particle at (9, 9, 9), velocity (1, 2, 3), with a force of (1, 2, 3); a "
     name += f"step of {h} s: position, velocity, force"
     wanted = (9.0, 9.0, 9.0, 1.0, 2.0, 3.0, 0.0, 0.0, 0.0)
     expect_close(got, wanted, call=name)
     about.call += "a second step; "
-    about.cause = "The force still acts in the second step, but a force acts for one step only. "
+    about.cause = "The force still acts in the second step, but a force lasts for only one step. "
     about.cause += "Call kick(0.0) at the start of each step to use up the forces."
     wanted = (2.25, height + end * h + 0.125 * a * h * h, 0.0)
     name = f"{about.call}position"
@@ -330,15 +331,15 @@ def test_depths_are_not_looked_at() -> None:
     about.call = "a particle 1 m below the ground, velocity (0, 3, 0); a step of 0.5 s: position, "
     about.call += "velocity"
     about.cause = "The particle is below the ground but on its way out, so there is no impact. "
-    about.cause += "This step must not resolve penetrations, so do not move the particle up."
+    about.cause += "This step doesn't resolve penetrations either, so don't move the particle up."
     body = ((0.0, -1.0, 0.0), (0.0, 3.0, 0.0), 2.0)
     seen, _, _, _ = flown([body], ZERO, 0.0, (0.5, None), 0.5, 1)
     got = seen[0][0][0] + seen[0][0][1]
     expect_close(got, (0.0, 0.5, 0.0, 0.0, 3.0, 0.0))
     about.call = "the same with velocity (0, -3, 0), restitution 0.5: position, velocity"
     body = ((0.0, -1.0, 0.0), (0.0, -3.0, 0.0), 2.0)
-    about.cause = "The particle must bounce at once, without being moved out of the ground first. "
-    about.cause += "Call only resolve_velocity, and leave the penetration as it is."
+    about.cause = "The particle should bounce at once, without being moved out of the ground "
+    about.cause += "first. Call only resolve_velocity, and leave the penetration alone."
     seen, _, _, _ = flown([body], ZERO, 0.0, (0.5, None), 0.5, 1)
     got = seen[0][0][0] + seen[0][0][1]
     expect_close(got, (0.0, -0.25, 0.0, 0.0, 1.5, 0.0))
@@ -361,8 +362,8 @@ def test_a_frame_needs_numbers_that_mean_something() -> None:
         about.cause = f"max_impacts must not be {numbers[1]!r}. Call whole from arguments.py at "
         about.cause += "the start to check it."
         if numbers[1] is True:
-            about.cause = "max_impacts must not be True, although Python treats it as an int. Call "
-            about.cause += "whole from arguments.py, which rejects it."
+            about.cause = "max_impacts must not be True, even though Python treats True as an "
+            about.cause += "int. Call whole from arguments.py, which rejects it."
         elif numbers[1] == 10:
             about.cause = f"The duration must not be {numbers[0]!r}. Call positive from "
             about.cause += "arguments.py at the start to check it."
@@ -376,6 +377,6 @@ def test_a_frame_needs_numbers_that_mean_something() -> None:
         got = (*xyz(p.position), *xyz(p.velocity), *xyz(p.force_accumulator))
         before = (0.0, 5.0, 0.0, 1.0, 2.0, 3.0, 1.0, 0.0, 0.0)
         name = "position, velocity and force"
-        late = "The step raised an error, but only after it had changed the particle. Check both "
+        late = "Your step raised an error, but only after it had changed the particle. Check both "
         late += "arguments before you change anything."
         expect_unchanged(name, got, before, cause=late)

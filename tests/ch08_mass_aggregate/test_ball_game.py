@@ -28,17 +28,17 @@ def test_a_row_counts_once(rng: Random) -> None:
         read=RULES,
     )
     about.cause = (
-        "The first landing on a row must score POINTS, which is 10, and later landings on the same "
-        "row must score nothing. Check self.visited before you add points."
+        "The first landing on a row scores POINTS, which is 10, and later landings on the same row "
+        "score nothing. Check self.visited before you add points."
     )
     seen = ruled(rows, events)
     got = [score for score, *_ in seen]
     mistakes = [
-        ([10, 20, 30, 40, 50], "Every landing has scored, even on a row that was visited before. "
-         "A row counts only once, so check first whether it is already in "
-         "visited."),
-        ([160] * 5, "The score jumped after the first landing because the game already counted as "
-         "won. The game is won only when all rows have been visited."),
+        ([10, 20, 30, 40, 50], "Every landing scored, even on a row that the ball had visited "
+                               "before. A row scores only once, so check first whether it is "
+                               "already in visited."),
+        ([160] * 5, "The score jumped after the first landing because your game already counted as "
+                    "won. It is won only when every row has been visited."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_exactly(got, [10, 10, 20, 20, 20])
@@ -46,8 +46,8 @@ def test_a_row_counts_once(rng: Random) -> None:
         f"Rules({rows}), then rules.landed(row) for each row of {events}: visited and lives"
     )
     about.cause = (
-        "Each landing must add its row to visited. Only a fall costs a life, so a landing must "
-        "leave lives unchanged."
+        "Each landing should add its row to visited. Only a fall costs a life, so leave lives "
+        "alone."
     )
     expect_exactly(seen[-1][2], sorted((a, b)))
     expect_exactly(seen[-1][1], 3)
@@ -64,48 +64,48 @@ def test_all_rows_win_and_lives_are_a_bonus(rng: Random) -> None:
         read=RULES,
     )
     about.cause = (
-        "The last row scores its POINTS like any other row. Because it wins the game, it also "
-        "adds BONUS, which is 50, for each life that is left."
+        "The last row scores its POINTS like any other. It also wins the game, so add BONUS, which "
+        "is 50, for each life that is left."
     )
     seen = ruled(rows, events)
     won = seen[rows + falls - 1]
     score = 10 * rows + 50 * (3 - falls)
     points = 10 * rows
     missing = (
-        "The bonus is missing. When a landing visits the last row, add BONUS for each life that "
+        "You left out the bonus. When a landing visits the last row, add BONUS for each life that "
         "is left."
     )
     if won[0] == points and ruled(rows, order)[-1][0] != points:
         missing = (
-            "The game is not won here, although it is won if there is no fall. A fall must not "
-            "remove rows from visited, because then they would have to be visited again."
+            "Your game is not won here, although it would be without the fall. A fall must not "
+            "remove rows from visited, or the player would have to visit them again."
         )
     mistakes = [
         (points, missing),
-        (points + 50, "The bonus was added only once. Multiply BONUS, which is 50, by the number "
+        (points + 50, "You added the bonus only once. Multiply BONUS, which is 50, by the number "
                       "of lives that are left."),
-        (points + 150, "The bonus was added for all three lives, although one of them was lost. "
-                       "Multiply BONUS by the lives that are left."),
-        (score - 10, "The score is 10 points too low. The last row scores its POINTS in addition "
-                     "to the bonus, and a fall does not cost any points."),
+        (points + 150, "You added the bonus for all three lives, although one of them was lost. "
+                       "Multiply BONUS by the number of lives that are left."),
+        (score - 10, "The score is 10 points too low. The last row scores its POINTS on top of the "
+                     "bonus, and a fall doesn't cost any points."),
     ]  # fmt: skip
     blame(won[0], mistakes)
     expect_exactly(won[0], score, then=": the score when all rows are visited")
     name = f"Rules({rows}) after {events}: rules.won and rules.over when all rows are visited"
     over = (
-        "There are two ways for the game to end: the player has visited all rows, or no lives "
-        "are left. Check both conditions in over."
+        "The game can end in two ways: the player has visited every row, or has no lives left. "
+        "Check both conditions in over."
     )
     expect_exactly(list(won[3:]), [True, True], call=name, cause=over)
     before = seen[rows + falls - 2]
     about.cause = (
-        "The last row has not been visited yet, so the game is not won and no bonus may be added. "
-        "Add the bonus only when self.won is true."
+        "The last row has not been visited yet, so the game is not won and there is no bonus. Add "
+        "the bonus only when self.won is true."
     )
     expect_exactly(before[0], 10 * (rows - 1), then=": the score before the last row")
     about.cause = (
-        "Once the game is over, landings and falls must not change anything. Check self.over "
-        "first, in both methods."
+        "Once the game is over, landings and falls change nothing. Check self.over first, in both "
+        "methods."
     )
     got = list(seen[-1][:2])
     expect_exactly(got, [score, 3 - falls], then=": score and lives at the end")
@@ -120,8 +120,8 @@ def test_three_falls_are_the_end(rng: Random) -> None:
         read=RULES,
     )
     about.cause = (
-        "A fall must take exactly one life. When the last life is gone, the game is over, so later "
-        "falls must leave lives at 0."
+        "A fall costs exactly one life. When the last one is gone, the game is over, so later "
+        "falls leave lives at 0."
     )
     seen = ruled(6, events)
     got = [lives for _, lives, *_ in seen]
@@ -131,11 +131,11 @@ def test_three_falls_are_the_end(rng: Random) -> None:
     expect_exactly(
         got, wanted, call=f"Rules(6), then {events}, where -1 is a fall: rules.over after each call"
     )
-    about.cause = "A fall takes a life, but it must not change the score or the visited rows."
+    about.cause = "A fall costs a life, but it must not change the score or the visited rows."
     got = [seen[-1][0], *seen[-1][2]]
     if got[0] == 20:
         about.cause = (
-            "A landing was counted after the game was over. Return from landed at once if "
+            "You counted a landing after the game was over. Return from landed at once if "
             "self.over is true."
         )
     expect_exactly(got, [10, a], then=": score and visited at the end")
@@ -147,8 +147,8 @@ def test_a_row_that_there_is_not_is_refused(rng: Random) -> None:
     about.read = RULES
     rows = rng.randint(3, 6)
     about.cause = (
-        "There is no row with this number, because rows are numbered from 0 to rows - 1. Raise "
-        "ValueError for any other number."
+        "There is no row with that number: rows are numbered from 0 to rows - 1. Raise ValueError "
+        "for anything else."
     )
     for row in (rows, -1):
         about.call = f"Rules({rows}).landed({row}): the name of the error ('' if there was none)"
@@ -159,11 +159,10 @@ def test_a_row_that_there_is_not_is_refused(rng: Random) -> None:
             after,
             [0, []],
             call=name,
-            cause="The call raised an error, but it had "
-            "already changed the score or the visited rows. Check the row before you change "
-            "anything.",
+            cause="The call raised an error, but only after it had changed the score or the "
+            "visited rows. Check the row before you change anything.",
         )
-    about.cause = "This row exists, so landed must accept it. Both 0 and rows - 1 are valid."
+    about.cause = "This row exists, so landed should accept it. Both 0 and rows - 1 are valid."
     for row in (0, rows - 1):
         about.call = f"Rules({rows}).landed({row}): the name of the error ('' if there was none)"
         expect_exactly(refused_row(rows, row)[0], "")
@@ -182,17 +181,21 @@ def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
     for what, x, height, velocity, wanted, cause in (
         ("in the deck, falling", before, 4.5 - depth, -speed, (2, row), named),
         ("in the deck, falling slowly", beyond, 4.5 - depth, -0.01, (2, row),
-         "The ball is moving down slowly, which also counts as a landing. Any negative separating "
-         "velocity counts, so do not require a minimum speed."),
+         "The ball is moving down slowly, but it still lands. Any negative separating velocity "
+         "counts, so don't require a minimum speed."),
         ("in the deck, on its way up", before, 4.5 - depth, speed, (2, -1),
-         "The ball touches the deck, but it is moving up, so this is not a landing. Set row to "
-         "None unless the separating velocity is negative."),
+         "The ball touches the deck but is moving up, so this is not a landing. Set row to None "
+         "unless the separating velocity is negative."),
         ("in the deck, at rest", before, 4.5 - depth, 0.0, (2, -1), "The ball touches the deck but "
-        "is at rest, so it does not land. Require a separating velocity below 0, because it is "
-        "exactly 0 here."),
-        ("above the deck, falling", before, 4.5 + depth, -speed, (0, -1), "The ball does not touch "
-        "the deck, so there is no contact and it cannot have landed. Set row to None in this "
-        "case."),
+                                                                    "is at rest, so this is not a "
+                                                                    "landing. The separating "
+                                                                    "velocity is exactly 0 here, "
+                                                                    "and it has to be below 0."),
+        ("above the deck, falling", before, 4.5 + depth, -speed, (0, -1), "The ball doesn't touch "
+                                                                          "the deck, so there is "
+                                                                          "no contact and it can't "
+                                                                          "have landed. Set row to "
+                                                                          "None."),
     ):  # fmt: skip
         about.cause = cause
         about.call = (
@@ -202,8 +205,8 @@ def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
         got = (count, -1 if first is None else first)
         if not count and wanted[0]:
             about.cause = (
-                "contacts() returns no contacts, so the ball would fall through the bridge. Return "
-                "the contacts that self.deck.contacts() finds."
+                "Your contacts() returns no contacts, so the ball would fall through the bridge. "
+                "Return the ones that self.deck.contacts() finds."
             )
         expect_close(got, wanted, tolerance=0.0)
         about.call = (
@@ -211,8 +214,8 @@ def test_a_landing_is_seen_on_the_way_down(rng: Random) -> None:
             "landings.contacts(): is row None"
         )
         about.cause = (
-            "The row of the earlier landing was kept. Set row again in every call of contacts(), "
-            "and set it to None if the ball does not touch the deck."
+            "You kept the row of the earlier landing. Set row again on every call of contacts(), "
+            "to None if the ball doesn't touch the deck."
         )
         expect_exactly(later is None, True)
 
@@ -242,10 +245,10 @@ def test_a_ball_is_steered(rng: Random, direction: int) -> None:
     got = seen[-1]["velocity"]
     if direction:
         mistakes = [
-            ((free, vy, 0.0), "The push has no effect, probably because it was added before "
-            "start_frame, which clears the forces. Add it after start_frame and before "
-            "run_physics."),
-            ((weak, vy, 0.0), "The mass is missing from the push. PUSH is an acceleration in "
+            ((free, vy, 0.0), "The push has no effect, probably because you add it before "
+                              "start_frame, which clears the forces. Add it after start_frame and "
+                              "before run_physics."),
+            ((weak, vy, 0.0), "You left the mass out of the push. PUSH is an acceleration in "
                               "m/s^2, so the force is PUSH * mass."),
         ]  # fmt: skip
         blame(got, mistakes)
@@ -262,24 +265,24 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
             "game.step(1/60), in which it lands: its velocity along Y, the score, and visited"
         )
         about.cause = (
-            "After run_physics, check landings.row. If it is not None, call "
-            "self.rules.landed(row) and set the vertical velocity of the ball to JUMP."
+            "After run_physics, check landings.row. If it is not None, call self.rules.landed(row) "
+            "and set the ball's vertical velocity to JUMP."
         )
         seen = played(1, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0))[-1]
         got = (seen["velocity"][1], seen["score"], *seen["visited"])
         if got[:2] == (6.0, 0):
             about.cause = (
-                "The ball jumps, but the landing does not score. Call self.rules.landed(row) when "
+                "The ball jumps, but the landing doesn't score. Call self.rules.landed(row) when "
                 "landings.row is not None."
             )
         elif got[1:] == (10, row):
             about.cause = (
-                "The landing scores, but the ball does not jump. Set its velocity along Y to "
-                "JUMP, which is 6 m/s."
+                "The landing scores, but the ball doesn't jump. Set its velocity along Y to JUMP, "
+                "which is 6 m/s."
             )
         elif row == 0:
             about.cause = (
-                "The ball landed on row 0, but this landing was ignored. Python treats 0 as false, "
+                "The ball landed on row 0, but you ignored that landing. Python treats 0 as false, "
                 "so `if row` skips the first row. Write `if row is not None` instead."
             )
         expect_close(got, (6.0, 10.0, float(row)), tolerance=1e-12)
@@ -288,8 +291,8 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
         "game.step(1/60): score and lives"
     )
     about.cause = (
-        "The ball must land once and then move up, so it must not land again or lose a life "
-        "within these steps. Check that landings.row is None while the ball moves up."
+        "The ball should land once and then rise, without landing again or costing a life during "
+        "these steps. Check that landings.row is None while the ball moves up."
     )
     seen = played(20, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0))[-1]
     got = (seen["score"], seen["lives"])
@@ -299,8 +302,8 @@ def test_a_ball_jumps_from_where_it_lands(rng: Random) -> None:
         "game.step(1/60): the velocity of the ball along Y, and the score"
     )
     about.cause = (
-        "The ball must jump from every row that it lands on. A row that was visited before scores "
-        "nothing, but the ball must still jump from it."
+        "The ball jumps from every row that it lands on. A row that it has visited before scores "
+        "nothing, but the ball still jumps from it."
     )
     seen = played(1, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0), visited=[row])[-1]
     got = (seen["velocity"][1], seen["score"])
@@ -316,14 +319,13 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
         "game.step(1/60)"
     )
     about.cause = (
-        "The ball has reached the ground. Call self.rules.fell() to take a life, and let the ball "
-        "start again above the first row."
+        "The ball has reached the ground. Call self.rules.fell() to take a life, and put the ball "
+        "back above the first row."
     )
     seen = played(1, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), visited=[2, 4])[-1]
     expect_exactly(seen["lives"], 2, then=": lives")
     kept = (
-        "The fall has changed the visited rows. It must only take a life, so leave visited as it "
-        "is."
+        "Your fall changes the visited rows. It should only cost a life, so leave visited as it is."
     )
     expect_exactly(seen["visited"], [2, 4], then=": visited, which was [2, 4]", cause=kept)
     got = seen["place"] + seen["velocity"]
@@ -332,7 +334,7 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
     expect_close(got, place, then=": position and velocity", tolerance=0.2)
     about.cause = (
         "The ball has fallen if its lowest point is at most TOUCH, which is 1e-6 m, above the "
-        "ground. The lowest point is one radius below the center of the ball."
+        "ground. That point is one radius below the ball's center."
     )
     for above, lives in ((5e-7, 2), (5e-6, 3)):
         about.call = (
@@ -347,8 +349,8 @@ def test_the_ground_takes_a_life(rng: Random) -> None:
         "of game.step(1/60)"
     )
     about.cause = (
-        "The last life is gone, so the game is over. Do not let the ball start again after this "
-        "fall, and return from step at once if self.rules.over is true."
+        "The last life is gone, so the game is over. Don't put the ball back after this fall, and "
+        "return from step at once if self.rules.over is true."
     )
     seen = played(3, FRAME, 1, (x, 0.6, 0.0), (3.0, -9.0, 0.0), lives=1)
     expect_exactly(seen[-1]["lives"], 0, then=": lives")
@@ -372,8 +374,8 @@ def test_the_last_row_ends_the_game(rng: Random) -> None:
         "-6 m/s; three calls of game.step(1/60)"
     )
     about.cause = (
-        "The first of these steps wins the game, which adds POINTS and the bonus once. After that "
-        "the game is over, so step must not change the score or move the ball."
+        "The first of these steps wins the game and adds POINTS and the bonus once. After that the "
+        "game is over, so step must not change the score or move the ball."
     )
     seen = played(3, FRAME, 0, (x, 4.55, 0.0), (0.0, -6.0, 0.0), visited=visited)
     scores = [frame["score"] for frame in seen]

@@ -36,16 +36,16 @@ def expect_forces(call: str, seen: tuple, force: float, way: Components) -> None
     on_b = tuple(-force * w for w in way)
     if force:
         mistakes = [
-            ((*ZERO, *ZERO), f"Neither end gets a force. {about.cause}"),
+            ((*ZERO, *ZERO), f"You added no force to either end. {about.cause}"),
             (
                 (*on_a, *ZERO),
-                "Only a gets a force, but a bond pulls on both of its ends. Use self._to_b for a, "
-                "and self._to_a for b.",
+                "Only a gets a force, but a bond pulls on both ends. Use self._to_b for a and "
+                "self._to_a for b.",
             ),
             (
                 (*on_a, *on_a),
-                "Both ends get the same force, so the bond pushes the whole blob "
-                "along. The forces must be opposite, so let self._to_a act on b.",
+                "Both ends get the same force, so the bond pushes the whole blob along. The two "
+                "forces should be opposite, so let self._to_a act on b.",
             ),
         ]
         blame((*seen[0], *seen[1]), mistakes)
@@ -79,14 +79,14 @@ def test_a_bond_breaks_and_heals(rng: Random, swap: bool) -> None:
     way = direction(rng)
     about(f"Bond(a, b, {k}, {rest}, {limit}, {share}, {most})", read=BOND)
     causes = {
-        "breaks": "The bond is longer than break_length, so it must break, whichever end "
-        "update_force is called for. Decide this before you apply a force, so that the broken bond "
-        "does not pull in the same call.",
+        "breaks": "The bond is longer than break_length, so it breaks, whichever end update_force "
+        "is called for. Decide that before you apply a force, so that a bond doesn't "
+        "pull in the same call in which it breaks.",
         "broken": "The bond is broken, and its ends are still more than rest_length apart. It "
-        "must stay broken until their distance is rest_length or less.",
+        "stays broken until they are rest_length apart or less.",
         "heals": "The ends of the broken bond are less than rest_length apart, so the bond heals. "
-        "It must hold again, and already apply its force in this call.",
-        "holds": "The bond has healed, so it must hold again until it is longer than break_length.",
+        "It holds again, starting with the force in this very call.",
+        "holds": "The bond has healed, so it holds again until it is longer than break_length.",
     }
     story = [
         (most, True, "holds"),
@@ -131,18 +131,18 @@ def test_a_bond_at_its_very_limits(rng: Random) -> None:
     got = [holds for _, _, holds in seen]
     if got == [True] * 4:
         about.cause = (
-            "The bond never breaks. Compare its length with break_length: if a bond that holds is "
-            "longer, it must break."
+            "Your bond never breaks. Compare its length with break_length: a bond that is longer "
+            "than that breaks."
         )
     elif got == [True, False, False, False]:
         about.cause = (
-            "The bond broke and never healed. A broken bond must hold again once its length is "
+            "Your bond broke and never healed. A broken bond holds again once its length is "
             "rest_length or less."
         )
     elif got == [True, False, True, True]:
         about.cause = (
-            "The bond heals too early, because it holds again as soon as its length drops below "
-            "break_length. It must stay broken until its length is rest_length or less."
+            "Your bond heals too early: it holds again as soon as its length drops below "
+            "break_length. It should stay broken until its length is rest_length or less."
         )
     expect_exactly(got, [True, False, False, True])
 
@@ -151,9 +151,8 @@ def test_a_bond_at_its_very_limits(rng: Random) -> None:
 def test_bonds_keep_a_blob_together() -> None:
     about("seven particles with bonds between all of them, 3 s after they were dropped", read=BOND)
     about.cause = (
-        "The blob has collapsed or flown apart. Check the direction of the forces, because a bond "
-        "must push its ends apart when it is too short, and pull them together when it is too "
-        "long."
+        "The blob has collapsed or flown apart. Check the direction of the forces: a bond pushes "
+        "its ends apart when it is too short, and pulls them together when it is too long."
     )
     before, after = settled_blob(180, 1.0 / 60.0)
     # Under its own weight, such a blob spreads by 1 to 2 %.
@@ -174,39 +173,39 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     )
     about.cause = (
         "The center of mass is the middle of the square, and every corner is sqrt(2) m away from "
-        "it. All squared distances are therefore 2 m^2, and the root of their mean is sqrt(2) m."
+        "it. So each squared distance is 2 m^2, and the root of their mean is sqrt(2) m."
     )
     x, y, z = components(rng)
     square = [(x + i, y + j, z) for i in (0.0, 2.0) for j in (0.0, 2.0)]
     got, after = spread_of(square, [3.0] * 4)
     mistakes = [
-        (2.0, "The result is the mean of the squared distances, in m^2. Take its square root to "
-        "get a length."),
+        (2.0, "This is the mean of the squared distances, in m^2. Take its square root to get a "
+              "length."),
         (math.sqrt(8.0),
-         "The square root was taken of a sum and not of a mean. Divide the sum by the total mass "
+         "You took the square root of a sum, not of a mean. Divide the sum by the total mass "
          "before you take the root."),
         (math.sqrt(24.0),
-         "The square root was taken of a sum and not of a mean. Divide the sum by the total mass "
+         "You took the square root of a sum, not of a mean. Divide the sum by the total mass "
          "before you take the root."),
         (math.sqrt(2.0 + math.hypot(x + 1.0, y + 1.0, z) ** 2),
-         "The distances were measured from the origin, so the result depends on where the blob "
-         "is. Measure them from the center of mass."),
+         "You measured the distances from the origin, so the result depends on where the blob is. "
+         "Measure them from the center of mass."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, math.sqrt(2.0), tolerance=1e-12)
     numbers = [number for place in square for number in place]
     got = [number for place in after for number in place]
     about.cause = (
-        "spread has moved the particles, although it should only measure them. An operator such "
-        "as += changes a position in place, so compute with new vectors."
+        "spread has moved the particles, although it should only measure them. An operator such as "
+        "+= changes a position in place, so work with new vectors."
     )
     expect_close(got, numbers, then=": the positions afterward", tolerance=0.0)
     m, n = positive_number(rng), positive_number(rng)
     p, q = components(rng), components(rng)
     about.call = f"spread of a particle of mass {m} at {p} and one of mass {n} at {q}"
     about.cause = (
-        "Weight each squared distance from the center of mass by the mass of its particle. For "
-        "two particles the result is sqrt(m n) / (m + n) times the distance between them."
+        "Weight each squared distance from the center of mass by the particle's mass. For two "
+        "particles the result is sqrt(m n) / (m + n) times the distance between them."
     )
     wanted = math.sqrt(m * n) / (m + n) * math.dist(p, q)
     got = spread_of([p, q], [m, n])[0]
@@ -214,21 +213,20 @@ def test_the_spread_is_the_root_of_the_mean_square(rng: Random) -> None:
     ways = (n / total * apart, m / total * apart)  # of both from their center of mass
     mistakes = [
         ((m * ways[0] + n * ways[1]) / total,
-         "The result is the mean of the distances. Average the squares of the distances instead, "
-         "weighted by mass, and then take the square root."),
+         "This is the mean of the distances. Average their squares instead, weighted by mass, and "
+         "then take the square root."),
         (0.5 * apart,
-         "The distances were measured from the midpoint of the two particles. Measure them from "
-         "the center of mass, which is nearer to the heavier particle."),
-        (math.hypot(*ways) / math.sqrt(2.0), "The squared distances were averaged without the "
-         "masses. Multiply each squared distance by its mass, and divide the sum by the total "
-         "mass."),
+         "You measured the distances from the midpoint of the two particles. Measure them from the "
+         "center of mass, which is nearer the heavier one."),
+        (math.hypot(*ways) / math.sqrt(2.0), "You averaged the squared distances without the "
+                                             "masses. Multiply each squared distance by its mass, "
+                                             "and divide the sum by the total mass."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-12)
     about(
         f"spread of a single particle at {p}",
-        cause="A single particle is at its own center of mass, so its distance from the center is "
-        "0. The spread must therefore be 0.",
+        cause="A single particle is its own center of mass, so the spread is 0.",
     )
     expect_close(spread_of([p], [m])[0], 0.0, tolerance=1e-12)
 
@@ -246,8 +244,8 @@ def test_a_spread_of_nothing_is_refused() -> None:
     )
     expect_error(lambda: spread([]), ValueError, call="spread([])", allowed=allowed)
     about.cause = (
-        "One of the particles is immovable, so its mass is infinite and the center of mass is not "
-        "defined. Raise ValueError."
+        "One of the particles is immovable, so its mass is infinite and the center of mass is "
+        "undefined. Raise ValueError."
     )
     for masses in ([1.0, math.inf], [math.inf, 1.0]):
         expect_error(

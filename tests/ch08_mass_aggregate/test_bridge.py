@@ -53,13 +53,12 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
         f"contacts() of the {what}"
     )
     about.cause = {
-        "rod": "A Rod of length WIDTH joins the two ends of each row. With six rows this makes "
-        "six rods.",
+        "rod": "A Rod of length WIDTH joins the two ends of each row. With six rows that makes six "
+        "rods.",
         "cable": "A Cable of length CABLE_LENGTH joins each end of a row to the end of the next "
-        "row on the same side. With six rows this makes ten cables.",
-        "support": "Each end of each row hangs from its own anchor. Join it to anchor_of(end) "
-        "with an AnchoredCable of length support_length(row number), which makes "
-        "twelve of them.",
+        "row on the same side. With six rows that makes ten cables.",
+        "support": "Each end of each row hangs from its own anchor. Join it to anchor_of(end) with "
+        "an AnchoredCable of length support_length(row number). That makes twelve.",
     }[which]
 
     def picked(links: Any) -> list[Any]:
@@ -81,7 +80,7 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
     lengths = {"rod": "WIDTH", "cable": "CABLE_LENGTH", "support": "support_length(row number)"}
     about.cause = (
         f"This {'cable' if which != 'rod' else 'rod'} joins the right ends, but its length is "
-        f"wrong. The length must be {lengths[which]}."
+        f"wrong. It should be {lengths[which]}."
     )
     for (i, j, depth), (_, _, right) in zip(got, wanted, strict=True):
         # Lengths of some meters, rounded a few times.
@@ -97,8 +96,8 @@ def test_what_holds_the_planks(rng: Random, what: str, which: str) -> None:
 def test_nothing_else_holds_them() -> None:
     about("links_of(make_rows()): the ends of all contacts() at the start", read=LINKS)
     about.cause = (
-        "At the start only the cables from row to row may report a contact, because they are 0.1 "
-        "m too long. The rods have exactly the right length, and the anchored cables are slack."
+        "At the start only the cables from row to row should report a contact, because they are "
+        "stretched by 0.1 m. The rods have the right length, and the anchored cables are slack."
     )
     links = sorted((i, j) for i, j, *_ in bridge_links(START))
     expect_exactly(links, [(i, i + 2) for i in range(10)])
@@ -107,17 +106,17 @@ def test_nothing_else_holds_them() -> None:
         "links_of(make_rows()), then all planks are pushed together along X: the number of contacts"
     )
     about.cause = (
-        "The cables are slack here, and the rods have exactly the right length, so there must be "
+        "The cables are slack here, and the rods have exactly the right length, so there should be "
         "no contacts. Check the lengths that you pass to the links."
     )
     count = len(bridge_links(places))
     mistakes = [
-        (10, "The ten links from row to row push the planks apart, but ropes can only pull. Use "
-        "Cable for these links instead of a rod."),
-        (12, "The twelve links to the anchors push the planks away, but ropes can only pull. Use "
-        "AnchoredCable for these links instead of a rod."),
-        (22, "The links from row to row and to the anchors push the planks. Ropes can only pull, "
-         "so make these links of cables and not of rods."),
+        (10, "Your ten links from row to row push the planks apart, but ropes can only pull. Make "
+             "these links Cables instead of rods."),
+        (12, "Your twelve links to the anchors push the planks away, but ropes can only pull. Make "
+             "these links AnchoredCables instead of rods."),
+        (22, "Your links from row to row and to the anchors push the planks. Ropes can only pull, "
+             "so make these links cables instead of rods."),
     ]  # fmt: skip
     blame(count, mistakes)
     expect_exactly(count, 0)
@@ -127,8 +126,8 @@ def test_nothing_else_holds_them() -> None:
         "their restitution"
     )
     about.cause = (
-        "Every link is too long here, so each link must have a contact with a restitution of 0. "
-        "There must be 28 contacts: 6 for the rods, 10 for the cables and 12 for the anchored "
+        "Every link is overstretched here, so each one should have a contact with a restitution of "
+        "0. That makes 28 contacts: 6 for the rods, 10 for the cables and 12 for the anchored "
         "cables."
     )
     found = bridge_links(places)
@@ -140,8 +139,8 @@ def test_nothing_else_holds_them() -> None:
 def test_a_bridge_that_hangs_keeps_its_lengths() -> None:
     about("the bridge, 1.5 s after it was released, at 60 steps per second", read=LINKS)
     about.cause = (
-        "The anchored cables must carry the bridge. Give each end of each row an AnchoredCable, "
-        "with support_length(row number) as its length."
+        "The anchored cables have to carry the bridge. Give each end of each row an AnchoredCable "
+        "of length support_length(row number)."
     )
     places = hung_bridge(90, 1.0 / 60.0)
     lowest = min(y for _, y, _ in places)
@@ -181,8 +180,8 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
     rows = draw_rows(rng, 4)
     points = middles(rows)
     about.cause = (
-        "Between two rows, the deck is the straight line from one midpoint to the next, so "
-        "interpolate its height at the x of the ball. The nearest row is the one whose midpoint is "
+        "Between two rows, the deck is a straight line from one midpoint to the next, so "
+        "interpolate its height at the ball's x. The nearest row is the one whose midpoint is "
         "closer to the ball along X."
     )
     for i, ((x, y), (u, v)) in enumerate(pairwise(points)):
@@ -195,17 +194,16 @@ def test_the_deck_is_a_line_from_row_to_row(rng: Random) -> None:
             near = one + (at - rows[i][0][0]) / (rows[i + 1][0][0] - rows[i][0][0]) * (two - one)
             mistakes = [
                 ((row, points[int(row)][1]),
-                 "The result is the height of the nearest row itself. Between two rows the deck "
-                 "has a slope, so interpolate between the two midpoints around the ball."),
+                 "You returned the height of the nearest row itself. Between two rows the deck "
+                 "slopes, so interpolate between the midpoints on either side of the ball."),
                 ((float(i), height),
-                 "The height is right, but the row is the one before the ball. Return the row "
+                 "The height is right, but you returned the row before the ball. Return the row "
                  "whose midpoint is closer to the ball along X."),
                 ((float(i + 1), height),
-                 "The height is right, but the row is the one after the ball. Return the row "
+                 "The height is right, but you returned the row after the ball. Return the row "
                  "whose midpoint is closer to the ball along X."),
-                ((row, near), "This height was interpolated between one end of each row. The two "
-                              "ends of a row can be at different heights, so use the midpoints "
-                              "of the rows."),
+                ((row, near), "You interpolated between one end of each row. The two ends of a row "
+                              "can be at different heights, so use the midpoints of the rows."),
             ]  # fmt: skip
             wanted = (row, height)
             blame(got, mistakes)
@@ -221,8 +219,8 @@ def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
     for i, (x, y) in enumerate(points):
         about.call = nearest_of(points, x)
         about.cause = (
-            "The ball is directly above a row, so nearest() must return the number of this row "
-            "and its height."
+            "The ball is directly above a row, so nearest() should return that row's number and "
+            "height."
         )
         got = deck((x, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
         expect_close(got, (float(i), y), tolerance=1e-12)
@@ -237,15 +235,16 @@ def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
     for x, i in ((-1.0, 0), (5.0, 2)):
         about.call = nearest_of(points, x)
         about.cause = (
-            "The deck reaches beyond its first and its last row by half a SPACING, which is 1 m, "
-            "so the ball is still above it here. Return None only farther out."
+            "The deck extends half a SPACING, which is 1 m, beyond its first and last rows, so the "
+            "ball is still above it here. Return None only farther out."
         )
         got = deck((x, 9.0, 0.5), rows, 0.5, 0.0)["nearest"]
         expect_exactly(got is None, False, then=" is None")
         slope = heights[i] - heights[1]
-        mistakes = [((float(i), heights[i] + 0.5 * slope), "This height continues the line "
-         "through the last two rows. Beyond the first and the last row the deck is "
-         "level, so return the height of that row.")]  # fmt: skip
+        mistakes = [((float(i), heights[i] + 0.5 * slope), "You extended the line through the last "
+                                                           "two rows. Beyond its first and last "
+                                                           "rows the deck is level, so return the "
+                                                           "height of that row.")]  # fmt: skip
         blame(got, mistakes)
         expect_close(got, (float(i), heights[i]), tolerance=1e-12)
     for x in (-0.5, 0.0, 0.5):
@@ -254,8 +253,8 @@ def test_the_deck_at_its_rows_and_halfway(rng: Random) -> None:
             "nearest()"
         )
         about.cause = (
-            "A single row is both the first row and the last row, so the deck reaches 1 m beyond "
-            "it on both sides."
+            "A single row is both the first and the last one, so the deck extends 1 m beyond it on "
+            "both sides."
         )
         got = deck((x, 9.0, 0.5), rows[:1], 0.5, 0.0)["nearest"]
         expect_close(got, (0.0, heights[0]), tolerance=1e-12)
@@ -268,8 +267,8 @@ def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
     points = middles(rows)
     (first, low), (last, high) = points[0], points[-1]
     about.cause = (
-        "Beyond the first and the last row the deck continues at the height of that row, for half "
-        "a SPACING, which is 1 m."
+        "Beyond its first and last rows the deck continues at the height of that row for half a "
+        "SPACING, which is 1 m."
     )
     for at, row, height in (
         (first - 0.99, 0, low),
@@ -282,7 +281,7 @@ def test_the_deck_ends_half_a_spacing_beyond(rng: Random) -> None:
         expect_close(got, (float(row), height), tolerance=1e-12)
     about.cause = (
         "The ball is more than half a SPACING beyond the last row, so there is no deck below it. "
-        "Here nearest() must return None, and contacts() must return no contacts."
+        "nearest() should return None, and contacts() should return no contacts."
     )
     for at in (first - 1.001, last + 1.001):
         about.call = f"a deck whose rows have the midpoints {points}, the ball at ({at}, 1, 0)"
@@ -309,8 +308,8 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
             "3 and 4 are the ends of the nearest row)"
         )
         about.cause = (
-            "The ball rests on the nearest row, so return one contact with each end of that row. "
-            "In both, the ball is the particle and the end is the other."
+            "The ball rests on the nearest row, so return one contact for each end of that row. In "
+            "both, the ball is the particle and the end is the other."
         )
         if not depth:
             center = height + radius - 1e-13  # rounding must not lift it off
@@ -323,44 +322,45 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
             )
             if not depth:
                 about.cause = (
-                    "The ball just touches the deck, which counts as a contact. Return contacts "
-                    "with a penetration of 0."
+                    "A ball that just touches the deck is in contact with it. Return those "
+                    "contacts too, with a penetration of 0."
                 )
         elif ends in ([(0, 3)], [(0, 4)]):
             about.cause = (
-                "Only one end of the row has a contact, so the row would tilt. Return one contact "
-                "for each of its two ends."
+                "You returned a contact for only one end of the row, so the row would tilt. Return "
+                "one for each end."
             )
         elif ends == [(3, 0), (4, 0)]:
             about.cause = (
-                "particle and other are swapped. Make the ball the particle and the end of the "
-                "row the other, because the normal points to the particle."
+                "particle and other are swapped. Make the ball the particle and the end of the row "
+                "the other, because the normal points toward the particle."
             )
         elif len(ends) > 2:
             about.cause = (
-                "Other rows have contacts as well, but the ball rests on the nearest row alone. "
-                "Return contacts only with the two ends of that row."
+                "You returned contacts for other rows too, but the ball rests on the nearest row "
+                "alone. Return contacts only for the two ends of that row."
             )
         expect_exactly(ends, [(0, 3), (0, 4)], then=": ends")
         for _, _, normal, restitution, penetration in list(got):
             about.cause = (
-                "The normal of a contact is wrong. The deck pushes the ball up, so it must be +Y."
+                "The normal of a contact is wrong. The deck pushes the ball up, so the normal is "
+                "+Y."
             )
             expect_close(normal, UP, then=": the normal", tolerance=1e-15)
             about.cause = (
-                "The restitution or the penetration is wrong. The restitution is self.restitution, "
-                "and the penetration is the depth of the lowest point of the ball below the deck. "
-                "Compute it as height + radius - y, where height is the height of the deck."
+                "The restitution or the penetration is wrong. The restitution is self.restitution. "
+                "The penetration is how far the ball's lowest point is below the deck: height + "
+                "radius - y, where height is the height of the deck."
             )
             mistakes = [
-                ((0.0, depth), "The restitution is 0, but it should be that of the deck. Pass "
-                 "self.restitution to each contact."),
-                ((c, 0.5 * depth), "The depth was divided between the two contacts. Each contact "
-                 "gets the full depth, because both ends of the row are below "
-                 "the same ball."),
-                ((c, depth - radius), "The penetration is that of the center of the ball, because "
-                "the radius is missing. The lowest point is one radius deeper, so compute height + "
-                "radius - y."),
+                ((0.0, depth), "The restitution is 0, but it should be the deck's. Pass "
+                               "self.restitution to each contact."),
+                ((c, 0.5 * depth), "You divided the depth between the two contacts. Each gets the "
+                                   "full depth, because both ends of the row are below the same "
+                                   "ball."),
+                ((c, depth - radius), "You left out the radius, so this is how deep the ball's "
+                                      "center is. Its lowest point is one radius deeper, so "
+                                      "compute height + radius - y."),
             ]  # fmt: skip
             got = (restitution, penetration)
             why = cause_of(got, mistakes, about.cause)
@@ -369,10 +369,10 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
             )
     level = [((x, 4.0, -1.0), (x, 4.0, 1.0)) for x in (0.0, 2.0, 4.0)]
     for y, cause in (
-        (4.5, "The lowest point of the ball is exactly on the deck. This counts as a contact, so "
-              "return contacts with a penetration of 0."),
-        (3.5, "The top of the ball is exactly at the deck, so the penetration is the diameter. "
-              "The ball has fallen through only if the penetration is larger than that."),
+        (4.5, "The ball's lowest point is exactly on the deck, so they are in contact. Return "
+              "contacts with a penetration of 0."),
+        (3.5, "The top of the ball is exactly level with the deck, so the penetration is the "
+              "diameter. The ball has fallen through only if it is deeper than that."),
     ):  # fmt: skip
         about(f"a level deck at a height of 4, a ball of radius 0.5 at (2, {y}, 0): ", cause=cause)
         about.call += "contacts(), and the penetration of each"
@@ -380,13 +380,15 @@ def test_a_ball_stands_on_both_ends_of_the_nearest_row(rng: Random) -> None:
         expect_exactly(len(got), 2, then=": how many")
         expect_close(got, (4.5 - y,) * 2)
     for where, lift, ends, cause in (
-        ("just above it", radius + 1e-6, 0, "The ball is above the deck and does not touch it, so "
-         "there must be no contact."),
+        ("just above it", radius + 1e-6, 0, "The ball is above the deck and doesn't touch it, so "
+                                            "there should be no contact."),
         ("whose top is just above it", 1e-6 - radius, 2, "The top of the ball is still above the "
-         "deck. The ball has not fallen through yet, so the contact remains."),
+                                                         "deck, so the ball has not fallen through "
+                                                         "yet and is still in contact."),
         ("whose top is just below it", -1e-6 - radius, 0, "The ball is completely below the deck, "
-         "so it has fallen through. Return no contact, because the deck must not push it up "
-         "again."),
+                                                          "so it has fallen through. Return no "
+                                                          "contact, or the deck would push it back "
+                                                          "up."),
     ):  # fmt: skip
         about(
             f"a deck whose rows have the midpoints {middles(rows)}, a ball of radius {radius} "

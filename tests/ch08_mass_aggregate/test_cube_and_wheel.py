@@ -38,9 +38,9 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
         (
             2,
             1,
-            "Two particles need one rod, but the formula 3 n - 6 gives 0. It does not hold here, "
-            "because two particles on a line have only five motions as a rigid body. Handle this "
-            "case separately.",
+            "Two particles need one rod, but the formula 3 n - 6 gives 0. It doesn't hold here, "
+            "because a rigid body of two particles has only five ways to move. Handle that case "
+            "separately.",
         ),
         (1, 0, "A single particle has no distance to keep, so it needs no rod."),
         (4, 6, "A tetrahedron of six rods is rigid, so four particles need six rods."),
@@ -49,21 +49,21 @@ def test_how_many_rods_are_necessary(rng: Random) -> None:
         got = fewest_rods(count)
         if count == 8:
             mistakes = [
-                (24, "The result is 24, which counts all degrees of freedom of the eight corners. "
-                 "A rigid body keeps six of them, because it can still move along three axes and "
-                 "rotate about them, so subtract 6."),
-                (13, "The result is 2 n - 3, which holds for particles in a plane. In space, use 3 "
-                "n - 6."),
-                (21, "The result is 3 n - 3. A rigid body can not only move in three directions "
-                "but also rotate about three axes, so subtract 6 instead of 3."),
+                (24, "You returned 24, which counts all degrees of freedom of the eight corners. A "
+                     "rigid body keeps six of them, because it can still move along three axes and "
+                     "rotate about them. Subtract 6."),
+                (13, "You returned 2 n - 3, which holds for particles in a plane. In space, use 3 "
+                     "n - 6."),
+                (21, "You returned 3 n - 3. A rigid body can move in three directions and also "
+                     "rotate about three axes, so subtract 6 instead of 3."),
             ]  # fmt: skip
             blame(got, mistakes)
         expect_exactly(got, wanted)
     count = rng.randint(9, 99)
     about.call = f"fewest_rods({count})"
     about.cause = (
-        "Each particle has three degrees of freedom, and a rigid body keeps six of all of them. "
-        "Each rod removes one, so the number is 3 n - 6."
+        "Each particle has three degrees of freedom, and a rigid body keeps six in total. Each rod "
+        "removes one, so the number is 3 n - 6."
     )
     expect_exactly(fewest_rods(count), 3 * count - 6)
 
@@ -78,7 +78,7 @@ def test_a_number_of_particles_is_1_or_more() -> None:
             error,
             call=f"fewest_rods({bad!r})",
             allowed=lambda: fewest_rods(8),
-            cause="A number of particles must be a whole number of 1 or more. Raise an error for "
+            cause="The number of particles must be a whole number, at least 1. Raise an error for "
             "anything else.",
         )
 
@@ -132,8 +132,8 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
         read=WHEEL,
     )
     about.cause = (
-        "The wheel needs two kinds of rods. Join the hub to each particle of the rim, and also "
-        "join each particle of the rim to the next one, and the last to the first."
+        "The wheel needs two kinds of rods. Join the hub to each particle of the rim, each "
+        "particle of the rim to the next one, and the last to the first."
     )
     rods = sorted(wheel_rods(hub, rim))
     wanted = [(0, i + 1) for i in range(count)] + [(i, i + 1) for i in range(1, count)]
@@ -143,8 +143,8 @@ def test_a_wheel_has_spokes_and_a_rim(rng: Random, count: int) -> None:
         about.cause = f"The rod {missing[0]} is missing. {about.cause}"
     expect_exactly(got, wanted)
     about.cause = (
-        "The length of this rod is wrong. It must be the current distance between the two ends of "
-        "the rod."
+        "The length of this rod is wrong. It should be the current distance between the rod's two "
+        "ends."
     )
     places = [hub, *rim]
     for i, j, length in rods:
@@ -158,28 +158,30 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
     about.read = DRIVE
     hub, force, already = components(rng), number(rng), components(rng)
     about.cause = (
-        "The force must act at a right angle to the spoke, in the X-Y plane, and its size must be "
-        "the same at every distance from the hub. Take the unit vector along the spoke, rotate it "
-        "by a right angle, and multiply it by the force."
+        "The force acts at a right angle to the spoke, in the X-Y plane, and is equally strong at "
+        "every distance from the hub. Take the unit vector along the spoke, rotate it by a right "
+        "angle, and multiply it by the force."
     )
     about.call = (
         "RimDrive(hub at (1, 2, 3), 10).update_force(particle, 0.1) with the particle at (4, 6, 15)"
     )
     got, _ = driven((1.0, 2.0, 3.0), 10.0, [(4.0, 6.0, 15.0)], (0.0, 0.0, 0.0))[0]
     mistakes = [
-        ((6.0, 8.0, 0.0), "This force acts along the spoke, so it cannot turn the wheel. Rotate "
-                          "(x, y) by a right angle to get (-y, x)."),
-        ((8.0, -6.0, 0.0), "This force drives the rim clockwise, because the vector (y, -x) points "
-        "backward. Use (-y, x) instead."),
-        ((-40.0, 30.0, 0.0), "This force grows with the distance from the hub. Divide (-y, x) by "
+        ((6.0, 8.0, 0.0), "Your force acts along the spoke, so it can't turn the wheel. Rotate (x, "
+                          "y) by a right angle to get (-y, x)."),
+        ((8.0, -6.0, 0.0), "Your force drives the rim clockwise, because (y, -x) points backward. "
+                           "Use (-y, x) instead."),
+        ((-40.0, 30.0, 0.0), "Your force grows with the distance from the hub. Divide (-y, x) by "
                              "the length of the spoke before you multiply it by the force."),
-        ((6.0, 8.0, 24.0), "This force acts along the spoke and along Z, so it cannot turn the "
+        ((6.0, 8.0, 24.0), "Your force acts along the spoke and along Z, so it can't turn the "
                            "wheel. Use (-y, x, 0), which is at a right angle to the spoke."),
-        ((-40.0 / 13.0, 30.0 / 13.0, 0.0), "The direction has been divided by a length that "
-         "includes Z. The wheel rotates in the X-Y plane, so divide by sqrt(x^2 + y^2)."),
-        ((-60.0 / math.sqrt(52.0), 40.0 / math.sqrt(52.0), 0.0), "This force acts around the "
-         "origin and not around the hub. Subtract the position of the hub from that of the "
-         "particle first."),
+        ((-40.0 / 13.0, 30.0 / 13.0, 0.0), "You divided the direction by a length that includes Z. "
+                                           "The wheel rotates in the X-Y plane, so divide by "
+                                           "sqrt(x^2 + y^2)."),
+        ((-60.0 / math.sqrt(52.0), 40.0 / math.sqrt(52.0), 0.0), "Your force acts around the "
+                                                                 "origin instead of the hub. "
+                                                                 "Subtract the hub's position from "
+                                                                 "the particle's first."),
     ]  # fmt: skip
     seen = cause_of(got, mistakes, about.cause)
     expect_close(got, (-8.0, 6.0, 0.0), cause=seen)
@@ -201,12 +203,12 @@ def test_the_drive_pushes_round_the_hub(rng: Random) -> None:
         name = f"{about.call}{place}: its position afterward"
         moves = (
             "update_force has moved the particle, although it should only add a force. The "
-            "operator -= changes a position in place, so compute with a new vector."
+            "operator -= changes a position in place, so work with a new vector."
         )
         expect_close(after, place, call=name, cause=moves, tolerance=0.0)
     about.cause = (
         "The particle is at the hub, or differs from it only along Z. Its spoke has no length in "
-        "the X-Y plane and therefore no direction, so add no force."
+        "the X-Y plane, and so no direction. Add no force."
     )
     start = about.call
     for place in (hub, (hub[0], hub[1], hub[2] + 1.0)):
@@ -229,8 +231,8 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
         f"{drift} m/s"
     )
     about(
-        cause="The hub moves, and the rim moves along with it. Use positions and velocities "
-        "relative to the hub, so that only the rotation remains.",
+        cause="The hub is moving, and the rim with it. Use positions and velocities relative to "
+        "the hub, so that only the rotation remains.",
         read=SPIN,
     )
     got = spun((hub, drift), list(zip(rim, moving, masses, strict=True)))
@@ -239,13 +241,13 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
     inertia = math.fsum(m * (x * x + y * y) for m, (x, y) in parts)
     drifting = math.fsum(m * (x * drift[1] - y * drift[0]) for m, (x, y) in parts)
     mistakes = [
-        (-rate, "The sign is wrong. A counter-clockwise rotation is positive, so the angular "
-         "momentum is the sum of m (x v_y - y v_x)."),
+        (-rate, "The sign is wrong. A counter-clockwise rotation counts as positive, so the "
+                "angular momentum is the sum of m (x v_y - y v_x)."),
         (rate * inertia,
-         "The result is the angular momentum of the rim. Divide it by the moment of inertia, the "
-         "sum of m (x^2 + y^2), to get the spin."),
-        (rate + drifting / inertia, "The velocity of the hub has been counted as a part of the "
-        "rotation. Subtract it from the velocity of each particle."),
+         "This is the angular momentum of the rim. Divide it by the moment of inertia, the sum of "
+         "m (x^2 + y^2), to get the spin."),
+        (rate + drifting / inertia, "You counted the hub's velocity as part of the rotation. "
+                                    "Subtract it from the velocity of each particle."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, rate, tolerance=1e-12)
@@ -261,15 +263,15 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
     one, two = ((1.0, 0.0, 0.0), (0.0, 2.0, 0.0), 1.0), ((0.0, 2.0, 0.0), (-2.0, 0.0, 0.0), 3.0)
     got = spun(((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)), [one, two])
     mistakes = [
-        (1.2, "The masses are missing from both sums, so all particles count the same. Multiply "
-         "each term by m."),
-        (1.5, "This is the mean of the rates of all particles. Heavier and more distant particles "
-              "must count more, so divide the sum of m (x v_y - y v_x) by the sum of m (x^2 + "
+        (1.2, "You left the masses out of both sums, so all particles count the same. Multiply "
+              "each term by m."),
+        (1.5, "This is the mean of the particles' own rates. Heavier and more distant particles "
+              "should count more, so divide the sum of m (x v_y - y v_x) by the sum of m (x^2 + "
               "y^2)."),
-        (2.0, "The distance from the hub has not been squared in the moment of inertia. It is the "
-        "sum of m (x^2 + y^2), which is 13 here."),
-        (14.0, "The result is the angular momentum of the rim. Divide it by the moment of inertia, "
-        "the sum of m (x^2 + y^2), to get the spin."),
+        (2.0, "You didn't square the distance from the hub in the moment of inertia, which is the "
+              "sum of m (x^2 + y^2): 13 here."),
+        (14.0, "This is the angular momentum of the rim. Divide it by the moment of inertia, the "
+               "sum of m (x^2 + y^2), to get the spin."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, 14.0 / 13.0)
@@ -284,13 +286,11 @@ def test_the_spin_is_that_of_the_whole_rim(rng: Random) -> None:
     )
     about.cause = (
         "Divide the angular momentum, the sum of m (x v_y - y v_x), by the moment of inertia, the "
-        "sum of m (x^2 + y^2). In both, x and y are relative to the hub."
+        "sum of m (x^2 + y^2). In both sums, x and y are relative to the hub."
     )
     got = spun((hub, (0.0, 0.0, 0.0)), list(zip(rim, v, masses, strict=True)))
     expect_close(got, turning / inertia, tolerance=1e-12)
-    about.cause = (
-        "The moment of inertia is 0 here, so the division is not possible. Return 0 in this case."
-    )
+    about.cause = "The moment of inertia is 0 here, so you can't divide by it. Return 0."
     for where, rim in (
         ("no particles", []),
         ("one particle at the hub", [(hub, components(rng), 2.0)]),
@@ -313,27 +313,27 @@ def test_the_deformation_is_that_of_the_worst_rod(rng: Random) -> None:
             f"deformation of rods of lengths {[length for length, _ in rods]}, which are {name}"
         )
         about.cause = (
-            "Return the largest deformation of all rods. The deformation of a rod is abs(length / "
-            "rod.length - 1)."
+            "Return the largest deformation of any rod, where the deformation of a rod is "
+            "abs(length / rod.length - 1)."
         )
         got = deformed(rods, way)
         shares = [now / length - 1.0 for length, now in rods]
         mistakes = [
             (max(abs(now - length) for length, now in rods),
-             "The result is the largest error in meters. Divide each error by rod.length, so that "
-             "long and short rods can be compared."),
+             "This is the largest error in meters. Divide each error by rod.length, so that you "
+             "can compare long rods with short ones."),
             (math.fsum(map(abs, shares)) / len(shares),
-             "The result is the mean of the errors, which hides a single rod that is far off. "
-             "Return the largest error instead."),
-            (max(shares), "A rod that is too short has been ignored, because its error is "
-                          "negative. Take abs() of each error before you look for the largest."),
-            (1.0 + max(shares), "The result is the ratio length / rod.length, which is 1 for a rod "
-            "of the right length. Subtract 1 to get the error."),
+             "This is the mean of the errors, which hides a single rod that is far off. Return the "
+             "largest error instead."),
+            (max(shares), "You missed a rod that is too short, because its error is negative. Take "
+                          "abs() of each error before you look for the largest."),
+            (1.0 + max(shares), "This is the ratio length / rod.length, which is 1 for a rod of "
+                                "the right length. Subtract 1 to get the error."),
         ]  # fmt: skip
         blame(got, mistakes)
         expect_close(got, wanted, tolerance=1e-12)
     about(
         "deformation([])",
-        cause="There are no rods, so nothing can be deformed. Return 0 in this case.",
+        cause="There are no rods, so nothing can be deformed. Return 0.",
     )
     expect_close(deformed([], way), 0.0, tolerance=0.0)

@@ -35,26 +35,26 @@ def test_as_many_steps_as_time_has_passed(rng: Random) -> None:
         steps, left = divmod(left + quarter, 4)
         mistakes = [
             (steps + 1,
-             "One step too many was made, although the remaining time is shorter than a step. Keep "
-             "this time in self.left for the next call."),
-            (1, "Only one step was made, although enough time for more has passed. Repeat the "
-             "step in a loop while self.left is enough for it."),
+             "You made one step too many: the remaining time is shorter than a step. Keep it in "
+             "self.left for the next call."),
+            (1, "You made only one step, although enough time has passed for more. Keep stepping "
+                "in a loop while self.left is enough for a step."),
         ]  # fmt: skip
         seen = cause_of(row[0], mistakes, about.cause)
         expect_exactly(row[0], steps, then=": the number of steps that it returns", cause=seen)
         mistakes = [
             (
                 (0.0, 0.0),
-                "The rest of the time is lost, so the game slowly falls behind. "
-                "Keep it in self.left for the next call.",
+                "You lost the leftover time, so the game slowly falls behind. Keep it in self.left "
+                "for the next call.",
             )
         ]  # fmt: skip
         seen = cause_of(row[1:], mistakes, about.cause)
         wanted = (0.25 * STEP * left, 0.0)
         expect_close(row[1:], wanted, then=": left and dropped", cause=seen, tolerance=0.0)
     about.cause = (
-        "Every step must have the same duration, no matter how much time has passed. Pass "
-        "self.duration to self.step."
+        "Every step has the same duration, no matter how much time has passed. Pass self.duration "
+        "to self.step."
     )
     wanted = [STEP] * (sum(quarters) // 4)
     expect_exactly(done["made"], wanted, then=": the durations of all steps")
@@ -69,7 +69,7 @@ def test_rounding_makes_no_step_late(rate: int) -> None:
         "each call"
     )
     about.cause = (
-        "Rounding can make self.left slightly too small for a step that is due. Make the step if "
+        "Rounding can leave self.left slightly too small for a step that is due. Take the step if "
         "less than SHARE of its duration is missing."
     )
     done = advanced(1.0 / rate, [1.0 / rate] * 100)
@@ -87,8 +87,8 @@ def test_rounding_makes_no_step_late(rate: int) -> None:
     expect_exactly(done["rows"][0][0], rate)
     about.call = f"a FixedStep of 1/{rate} s; advance by 0.999/{rate} s: the number of steps"
     about.cause = (
-        "A thousandth of the step is still missing. This is far more than a rounding error, so "
-        "the step is not due yet."
+        "A thousandth of the step is still missing. That is far more than a rounding error, so the "
+        "step is not due yet."
     )
     done = advanced(1.0 / rate, [0.999 / rate])
     expect_exactly(done["rows"][0][0], 0)
@@ -100,10 +100,9 @@ def test_a_share_of_a_step_is_due(duration: float) -> None:
     about.read = READ
     for lack, steps, cause in (
         (1e-7, 0, "More than SHARE of the step is missing, so the step is not due yet. SHARE is a "
-                  "fraction of a step and not a time in seconds, so multiply it by the duration."),
+                  "fraction of a step, not a time in seconds, so multiply it by the duration."),
         (1e-10, 1, "Less than SHARE of the step is missing, so the step is due. SHARE is a "
-                   "fraction of a step and not a time in seconds, so multiply it by the "
-                   "duration."),
+                   "fraction of a step, not a time in seconds, so multiply it by the duration."),
     ):  # fmt: skip
         elapsed = duration * (1.0 - lack)
         about(
@@ -140,24 +139,24 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
         mistakes = [
             (
                 limit + 1,
-                "One step more than max_steps was made in this call. Check the number of steps "
-                "before each step, and stop as soon as it has reached max_steps.",
+                "You made one step more than max_steps in this call. Check the count before each "
+                "step, and stop as soon as it reaches max_steps.",
             )
         ]  # fmt: skip
         seen = cause_of(row[0], mistakes, about.cause)
         expect_exactly(row[0], steps, then=": the number of steps of the last call", cause=seen)
         mistakes = [
             ((0.0, left + dropped),
-             "All of the remaining time was dropped. Drop only the whole steps, and keep the "
-             "part that is shorter than a step in self.left."),
+             "You dropped all of the remaining time. Drop only whole steps, and keep whatever is "
+             "shorter than a step in self.left."),
             ((left + dropped, 0.0),
-             "No time was dropped, so the next call would have to make up for the missing "
-             "steps. Subtract the time of all whole steps that are still due from self.left."),
+             "You dropped no time, so the next call would have to catch up. Subtract the time of "
+             "all whole steps that are still due from self.left."),
             ((left, dropped / STEP),
-             "dropped contains a number of steps here. It is a time in seconds, so multiply "
+             "self.dropped holds a number of steps. It should be a time in seconds, so multiply "
              "the number of steps by the duration."),
             ((left, STEP),
-             "dropped contains only the time that the last call has dropped. It must be the total "
+             "self.dropped holds only the time that the last call dropped. It should be the total "
              "over all calls, so add to it instead of replacing it."),
         ]  # fmt: skip
         seen = cause_of(row[1:], mistakes, about.cause)
@@ -169,15 +168,15 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
     expect_exactly(len(done["made"]), count, then=": the number of steps in all calls together")
     about.call = f"a FixedStep of 0.1 s with max_steps={limit}; advance by {0.1 * (limit + late)!r}"
     about.cause = (
-        "All of the remaining steps must be dropped here. Rounding can make the last one slightly "
-        "too short, but it counts as a whole step if less than SHARE of it is missing."
+        "All of the remaining steps should be dropped here. Rounding can make the last one "
+        "slightly too short, but it counts as a whole step if less than SHARE of it is missing."
     )
     row = advanced(0.1, [0.1 * (limit + late)], limit)["rows"][0]
     # Rounding of a few times 0.1 s, many times less than a step.
     expect_close(row[1:], (0.0, 0.1 * late), then=": left and dropped", tolerance=1e-9)
     about.cause = (
-        "Drop only whole steps, and keep the rest of the time in self.left. If less than SHARE of "
-        "a step is missing, count it as a whole step."
+        "Drop only whole steps, and keep the leftover time in self.left. If less than SHARE of a "
+        "step is missing, count it as a whole step."
     )
     for duration, lack in product((1e-6, STEP, 1000.0), (1e-7, 1e-10)):
         elapsed = duration * (5.0 - lack)
@@ -188,7 +187,8 @@ def test_a_limit_of_steps_drops_time(rng: Random) -> None:
         expect_close(row[1:], wanted, then=": left and dropped", tolerance=1e-9 * duration)
     about.call = f"a FixedStep of {STEP} s without max_steps; advance by the time of 5000 steps"
     about.cause = (
-        "The limit max_steps is None here, so make all steps that are due and drop nothing."
+        "max_steps is None here, so there is no limit. Take every step that is due and drop "
+        "nothing."
     )
     row = advanced(STEP, [5000.0 * STEP])["rows"][0]
     expect_exactly(row[0], 5000, then=": steps")
@@ -204,9 +204,9 @@ def test_a_step_that_fails_is_still_due(rng: Random) -> None:
         "time of 6 steps, and then by 0"
     )
     about.cause = (
-        "A step that raises an error was not made, so its time must stay in self.left, and the "
-        "next call makes the step again. Subtract the duration only after self.step has returned, "
-        "and let the error pass through."
+        "A step that raises an error doesn't count, so its time stays in self.left and the next "
+        "call tries it again. Subtract the duration only after self.step has returned, and let the "
+        "error through."
     )
     done = advanced(STEP, [6.0 * STEP, 0.0], raise_at=good + 1)
     expect_exactly(
@@ -237,15 +237,15 @@ def test_a_time_that_is_none_is_refused() -> None:
         name, left, made = refused_time(STEP, time)
         expect_exactly(name, error, then=": the name of the error ('' if there was none)")
         lost = (
-            "The call was refused, but it has already changed self.left, so the time that was left "
-            "from earlier calls is wrong. Check elapsed before you change self.left."
+            "The call raised an error, but only after it had changed self.left, so the time left "
+            "over from earlier calls is wrong. Check elapsed before you change self.left."
         )
         expect_close(left, 0.25 * STEP, then=": left", cause=lost, tolerance=0.0)
         expect_exactly(made, 0, then=": the number of steps that were made")
     about(
         f"a FixedStep of {STEP} s; advance(0.0)",
-        cause="A time of 0 is valid, because two frames can have the same time stamp. It makes no "
-        "step and must not raise an error.",
+        cause="A time of 0 is valid, because two frames can have the same timestamp. Make no step, "
+        "and don't raise an error.",
     )
     expect_exactly(
         refused_time(STEP, 0.0)[0], "", then=": the name of the error ('' if there was none)"
@@ -262,8 +262,8 @@ def test_a_run_is_the_same_whatever_the_frames(rng: Random) -> None:
         f"a FixedStep of {STEP} s; a ball bounces for 2.5 s, with elapsed times from 0.016 to 0.5 s"
     )
     about.cause = (
-        "The ball moves differently when the same time is divided into other calls. With a fixed "
-        "time step the result must not depend on that, so make as many steps as self.left allows."
+        "The ball moves differently when the same time is split into calls differently. With a "
+        "fixed time step that should make no difference, so take as many steps as self.left allows."
     )
     place, velocity = bounced(even, STEP)
     about.call += ": position and velocity"

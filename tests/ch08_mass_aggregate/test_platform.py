@@ -34,8 +34,7 @@ PIVOT = range(6)  # the numbers of its coordinates
 def test_a_platform_can_only_tilt() -> None:
     about("rods_of(six particles at PLACES): the motions that the rods allow", read=RODS)
     about.cause = (
-        "Each rod must join two different particles, and both must be among the six that were "
-        "passed."
+        "Each rod must join two different particles, both among the six that are passed in."
     )
     joined = [(i, j) for i, j, _ in platform_rods(PLACES)]
     strangers = [pair for pair in joined if min(pair) < 0 or pair[0] == pair[1]]
@@ -59,7 +58,7 @@ def test_a_platform_can_only_tilt() -> None:
                 "that are possible besides the tilt"
             )
             expect_exactly(len(left) - 1, 0)
-    about.cause = "The rods hold the platform still, but it must be able to tilt about its pivot."
+    about.cause = "Your rods lock the platform, but it has to be able to tilt about its pivot."
     expect_exactly(len(left), 1, then=": how many")
 
 
@@ -74,16 +73,16 @@ def test_rods_are_as_long_as_their_ends_are_apart(rng: Random) -> None:
         f"rods_of(six particles at PLACES, scaled by {size} and rotated by {turn} rad): the length"
     )
     about.cause = (
-        "The length of a rod must be the current distance between its ends, which is (b.position "
-        "- a.position).magnitude()."
+        "The length of a rod is the current distance between its ends, (b.position - "
+        "a.position).magnitude()."
     )
     rods = platform_rods(places)
     expect_exactly(len(rods) > 0, True, then=" of each rod; is there any rod")
     for i, j, length in rods:
         wanted = math.dist(places[i], places[j])
         old = (
-            "This length was computed from PLACES, but the particles are somewhere else. Use "
-            "their current positions."
+            "You computed this length from PLACES, but the particles are somewhere else. Use their "
+            "current positions."
         )
         seen = cause_of(length, [(math.dist(PLACES[i], PLACES[j]), old)], about.cause)
         expect_close(
@@ -96,18 +95,18 @@ def test_what_balances_a_platform(rng: Random) -> None:
     about("balancing_mass([1, 1, 1, 1], [-3, -3, 4, 4], -3)", read=BALANCE)
     about.cause = (
         "The platform balances when the sum of mass times position is 0. The four masses give 2 kg "
-        "m, so the new one must give -2 kg m, and at -3 m this takes 2/3 kg."
+        "m, so the new one has to give -2 kg m, and at -3 m that takes 2/3 kg."
     )
     got = balancing_mass([1.0] * 4, [-3.0, -3.0, 4.0, 4.0], -3.0)
     mistakes = [
         (-2.0 / 3.0,
-         "The sign is wrong. The new mass must pull the platform the other way, so it is minus "
+         "The sign is wrong. The new mass has to pull the platform the other way, so it is minus "
          "the sum of mass times position, divided by x."),
-        (14.0 / 3.0, "All positions were counted as positive. Those on the left of the pivot are "
+        (14.0 / 3.0, "You counted every position as positive. Those to the left of the pivot are "
                      "negative, so keep their signs."),
         (2.0, "This is the sum of mass times position, which is not a mass yet. Divide it by -x."),
         (-2.0, "This is minus the sum of mass times position. Divide it by x to get a mass."),
-        (0.5, "This mass balances the platform at its other end. Divide by x, which is -3 m."),
+        (0.5, "This is the mass for the other end. Divide by x, which is -3 m."),
     ]  # fmt: skip
     blame(got, mistakes)
     expect_close(got, 2.0 / 3.0)
@@ -117,8 +116,8 @@ def test_what_balances_a_platform(rng: Random) -> None:
     x = -math.copysign(positive_number(rng), turn)
     about(
         f"balancing_mass({masses}, {places}, {x})",
-        cause="The platform balances when the new "
-        "mass cancels the torque of the others. So the mass is -(sum of mass times position) / x.",
+        cause="The platform balances when the new mass cancels the torque of the others, so it is "
+        "-(sum of mass times position) / x.",
     )
     got = balancing_mass(masses, places, x)
     expect_close(got, -turn / x, tolerance=1e-12 * (1 - turn / x))
@@ -138,8 +137,8 @@ def test_what_balances_a_platform(rng: Random) -> None:
     ):
         about.call = f"balancing_mass([1.0], [{place}], {x})"
         about.cause = (
-            "A mass at x can balance the platform, because x is on the side that rises. This is "
-            "true even if x is very near to the pivot, so do not refuse it."
+            "A mass at x can balance the platform, because x is on the side that rises. That is "
+            "true even very close to the pivot, so don't raise an error."
         )
         got = balancing_mass([1.0], [place], x)
         expect_close(got, wanted)
@@ -165,15 +164,16 @@ def test_what_cannot_be_balanced_is_refused() -> None:
 
     for masses, places, x, error, cause in (
         ([1.0, 2.0], [-1.0, 2.0], 3.0, ValueError, "Only a mass of -1 kg would balance the "
-         "platform here. If x is on the side that sinks, no mass can help, so raise ValueError."),
+                                                   "platform here. On the side that sinks, no mass "
+                                                   "can help, so raise ValueError."),
         ([1.0, 2.0], [1.0, -2.0], -3.0, ValueError, "The left side sinks here, and x = -3 is on "
          "the left, so no mass at x can help. Raise ValueError."),
-        ([1.0], [0.5], 0.25, ValueError, "x is on the side that sinks, even if it is near to "
-         "the pivot. No mass at x can help, so raise ValueError."),
-        ([1.0], [-0.5], -0.25, ValueError, "x is on the side that sinks, even if it is near to "
-         "the pivot. No mass at x can help, so raise ValueError."),
-        ([1.0, 2.0], [-1.0, 2.0], 0.0, ValueError, "A mass at the pivot has no torque, so it "
-         "cannot balance anything. Raise ValueError."),
+        ([1.0], [0.5], 0.25, ValueError, "x is close to the pivot but on the side that sinks. No "
+                                         "mass at x can help, so raise ValueError."),
+        ([1.0], [-0.5], -0.25, ValueError, "x is close to the pivot but on the side that sinks. No "
+                                           "mass at x can help, so raise ValueError."),
+        ([1.0, 2.0], [-1.0, 2.0], 0.0, ValueError, "A mass at the pivot exerts no torque, so it "
+                                                   "can't balance anything. Raise ValueError."),
         ([1.0, -2.0], [5.0, 2.0], -3.0, ValueError, "One of the masses is negative, which is not "
         "valid. Check every mass with not_negative from arguments.py."),
         ([1.0, math.nan], [-1.0, 2.0], -3.0, ValueError, "One of the masses is NaN, which is not "
@@ -184,10 +184,10 @@ def test_what_cannot_be_balanced_is_refused() -> None:
         "is not valid. Check every position with finite from arguments.py."),
         ([1.0, math.inf], [-1.0, 2.0], -3.0, ValueError, "One of the masses is infinite, which is "
         "not valid. Check every mass with not_negative from arguments.py."),
-        ([1.0, 2.0], [-1.0, 2.0], -math.inf, ValueError, "The position x is infinite, which is not "
-        "valid. Check it with finite from arguments.py."),
-        ([1.0, 2.0], [-1.0, 2.0], math.nan, ValueError, "The position x is NaN, which is not "
-        "valid. Check it with finite from arguments.py."),
+        ([1.0, 2.0], [-1.0, 2.0], -math.inf, ValueError, "x is infinite, which is not valid. Check "
+                                                         "it with finite from arguments.py."),
+        ([1.0, 2.0], [-1.0, 2.0], math.nan, ValueError, "x is NaN, which is not valid. Check it "
+                                                        "with finite from arguments.py."),
         ([2.0, 1.0], [-1.0, 2.0], math.inf, ValueError, "The platform is already balanced, but x "
          "is infinite, which is never valid. Check x before you return 0."),
         ([1.0, 2.0], [1.0], -3.0, ValueError, "There are fewer positions than masses. Every mass "
@@ -221,8 +221,8 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
         )
         about.cause = (
             "The right end carries mass * (x + 3) / 7, and the left end carries the rest. Each end "
-            "consists of two particles, so each of them gets half of the load of its end in "
-            "addition to its own 1 kg."
+            "consists of two particles, so each particle gets half of its end's load on top of its "
+            "own 1 kg."
         )
         right = mass * (x + 3.0) / 7.0
         wanted = _masses(1.0, mass - right, right)
@@ -230,28 +230,29 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
         left = mass - right
         near, far = (mass, 0.0) if x < 0.5 else (0.0, mass)
         mistakes = [
-            (_masses(1.0, right, left), "The loads of the two ends are swapped. The end that is "
-                                        "nearer to the weight must carry more."),
-            (_masses(1.0, 2.0 * left, 2.0 * right), "Each particle got the whole load of its end, "
-            "but an end consists of two particles. Give each of them half of the load."),
-            (_masses(0.0, left, right), "The particles have lost their own mass. Add MASS to the "
+            (_masses(1.0, right, left), "The loads of the two ends are swapped. The end nearer the "
+                                        "weight carries more."),
+            (_masses(1.0, 2.0 * left, 2.0 * right), "You gave each particle of an end the whole "
+                                                    "load. Give each of them half."),
+            (_masses(0.0, left, right), "You overwrote the particles' own mass. Add MASS to the "
                                         "load that each of them carries."),
-            (_masses(1.0, near, far), "The nearer end carries the whole weight, but a weight "
-            "between the ends rests on both of them. Divide it according to the distances."),
+            (_masses(1.0, near, far), "You put the whole weight on the nearer end, but a weight "
+                                      "between the ends rests on both. Divide it between them "
+                                      "according to the distances."),
         ]  # fmt: skip
         blame(got[2:], mistakes, tolerance=2e-3)  # a mass of 0 has become 1 g
         expect_close(got[2:], wanted, tolerance=1e-12)
         about.call = f"platform.put_weight({mass}, {x}): the masses of the pivot"
         about.cause = (
-            "The mass of the pivot has changed. The ends carry the weight, and the pivot must "
-            "stay immovable."
+            "You changed the mass of the pivot. The ends carry the weight, and the pivot stays "
+            "immovable."
         )
         expect_exactly(got[:2], [math.inf, math.inf])
         about.call = (
             f"platform.put_weight(7.0, 1.0), then put_weight({mass}, {x}): the masses of the ends"
         )
         about.cause = (
-            "The old weight still counts, but a new weight must replace it. Compute the masses "
+            "The old weight still counts, but the new weight should replace it. Compute the masses "
             "from MASS and the new weight alone."
         )
         got, _ = weighed([(7.0, 1.0), (mass, x)])
@@ -261,8 +262,8 @@ def test_the_ends_share_a_weight(rng: Random) -> None:
     expect_close(
         got[2:],
         [1.0] * 4,
-        cause="The old weight still counts. A weight of 0 kg "
-        "replaces it, so each particle of the ends must have only its own mass again.",
+        cause="The old weight still counts. A weight of 0 kg replaces it, so each particle of the "
+        "ends is back to its own mass.",
     )
 
 
@@ -272,7 +273,7 @@ def test_a_weight_that_is_none_is_refused() -> None:
     about.read = WEIGHT
     about(
         "platform.put_weight(3.0, 1.0)",
-        cause="A weight of 3 kg between the ends is valid, so the call must not raise an error.",
+        cause="A weight of 3 kg between the ends is valid, so don't raise an error.",
     )
     before, error = weighed([(3.0, 1.0)])
     expect_exactly(error, "", then=": the name of the error ('' if there was none)")
@@ -287,14 +288,14 @@ def test_a_weight_that_is_none_is_refused() -> None:
     ):
         about.call = f"platform.put_weight(3.0, 1.0), then put_weight({mass!r}, {x!r})"
         about.cause = (
-            "The mass must be finite and not negative, and x must be from LEFT to RIGHT. Raise an "
-            "error for anything else."
+            "The mass must be finite and not negative, and x must lie between LEFT and RIGHT. "
+            "Raise an error for anything else."
         )
         got, name = weighed([(3.0, 1.0), (mass, x)])
         expect_exactly(name, error, then=": the name of the error ('' if there was none)")
         about.cause = (
-            "The call was refused, but it has changed the masses. Check both arguments before you "
-            "change a mass, so that the old weight stays."
+            "The call raised an error, but it has changed the masses. Check both arguments before "
+            "you change a mass, so that the old weight stays."
         )
         expect_exactly(got, before, then=": the masses")
 
@@ -307,16 +308,16 @@ def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
     mass = limit * (1.5 if side == "heavy enough" else 0.5)
     about(f"platform.put_weight({mass}, {x}), then 30 steps of 1/60 s: the left end", read=WEIGHT)
     about.cause = (
-        f"The left end must sink if the weight at {x} m is more than {limit:.3f} kg, and "
-        "stay up if it is less. At this limit the platform is exactly balanced."
+        f"The left end should sink if the weight at {x} m is more than {limit:.3f} kg, and stay up "
+        "if it is less. At exactly that mass the platform is balanced."
     )
     places = tipped(mass, x, 30, 1.0 / 60.0)
     sinks = places[2][1] < places[4][1]
     expect_exactly(sinks, side == "heavy enough", then=": is it below the right end")
     length = math.dist(places[2], places[4])
     about.cause = (
-        "The platform has changed its length, so its rods have no effect. Add the rods to the "
-        "contact generators of the world."
+        "The platform has changed its length, so its rods have no effect. Add them to the world's "
+        "contact generators."
     )
     expect_close(length, 7.0, then=": its distance from the right end, to 1 cm", tolerance=0.01)
 
@@ -325,7 +326,7 @@ def test_a_platform_tips_at_the_right_weight(rng: Random, side: str) -> None:
 def test_a_free_pivot_is_like_the_other_particles() -> None:
     about("platform.free_pivot(): the masses of the six particles", read=FREE)
     done = freed(0, 0.1)
-    about.cause = "Both particles of the pivot must be able to move. Set the mass of each to MASS."
+    about.cause = "Both particles of the pivot should now be free to move. Set each mass to MASS."
     expect_close(done["masses"], [1.0] * 6, tolerance=1e-12)
     about.call = "platform.put_weight(7.0, 4.0), then free_pivot(): the masses of the six particles"
     about.cause = (
@@ -339,8 +340,8 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
     wanted = [coordinate for place in PLACES for coordinate in place]
     about(
         "platform.free_pivot(): the positions of its particles",
-        cause="free_pivot() has moved a particle. It should only change masses and add a rod, and "
-        "the next step moves the platform.",
+        cause="free_pivot() has moved a particle. It should only change masses and add a rod; the "
+        "next step moves the platform.",
     )
     expect_close(got, wanted, tolerance=0.0)
     for name in ("rods", "in world"):
@@ -354,13 +355,13 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
         # plane: 0, 1 and 2 are no line.
         left = motions(PLACES, joined, (0, 1, 2, 3, 4, 7))
         about.cause = (
-            "The two particles of the pivot can move now, so they need a rod that joins them. "
-            "Keep all other rods, and add this one to both lists."
+            "The two particles of the pivot can move now, so they need a rod between them. Keep "
+            "all the other rods, and add the new one to both lists."
         )
         if left:
             about.cause += f" They still allow this motion: {told(left[0], 'particle')}."
         expect_exactly(len(left), 0)
-    about.cause = "The length of this rod is wrong. It must be the distance between its ends."
+    about.cause = "The length of this rod is wrong. It should be the distance between its ends."
     for i, j, length in done["rods"]:
         about.call = f"platform.free_pivot(): the length of the rod from {i} to {j}"
         wanted = math.dist(PLACES[i], PLACES[j])
@@ -371,8 +372,8 @@ def test_a_free_pivot_is_like_the_other_particles() -> None:
 def test_a_free_platform_slides_and_stays_rigid() -> None:
     about("platform.free_pivot(), then 45 steps of 1/60 s", read=FREE)
     about.cause = (
-        "The center of mass must not move along X or Z, because the ground has no friction. Check "
-        "that free_pivot only changes masses and adds a rod."
+        "The center of mass should not move along X or Z, because the ground has no friction. "
+        "Check that free_pivot only changes masses and adds a rod."
     )
     done = freed(45, 1.0 / 60.0)
     before, after = done["before"], done["after"]
@@ -383,7 +384,7 @@ def test_a_free_platform_slides_and_stays_rigid() -> None:
         expect_close(got, wanted, then=f": {name} of the center of mass", tolerance=1e-9)
     about.cause = (
         "The platform has changed its shape, so some of its rods are missing or have the wrong "
-        "length. Together they must keep all distances between its particles the same."
+        "length. Together they should keep every distance between its particles the same."
     )
     off = max(
         abs(math.dist(after[i], after[j]) - math.dist(before[i], before[j]))
@@ -393,7 +394,7 @@ def test_a_free_platform_slides_and_stays_rigid() -> None:
     expect_between(off, 0.0, 0.01, then=": the largest change of a distance, in m")
     moved = after[0][0] - before[0][0]
     about.cause = (
-        "The platform falls to the right, so its pivot must slide to the left on the ground. Check "
-        "that both particles of the pivot can move."
+        "The platform falls to the right, so its pivot should slide to the left along the ground. "
+        "Check that both particles of the pivot can move."
     )
     expect_between(moved, -math.inf, -0.01, then=": how far the pivot has moved, in m along X")

@@ -59,8 +59,8 @@ def test_a_beam_is_rigid(rng: Random) -> None:
     # Held are the pivot, the plane and the fall of the counterweight. A rigid beam cannot move.
     left = motions(places, joined, (0, 1, 2, 4, 5, 8))
     about.cause = (
-        "The beam must be rigid. Join every two of its three particles with a rod, because a "
-        "triangle cannot bend."
+        "The beam has to be rigid. Join its three particles with three rods, because a triangle "
+        "can't bend."
     )
     if left:
         about.cause += (
@@ -73,12 +73,12 @@ def test_a_beam_is_rigid(rng: Random) -> None:
         about.call = f"Trebuchet({named_design(design)}).beam(): the length of the rod from "
         about.call += f"{parts[i]} to {parts[j]}"
         about.cause = (
-            "The length of this rod is wrong. It must be the current distance between the two ends "
-            "of the rod."
+            "The length of this rod is wrong. It should be the current distance between the rod's "
+            "two ends."
         )
         straight = (
-            "This length is short_arm + long_arm, which is right for a straight beam. This beam "
-            "is bent at the pivot, so use the current distance between the rod's own ends."
+            "Your length is short_arm + long_arm, which is right for a straight beam. This one is "
+            "bent at the pivot, so use the current distance between the rod's own ends."
         )
         blame(length, [(design[1] + design[2], straight)])
         wanted = math.dist(places[i], places[j])
@@ -100,38 +100,41 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
         return above, (speed * math.cos(radians), speed * math.sin(radians), 0.0)
 
     steep = (
-        "The projectile still flies too steeply, so the sling must not let go. release_angle is "
-        "in degrees, but math.atan2 returns radians, so convert one of them before you compare."
+        "The projectile is still flying too steeply, so the sling should not let go yet. "
+        "release_angle is in degrees and math.atan2 returns radians, so convert one of them before "
+        "you compare."
     )
     lower = (
-        "The projectile flies at the release angle or lower, so the sling must let go. The angle "
-        "above the horizontal is atan2(v.y, v.x)."
+        "The projectile is flying at the release angle or lower, so the sling should let go. The "
+        "angle above the horizontal is atan2(v.y, v.x)."
     )
     about.cause = lower
     if not lets_go(design, [flight(angle - 0.1)])[0]:
         steep = (
-            "The sling lets go above the release angle, so the comparison is the wrong way round. "
-            "It must let go at the release angle or lower."
+            "Your sling lets go above the release angle, so your comparison is the wrong way "
+            "around. The sling should let go at the release angle or lower."
         )
     forward = (
-        "The projectile is not flying forward, so the sling must not let go. Check that v.x > 0."
+        "The projectile is not flying forward, so the sling should not let go. Check that v.x > 0."
     )
     high = (
-        "The projectile is not above the pivot, so the sling must not let go. Check its height as "
-        "well."
+        "The projectile is not above the pivot, so the sling should not let go. Check its height "
+        "too."
     )
     for what, how, wanted, cause in (
         ("a little above the angle", flight(angle + 0.1), False, steep),
         ("a little below the angle", flight(angle - 0.1), True, lower),
         ("just above the pivot", flight(angle - 1.0, 0.01), True, "The projectile is above the "
-        "pivot, so the sling must let go, no matter how far above it is."),
-        ("forward and down", flight(-50.0), True, "The projectile flies below the release angle, "
-         "even if it flies down, so the sling must let go."),
+                                                                  "pivot, no matter how far, so "
+                                                                  "the sling should let go."),
+        ("forward and down", flight(-50.0), True, "A projectile that flies downward is below the "
+                                                  "release angle too, so the sling should let go."),
         ("steeply backward", flight(180.0 - angle), False, forward),
         ("backward and down", flight(-150.0), False, forward),
         ("straight down", (height, (0.0, -speed, 0.0)), False, forward),
-        ("slowly forward", (height, (0.25, -speed, 0.0)), True, "The projectile flies forward, so "
-         "the sling must let go. Any v.x above 0 counts as forward."),
+        ("slowly forward", (height, (0.25, -speed, 0.0)), True, "The projectile is flying forward, "
+                                                                "so the sling should let go. Any "
+                                                                "v.x above 0 counts as forward."),
         ("at the pivot's height", flight(angle - 1.0, 0.0), False, high),
         ("below the pivot", flight(angle - 1.0, -height), False, high),
     ):  # fmt: skip
@@ -149,8 +152,8 @@ def test_when_the_sling_lets_go(rng: Random) -> None:
     expect_exactly(
         got,
         True,
-        cause="The projectile flies at exactly the release angle. The sling "
-        "must let go at this angle as well, so compare with <=.",
+        cause="The projectile is flying at exactly the release angle. The sling should let go at "
+        "that angle too, so compare with <=.",
     )
 
 
@@ -170,15 +173,15 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
     )
     distance, share, frames, flies, _ = throw(design, "up")
     seen = (
-        "The sling lets go in the first step, but the throw continued. Check self.flies after "
-        "each call of self.step(STEP), and stop as soon as it is true."
+        "The sling let go in the first step, but your throw continued. Check self.flies after each "
+        "call of self.step(STEP), and stop as soon as it is true."
     )
     seen = cause_of(
         frames,
         [
             (
                 4,
-                "The throw made steps of 1/60 s, which is too long for a trebuchet. Call "
+                "Your throw took steps of 1/60 s, which is too long for a trebuchet. Call "
                 "self.step(STEP) instead.",
             )
         ],
@@ -187,36 +190,35 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
     expect_exactly(frames, 1, then=": time until then, in units of STEP", cause=seen)
     wanted = 2.0 + 30.0 * (10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
     mistakes = [
-        (wanted - 2.0, "This range is measured from the point of release, but the range of a throw "
-        "starts at x = 0. Add the x of the projectile at its release."),
+        (wanted - 2.0, "Your range starts at the point of release, but the range of a throw starts "
+                       "at x = 0. Add the projectile's x at the release."),
         (2.0 + 30.0 * 20.0 / G,
-         "This is the range of a throw that starts on the ground. The projectile was released 8 m "
+         "This is the range of a throw that starts on the ground. The projectile is released 8 m "
          "above the ground, so it flies for longer."),
         (600.0 / G,
          "This is the range of a throw that starts on the ground below the pivot. The projectile "
-         "was released at (2, 8), so both coordinates count."),
+         "is released at (2, 8), so both coordinates count."),
     ]  # fmt: skip
     blame(distance, mistakes)
     expect_close(distance, wanted, then=": range", tolerance=1e-9)
     about.cause = (
-        "The share is a ratio of two energies. Divide the energy that the projectile has gained, "
-        "which is m v^2 / 2 plus m g times its rise, by the energy that the counterweight has "
-        "lost, which is M g times its fall."
+        "The share is a ratio of two energies. Divide what the projectile has gained, m v^2 / 2 "
+        "plus m g times its rise, by what the counterweight has lost, M g times its fall."
     )
     gained = 0.5 * 5.0 * 1000.0 + 5.0 * G * (8.0 - start)
     lost = 4.0 * weight * G
     wanted = gained / lost
     mistakes = [
-        (2500.0 / lost, "The potential energy of the projectile is missing. The throw has also "
-        "lifted it, so add m g times its rise."),
-        ((gained - 2500.0) / lost, "The kinetic energy of the projectile is missing. Add m v^2 / "
-                                   "2 to the gained energy."),
-        (gained / (4.0 * 5.0 * G), "The lost energy was computed with the mass of the projectile. "
-                                   "It is the counterweight that falls, so use its mass."),
-        (1.0 / wanted, "The fraction is upside down. Divide the energy that the projectile gained "
+        (2500.0 / lost, "You left out the projectile's potential energy. The throw has also lifted "
+                        "it, so add m g times its rise."),
+        ((gained - 2500.0) / lost, "You left out the projectile's kinetic energy. Add m v^2 / 2 to "
+                                   "the energy gained."),
+        (gained / (4.0 * 5.0 * G), "You computed the energy lost with the projectile's mass. It is "
+                                   "the counterweight that falls, so use its mass."),
+        (1.0 / wanted, "Your fraction is upside down. Divide the energy that the projectile gained "
                        "by the energy that the counterweight lost."),
-        (100.0 * wanted, "The share is given as a percentage. Return it as a fraction, so that 1 "
-         "stands for all of the energy."),
+        (100.0 * wanted, "Your share is a percentage. Return a fraction, where 1 means all of the "
+                         "energy."),
     ]  # fmt: skip
     blame(share, mistakes)
     expect_close(share, wanted, then=": share", tolerance=1e-9)
@@ -226,14 +228,14 @@ def test_a_throw_is_told_by_range_and_share(rng: Random) -> None:
     )
     wanted = 2.0 + 30.0 * (-10.0 + math.sqrt(100.0 + 2.0 * G * 8.0)) / G
     about.cause = (
-        "A projectile that already flies down reaches the ground sooner, so its range is shorter. "
-        "Keep the sign of v_y in the formula."
+        "A projectile that is already flying downward lands sooner, so its range is shorter. Keep "
+        "the sign of v_y in the formula."
     )
     got = throw(design, "down")[0]
     expect_close(got, wanted, tolerance=1e-9)
     about.cause = (
-        "trebuchet.flies is still false after the throw. Call self.step(STEP), which removes the "
-        "sling and sets flies when it lets go."
+        "trebuchet.flies is still False after the throw. Call self.step(STEP), which removes the "
+        "sling and sets flies when the sling lets go."
     )
     about.call = f"Trebuchet(Design{design}).throw(); trebuchet.flies"
     expect_exactly(flies, True)
@@ -246,7 +248,7 @@ def test_a_throw_agrees_with_lagrange(
     design = draw_design(rng)
     about(f"Trebuchet(Design{design}).throw()", read=THROW)
     about.cause = (
-        "This throw differs from the solution of Lagrange's equations by more than 10 %. Call "
+        "Your throw is more than 10 % off the solution of Lagrange's equations. Call "
         "self.step(STEP) until self.flies is true, and check that the beam is rigid."
     )
     distance, share, *_, resolved = throw(design)
@@ -266,14 +268,14 @@ def test_what_never_lets_go_is_no_throw() -> None:
     design = (100.0, 1.5, 3.0, 3.75, 30.0)  # the projectile starts 0.22 m up
     about.call = f"Trebuchet(Design{design}).throw(), where nothing moves: the range and the share"
     about.cause = (
-        "The sling never lets go, so this is not a throw. Stop after TIME_LIMIT and return "
+        "The sling never lets go, so nothing is thrown. Stop after TIME_LIMIT and return "
         "Throw(0.0, 0.0)."
     )
     got = throw(design, "nothing")
     expect_close(got[:2], (0.0, 0.0), tolerance=0.0)
     about.cause = (
-        "The number of steps is wrong. The simulation must end after TIME_LIMIT, which is 4 s, so "
-        "at a STEP of 1/250 s it makes 1000 steps."
+        "The number of steps is wrong. The simulation should stop after TIME_LIMIT, which is 4 s, "
+        "so with a STEP of 1/250 s it takes 1000 steps."
     )
     # One more or less if the time is added up with rounding.
     expect_close(got[2], 1000.0, then=": steps", tolerance=1.0)
@@ -283,8 +285,8 @@ def test_what_never_lets_go_is_no_throw() -> None:
         "and the share"
     )
     about.cause = (
-        "The projectile has reached the ground while it still hangs on the sling. Stop when its "
-        "height is 0 or less, and return Throw(0.0, 0.0)."
+        "The projectile has hit the ground while it is still in the sling. Stop when its height is "
+        "0 or less, and return Throw(0.0, 0.0)."
     )
     got = throw(heavy)
     expect_close(got[:2], (0.0, 0.0), tolerance=0.0)
@@ -295,8 +297,8 @@ def test_what_never_lets_go_is_no_throw() -> None:
         "the range, the share, and the number of steps"
     )
     about.cause = (
-        "The projectile has reached the ground while it still hangs on the sling. Check this "
-        "after each step, and return Throw(0.0, 0.0) at once."
+        "The projectile has hit the ground while it is still in the sling. Check this after each "
+        "step, and return Throw(0.0, 0.0) at once."
     )
     got = throw(design, "ground")
     expect_close(got[:3], (0.0, 0.0, 1.0), tolerance=0.0)
@@ -305,7 +307,7 @@ def test_what_never_lets_go_is_no_throw() -> None:
 def better(design: Sequence[float], distance: float) -> str:
     """Return which number of a design to change by 10 %, so that it throws the farthest."""
     most = distance
-    advice = " No change of a single number by 10 % helps, so change two numbers at a time."
+    advice = " Changing any one number by 10 % doesn't help, so change two at a time."
     for i, name in enumerate(NAMES):
         for change in (0.9, 1.1):
             other = [number * change if i == j else number for j, number in enumerate(design)]
@@ -329,22 +331,22 @@ def better(design: Sequence[float], distance: float) -> str:
 def test_your_own_trebuchet(meters: int, percent: int) -> None:
     about(
         "my_design()",
-        cause="my_design() must return a Design. Create it with your five numbers, in the order of "
+        cause="my_design() must return a Design. Create it from your five numbers, in the order of "
         "its attributes.",
         read=DESIGN,
     )
     design = my_design()
     about.call = f"my_design(), which is {named_design(design)}"
     about.cause = (
-        "This design breaks the limits. The counterweight may weigh at most 400 kg, and both arms "
-        "together may be at most 5 m long."
+        "Your design exceeds the limits. The counterweight may weigh at most 400 kg, and the two "
+        "arms together may be at most 5 m long."
     )
     expect_between(design[0], 0.0, 400.0, then=": the counterweight, in kg")
     arms = design[1] + design[2]
     expect_between(arms, 0.0, 5.0, then=": both arms together, in m", tolerance=1e-9)
     distance, share = thrown(*design)
     about.cause = (
-        f"According to Lagrange's equations, this design throws {distance:.1f} m, and {share:.0%} "
+        f"According to Lagrange's equations, your design throws {distance:.1f} m, and {share:.0%} "
         "of the energy reaches the projectile."
     )
     if distance < meters or share < 0.01 * percent:

@@ -50,7 +50,7 @@ def test_a_point_of_what_turns() -> None:
     args = [Vector3(1, 0, 0), Vector3(), Vector3(), Vector3(0, 0, 2)]
     got = xyz(velocity_of_point(*args))
     slips = {
-        "The factors of the vector product have been swapped, which gives (q - p) x w.": (
+        "You swapped the factors of the vector product, which gives (q - p) x w.": (
             0.0,
             -2.0,
             0.0,
@@ -67,8 +67,8 @@ def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
     point, place, v, w = (components(rng) for _ in range(4))
     given = [Vector3(*a) for a in (point, place, v, w)]
     about.call = f"velocity_of_point(Vector3{point}, Vector3{place}, Vector3{v}, Vector3{w})"
-    about.cause = "The point moves with the object and also rotates about it. Its velocity is w "
-    about.cause += "x (q - p) + p', where q - p is the offset of the point from the object's "
+    about.cause = "The point moves along with the object and also rotates about it. Its velocity "
+    about.cause += "is w x (q - p) + p', where q - p is the offset of the point from the object's "
     about.cause += "position."
     got = xyz(velocity_of_point(*given))
     # The vector part of (0, w) times (0, arm) is their cross product.
@@ -77,11 +77,12 @@ def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
     )
     wanted = added(turning, v)
     slips = {
-        "The velocity p' of the object itself is missing from the result.": turning,
-        "The position p has not been subtracted, so the point rotates about the origin of the "
-        "world.": added(about_world, v),
-        "The velocity p' has been subtracted instead of added.": subtracted(turning, v),
-        "Only the velocity p' of the object has been returned, and the rotation is missing.": v,
+        "You left out p', the velocity of the object itself.": turning,
+        "You didn't subtract the position p, so the point rotates about the world's origin.": added(
+            about_world, v
+        ),
+        "You subtracted the velocity p' instead of adding it.": subtracted(turning, v),
+        "You returned only p', the velocity of the object, without the rotation.": v,
     }
     why = named(got, about.cause, slips)
     # Two products of up to 200 each.
@@ -90,8 +91,8 @@ def test_a_point_of_what_moves_and_turns(rng: Random) -> None:
     for name, now, before in zip(names, given, (point, place, v, w), strict=True):
         expect_unchanged(name, xyz(now), before, cause=UNCHANGED)
     about.call = f"v = Vector3{v}; velocity_of_point(q, p, v, Vector3(0, 0, 0)).invert(); v"
-    about.cause = "The result is the same vector as p', so a change of one also changes the "
-    about.cause += "other. Return a new vector, even if nothing rotates."
+    about.cause = "You returned p' itself, so changing one changes the other. Return a new "
+    about.cause += "vector, even if nothing rotates."
     same = velocity_of_point(*given[:3], Vector3())
     same.invert()
     expect_unchanged("v", xyz(given[2]), v)
@@ -151,15 +152,14 @@ def test_a_step_turns_by_the_new_angular_velocity(rng: Random) -> None:
     h = positive_number(rng, 0.05, 0.2)
     orientation, velocity, acceleration = Quaternion(*q), Vector3(*w), Vector3(*a)
     about.call = f"q, w = Quaternion{q}, Vector3{w}; integrate_rotation(q, w, Vector3{a}, {h}); "
-    about.cause = "The angular velocity changes first, to w' = w + alpha h. Change the "
-    about.cause += "components of the vector that was passed, so that the caller sees the new "
-    about.cause += "values."
+    about.cause = "The angular velocity changes first, to w' = w + alpha h. Change the components "
+    about.cause += "of the vector that was passed in, so that the caller sees the new values."
     returned = integrate_rotation(orientation, velocity, acceleration, h)
     new = tuple(p + h * r for p, r in zip(w, a, strict=True))
     got = xyz(velocity)
     slips = {
-        "The angular velocity has not changed. A new vector that is assigned to the parameter is "
-        "lost, so change the components in place.": w,
+        "The angular velocity hasn't changed. A new vector assigned to the parameter is lost when "
+        "the function returns, so change the components in place.": w,
         "w + alpha, without the duration": added(w, a),
         "alpha h alone, without the old w": subtracted(new, w),
     }
@@ -173,7 +173,7 @@ def test_a_step_turns_by_the_new_angular_velocity(rng: Random) -> None:
     why = named(got, about.cause, slips)
     expect_close(got, wanted, then="q", cause=why, tolerance=TIGHT)
     expect_unchanged("the acceleration", xyz(acceleration), a, cause=UNCHANGED)
-    about.cause = "This function works in place, so it must not return anything."
+    about.cause = "This function works in place, so it shouldn't return anything."
     expect_exactly(returned, None, then="the returned value")
 
 
@@ -188,7 +188,7 @@ def test_many_steps_about_one_axis(rng: Random) -> None:
     about.call = f"{count} times integrate_rotation(q, Vector3{w}, Vector3{a}, {h}), from "
     about.call += "Quaternion(); q"
     about.cause = "The angular velocity grows in each step, so step k rotates by (w + k alpha h) "
-    about.cause += "h. All of these rotations have the same axis."
+    about.cause += "h. All of these rotations share the same axis."
     got, after, alpha = steps((1.0, 0.0, 0.0, 0.0), w, a, h, count)
     angle = speed * h * count + gain * h * h * count * (count + 1) / 2.0
     wanted = quad(unit, angle)
@@ -196,7 +196,7 @@ def test_many_steps_about_one_axis(rng: Random) -> None:
     got = same_sign(got, wanted)
     expect_close(got, wanted, tolerance=1e-11)
     wanted = [p + h * count * r for p, r in zip(w, a, strict=True)]
-    about.cause = "The angular velocity after these steps is wrong. Add alpha h to it in each step."
+    about.cause = "The angular velocity is wrong after these steps. Add alpha h to it in each step."
     expect_close(after, wanted, call=f"{about.call[:-1]}w", tolerance=1e-11)
     expect_unchanged("alpha", alpha, a, cause=UNCHANGED)
 
@@ -204,8 +204,8 @@ def test_many_steps_about_one_axis(rng: Random) -> None:
 @pytest.mark.exercise("B9.18")
 def test_a_step_leaves_the_length_at_one(rng: Random) -> None:
     about(
-        cause="Rounding changes the length of the quaternion a little in each step. Normalize "
-        "it at the end of the step, so that these errors do not accumulate.",
+        cause="Rounding changes the length of the quaternion a little in each step. Normalize it "
+        "at the end of the step, so that the errors don't accumulate.",
         read=STEP,
     )
     for off in (1.001, 1.0 + 5e-7):
@@ -226,8 +226,8 @@ def test_a_step_from_rest(rng: Random) -> None:
         orientation, velocity = Quaternion(*q), Vector3()
         about.call = f"q, w = Quaternion{q}, Vector3(); integrate_rotation(q, w, "
         about.call += f"Vector3{acceleration}, {h})"
-        about.cause = "If w' is zero, there is no axis of rotation, so the orientation must not "
-        about.cause += "change. In all other cases rotate it by w' h."
+        about.cause = "If w' is zero, there is no axis of rotation, so leave the orientation as "
+        about.cause += "it is. Otherwise rotate it by w' h."
         integrate_rotation(orientation, velocity, Vector3(*acceleration), h)
         new = tuple(h * component for component in acceleration)
         expect_close(xyz(velocity), new, then="; w", tolerance=TIGHT)
@@ -242,7 +242,7 @@ def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
     about.read = STEP
     q, w, a = draw_quad(rng), components(rng), components(rng)
     about.cause = "One of the arguments is not valid. Check all of them with positive and "
-    about.cause += "finite_vector from arguments.py before you change any of them."
+    about.cause += "finite_vector from arguments.py before you change anything."
     nan = math.nan
     for velocity, acceleration, h, error in (
         (w, a, 0.0, ValueError),
@@ -276,7 +276,7 @@ def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
         lambda: integrate_rotation(q, spin, Vector3(*a), 0.1),
         TypeError,
         allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
-        cause="The orientation was a tuple. Raise TypeError for anything but a Quaternion.",
+        cause="The check passed a tuple. Raise TypeError for anything but a Quaternion.",
     )
     expect_unchanged("the velocity", xyz(spin), w)
     for name, velocity, acceleration in (
@@ -291,7 +291,7 @@ def test_a_step_of_nothing_changes_nothing(rng: Random) -> None:
             ),
             TypeError,
             allowed=lambda: integrate_rotation(Quaternion(*q), Vector3(*w), Vector3(*a), 0.1),
-            cause="Both vectors must be Vector3s with finite components. Check each of them with "
+            cause="Both vectors must be Vector3s with finite components. Check each one with "
             "finite_vector from arguments.py.",
         )
         expect_unchanged("q", rijk(orientation), q)
@@ -343,7 +343,7 @@ def test_a_turn_a_second_in_sixty_frames() -> None:
     why = named(length, about.cause, length_slips(math.tau, 1.0, 60))
     expect_close(length, 1.0856, then=", length", cause=why, tolerance=5e-5)
     about.cause = "Each step should rotate by w h, but it rotates by only 2 atan(w h / 2). The "
-    about.cause += "missing angle is the difference, for all steps together."
+    about.cause += "missing angle is the total difference over all steps."
     wanted = math.tau - 120.0 * math.atan(math.pi / 60.0)
     why = named(lag, about.cause, lag_slips(wanted, math.tau))
     expect_close(lag, wanted, then=", angle", cause=why, tolerance=TIGHT)
@@ -355,16 +355,16 @@ def test_what_the_step_of_the_book_lacks(rng: Random) -> None:
     for steps_, low, high in ((1, 0.2, 1.0), (7, 3.0, 9.0), (7, -9.0, -3.0), (500, 20.0, 30.0)):
         speed, duration = positive_number(rng, low, high), positive_number(rng, 0.5, 1.5)
         about.call = f"first_order_drift({speed}, {duration}, {steps_})"
-        about.cause = "Each step multiplies the length by the same factor, so the factors of all "
-        about.cause += "steps multiply. The length is (1 + (w h / 2)^2)^(steps / 2)."
+        about.cause = "Each step multiplies the length by the same factor, so multiply the "
+        about.cause += "factors of all steps: the length is (1 + (w h / 2)^2)^(steps / 2)."
         length, lag = first_order_drift(speed, duration, steps_)
         wanted, missing = drift_of(speed, duration, steps_)
         # Rounding of 500 steps.
         near = 1e-10 * wanted
         why = named(length, about.cause, length_slips(speed, duration, steps_))
         expect_close(length, wanted, then=", length", cause=why, tolerance=near)
-        about.cause = "The missing angle is the intended angle w t minus the angle of all steps "
-        about.cause += "together, so it is negative for a negative speed."
+        about.cause = "The missing angle is the intended angle w t minus the total angle of all "
+        about.cause += "steps, so it is negative for a negative speed."
         why = named(lag, about.cause, lag_slips(missing, speed * duration))
         expect_close(lag, missing, then=", angle", cause=why, tolerance=1e-10)
 

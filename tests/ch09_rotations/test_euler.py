@@ -110,9 +110,9 @@ def test_what_the_rates_make(rng: Random) -> None:
         wanted = map_of(x, y, z)
         about.call = f"rate_map({x}, {y}, {z})"
         about.cause = (
-            "Each column of the map is the axis about which one of the angles rotates. The last "
-            "rotation is about Z itself, so this is the column of z. The column of y is Y rotated "
-            "by z, and the column of x is X rotated by y and then by z."
+            "Each column of the map is the axis that one of the angles rotates about. The last "
+            "rotation is about Z itself, so that is the column for z. The column for y is Y "
+            "rotated by z, and the column for x is X rotated by y and then by z."
         )
         got = entries(rate_map(x, y, z))
         slips = {
@@ -138,8 +138,8 @@ def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
         x, y, z = angles
         about.call = f"euler_rates({x}, {y}, {z}, Vector3{w})"
         about.cause = (
-            "Rates exist everywhere except at gimbal lock, where cos y is 0. Refuse the angles "
-            "only if |cos y| is at most SINGULAR."
+            "The rates are defined everywhere except at gimbal lock, where cos y is 0. Raise an "
+            "error only if |cos y| is at most SINGULAR."
         )
         if math.cos(y) < 0.0:
             about.cause += f" Here cos y is {math.cos(y):.3g}, so compare its absolute value."
@@ -151,8 +151,9 @@ def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
         there = map_of(*angles)
         slips = {
             "the angular velocity itself": w,
-            "The angular velocity has been multiplied by the rate map instead of its "
-            "inverse.": applied(there, w),
+            "You multiplied the angular velocity by the rate map instead of its inverse.": applied(
+                there, w
+            ),
             "the transpose of the map times the angular velocity, which is right only for a "
             "rotation": applied(transposed(there), w),
         }
@@ -166,8 +167,8 @@ def test_the_rates_of_the_angles_are_those_of_the_turning(rng: Random) -> None:
     got = hamilton(in_order(x, y, z), (q[0], -q[1], -q[2], -q[3]))
     about.call += f"; when the angles change by these rates for {step} s: the rotation per second"
     about.cause = (
-        "These rates do not lead to the given angular velocity. Multiply the angular velocity by "
-        "the inverse of the rate map."
+        "These rates don't give the angular velocity that you were passed. Multiply the angular "
+        "velocity by the inverse of the rate map."
     )
     # First order in the step: 1e-6 of the square of rates of up to some 50.
     got = tuple(2.0 * component / step for component in got[1:])
@@ -185,8 +186,8 @@ def expect_rates_near_lock(x: float, z: float, w: Components, off: float) -> Non
     """Expect rates when the second angle is ``off`` a quarter turn."""
     about(f"euler_rates({x}, pi / 2 + {off}, {z}, Vector3{w})", read=BACK)
     about.cause = (
-        "The angles are close to gimbal lock, but they can still be used. Here |cos y| is "
-        f"{abs(off)}, which is greater than SINGULAR (1e-13), so return the rates."
+        f"The angles are close to gimbal lock but still usable: |cos y| is {abs(off)}, which is "
+        "greater than SINGULAR (1e-13), so return the rates."
     )
     rates = euler_rates(x, 0.5 * math.pi + off, z, Vector3(*w))
     expect_vector(rates)
@@ -208,9 +209,9 @@ def test_gimbal_lock_is_refused_and_what_is_near_is_not(rng: Random) -> None:
     for off in (5e-13, -5e-13):
         expect_rates_near_lock(x, z, w, off)
     about.cause = (
-        "Near a quarter turn about Y two of the axes coincide, so no rates exist. Refuse the "
-        "angles unless abs(cos y) > SINGULAR. Make this check yourself, because Matrix3.inverse "
-        "does not notice all of these cases."
+        "At a quarter turn about Y two of the axes line up, so there are no rates to return. Raise "
+        "an error unless abs(cos y) > SINGULAR. Do that check yourself, because Matrix3.inverse "
+        "doesn't catch all of these cases."
     )
     for y, turn in (
         (quarter, z),
@@ -263,6 +264,9 @@ def test_angles_that_are_none_are_refused() -> None:
         TypeError,
         call="euler_rates(1, 1, 1, (1, 2, 3))",
         allowed=lambda: euler_rates(1, 1, 1, Vector3(*good)),
-        cause="The angular velocity was a tuple. Raise TypeError for anything but a Vector3.",
+        cause=(
+            "The check passed a tuple as the angular velocity. Raise TypeError for anything but a "
+            "Vector3."
+        ),
         read=ANGLES,
     )

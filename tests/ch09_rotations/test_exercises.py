@@ -61,7 +61,7 @@ def test_two_turns_end_where_two_others_do() -> None:
     a, b = two_other_turns()
     both = hamilton(quad(X_AXIS, math.radians(b)), quad(Z_AXIS, math.radians(a)))
     about.cause = "The axes stay fixed, all rotations are right-handed, and the angles are in "
-    about.cause += "degrees. Take a book, and follow its axes through both rotations."
+    about.cause += "degrees. Pick up a book, and follow its axes through both rotations."
     slips = {
         "the right pair in the wrong order": (90.0, -90.0),
         "the right pair with the wrong sign of a": (90.0, 90.0),
@@ -103,8 +103,8 @@ def way_back(q: Quad) -> tuple:
     unit = expect_vector(axis, then=", the axis")
     length = math.hypot(*unit)
     expect_close(length, 1.0, then=", the axis's length", tolerance=TIGHT)
-    about.cause = "The angle must be from -pi to pi. Instead of a larger angle, use a smaller "
-    about.cause += "one about the opposite axis."
+    about.cause = "The angle must be from -pi to pi. If yours is larger, use the smaller angle "
+    about.cause += "about the opposite axis."
     turn = math.degrees(2.0 * math.atan2(math.hypot(*q[1:]), abs(q[0])))
     slips = {"the angle in degrees": turn, "the angle in degrees, about the opposite axis": -turn}
     if angle:
@@ -137,8 +137,8 @@ def test_one_turn_leads_back(rng: Random) -> None:
 @pytest.mark.exercise("9.2")
 def test_the_way_back_at_the_ends(rng: Random) -> None:
     about(
-        cause="This orientation is already the reference, so the angle must be 0, and any unit "
-        "vector is correct as the axis.",
+        cause="This orientation is already the reference, so the angle should be 0, and the axis "
+        "can be any unit vector.",
         read=BACK,
     )
     for q in ((1.0, 0.0, 0.0, 0.0), (-1.0, 0.0, 0.0, 0.0)):
@@ -159,7 +159,7 @@ def test_the_way_back_at_the_ends(rng: Random) -> None:
 @pytest.mark.robust
 def test_no_way_back_from_what_is_no_orientation() -> None:
     about.cause = "This quaternion is not an orientation, because its length is not 1. Call "
-    about.cause += "to_axis_angle, which refuses it."
+    about.cause += "to_axis_angle, which rejects it."
     for numbers in ((1.0, 1.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0)):
         expect_error(
             lambda numbers=numbers: back_to_reference(Quaternion(*numbers)),
@@ -173,7 +173,7 @@ def test_no_way_back_from_what_is_no_orientation() -> None:
         TypeError,
         call="back_to_reference((1, 0, 0, 0))",
         allowed=lambda: back_to_reference(Quaternion(0.6, 0.8, 0.0, 0.0)),
-        cause="The orientation was a tuple. Raise TypeError for anything but a Quaternion.",
+        cause="The check passed a tuple. Raise TypeError for anything but a Quaternion.",
         read=FIRST_LINES,
     )
 
@@ -186,7 +186,7 @@ def test_a_product_without_j_and_k(rng: Random) -> None:
     about.read = PLANE
     (r, i), (s, j) = ((number(rng, 1.5), number(rng, 1.5)) for _ in range(2))
     about.call = f"product_without_j_and_k(Quaternion({r}, {i}, 0, 0), Quaternion({s}, {j}, 0, 0))"
-    about.cause = "Because i i = -1, the result has r = r1 r2 - i1 i2 and i = r1 i2 + i1 r2."
+    about.cause = "Because i i = -1, the product has r = r1 r2 - i1 i2 and i = r1 i2 + i1 r2."
     a, b = Quaternion(r, i, 0.0, 0.0), Quaternion(s, j, 0.0, 0.0)
     got = rijk(product_without_j_and_k(a, b))
     product = complex(r, i) * complex(s, j)
@@ -201,7 +201,7 @@ def test_a_product_without_j_and_k(rng: Random) -> None:
     expect_close(got, wanted, cause=why, tolerance=TIGHT)
     name = f"{about.call}: the number of multiplications (up to four count as four)"
     about.cause = "The general product a * b takes sixteen multiplications, but most of its terms "
-    about.cause += "are zero here. Leave these terms out, so that four multiplications remain."
+    about.cause += "are zero here. Leave those terms out, so that four multiplications remain."
     got = max(4, multiplications((r, i), (s, j)))
     expect_exactly(got, 4, call=name)
 
@@ -212,8 +212,8 @@ def test_a_product_with_j_or_k_is_refused(rng: Random) -> None:
     about.read = PLANE
     r, i, n = number(rng), number(rng), number(rng)
     good = (r, i, 0.0, 0.0)
-    about.cause = "If j or k is not zero, the result would lose it. Raise ValueError in that "
-    about.cause += "case, and also for NaN, because NaN is not zero."
+    about.cause = "If j or k is not zero, your result would lose it. Raise ValueError in that "
+    about.cause += "case, and for NaN too, because NaN is not zero."
     pairs = [(n, 0.0), (-n, 0.0), (0.0, n), (0.0, -n), (n, n), (n, -n), (math.nan, 0.0)]
     for bad in ((r, i, *pair) for pair in (*pairs, (0.0, math.nan), (1e-12, 0.0), (0.0, -1e-12))):
         for a, b in ((bad, good), (good, bad)):
@@ -232,7 +232,7 @@ def test_a_product_with_j_or_k_is_refused(rng: Random) -> None:
             TypeError,
             call=f"product_without_j_and_k({which})",
             allowed=lambda: product_without_j_and_k(Quaternion(*good), Quaternion(*good)),
-            cause="One argument is not a Quaternion. Raise TypeError in this case.",
+            cause="One argument is not a Quaternion, so raise TypeError.",
             read=FIRST_LINES,
         )
 
@@ -248,10 +248,10 @@ def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
         duration = positive_number(rng, 0.5, 3.0)
         orientation = Quaternion(*q)
         about.call = f"turned_by_sense(Quaternion{q}, {rate}, {duration})"
-        about.cause = "Rotate only once, by rate * duration about the world's X axis. This "
+        about.cause = "Rotate only once, by rate * duration about the world's X axis. That "
         about.cause += "rotation acts after the old one, so it belongs on the left of the product."
         if rate == 0.0:
-            about.cause = "With a rate of 0 nothing rotates, so the result must equal q."
+            about.cause = "With a rate of 0 nothing rotates, so the result should equal q."
         turn = quad(X_AXIS, rate * duration)
         wanted = hamilton(turn, q)
         got = same_sign(rijk(turned_by_sense(orientation, rate, duration)), wanted)
@@ -268,8 +268,8 @@ def test_a_steady_turn_is_one_rotation(rng: Random) -> None:
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
         expect_unchanged("orientation", rijk(orientation), q, cause=UNCHANGED)
     about.call = f"q = Quaternion{q}; turned_by_sense(q, 0, 1).r = 9.0; q"
-    about.cause = "The result is the same object as q, so a change of one also changes the "
-    about.cause += "other. Return a new quaternion, even if nothing rotates."
+    about.cause = "You returned q itself, so changing one changes the other. Return a new "
+    about.cause += "quaternion, even if nothing rotates."
     turned_by_sense(orientation, 0.0, 1.0).r = 9.0
     expect_unchanged("q", rijk(orientation), q)
 
@@ -296,8 +296,8 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         rate, duration = share * positive_number(rng, 0.3, 1.2), positive_number(rng, 1.0, 2.0)
         orientation = Quaternion(*q)
         about.call = f"turned_by_steps(Quaternion{q}, {rate}, {duration}, {steps})"
-        about.cause = "Work on a copy of q. Call its add_scaled with duration / steps in each "
-        about.cause += "step, and normalize the copy only once, at the end."
+        about.cause = "Work on a copy of q. In each step, call its add_scaled with duration / "
+        about.cause += "steps. Normalize the copy only once, at the end."
         if steps == 1:
             about.call = f"turned_by_steps(Quaternion{q}, {rate}, {duration})"
             result, error = turned_by_steps(orientation, rate, duration)
@@ -331,7 +331,7 @@ def test_a_steady_turn_in_steps_of_the_book(rng: Random) -> None:
         }
         why = named(error, about.cause, slips)
         if isinstance(error, (int, float)) and 1e-11 < abs(error - missing) < 1e-7:
-            why = f"For an angle as small as this, acos loses half of the digits. {about.cause}"
+            why = f"For an angle this small, acos loses half of the digits. {about.cause}"
         expect_close(error, missing, call=name, cause=why, tolerance=1e-11)
         expect_unchanged("orientation", rijk(orientation), q, cause=UNCHANGED)
 
@@ -376,8 +376,8 @@ def test_a_turn_of_nothing_is_refused() -> None:
             allowed=lambda: turned_by_steps(Quaternion(), 1.0, 2.0, 3),
             read=BY_STEPS,
         )
-    about.cause = "This quaternion is not an orientation, because its length is not 1. Refuse "
-    about.cause += "it, or call to_axis_angle, which does so."
+    about.cause = "This quaternion is not an orientation, because its length is not 1. Raise "
+    about.cause += "ValueError, or call to_axis_angle, which does that for you."
     for length in (2.0, 1.000002):
         expect_error(
             lambda length=length: turned_by_steps(Quaternion(length, 0.0, 0.0, 0.0), 1.0, 2.0),
@@ -395,6 +395,6 @@ def test_a_turn_of_nothing_is_refused() -> None:
             TypeError,
             call=f"turned_by_{name}((1, 0, 0, 0), 1, 2)",
             allowed=lambda function=function: function(Quaternion(), 1.0, 2.0),
-            cause="The orientation was a tuple. Raise TypeError for anything but a Quaternion.",
+            cause="The check passed a tuple. Raise TypeError for anything but a Quaternion.",
             read=FIRST_LINES,
         )

@@ -50,10 +50,10 @@ def test_a_matrix_times_a_vector(rng: Random) -> None:
     got = xyz(Matrix3(*m).transform(v))
     wanted = applied(m, a)
     slips = {
-        "The vector has been multiplied by the columns of the matrix instead of its rows.": applied(
+        "You multiplied the vector by the columns of the matrix instead of its rows.": applied(
             transposed(m), a
         ),
-        "The old x was overwritten before y and z were computed from it. Keep all three old "
+        "You overwrote the old x before you computed y and z from it. Keep all three old "
         "components until the result is complete.": in_place(m, a),
     }
     why = named(got, about.cause, slips)
@@ -78,12 +78,12 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
     got = entries(first.product(second))
     slips = {
         "the product in the other order": times(n, m),
-        "Each number has been multiplied by the number in the same position, which is not the "
-        "matrix product.": [p * q for p, q in zip(m, n, strict=True)],
-        "The rows of self have been multiplied by the rows of m instead of its columns.": times(
+        "You multiplied each number by the one in the same position, which is not the matrix "
+        "product.": [p * q for p, q in zip(m, n, strict=True)],
+        "You multiplied the rows of self by the rows of m instead of its columns.": times(
             m, transposed(n)
         ),
-        "The columns of self have been multiplied by the columns of m.": times(transposed(m), n),
+        "You multiplied the columns of self by the columns of m.": times(transposed(m), n),
         "the transpose of the product": transposed(times(m, n)),
     }
     why = named(got, about.cause, slips, times(m, n))
@@ -100,7 +100,7 @@ def test_a_matrix_times_a_matrix(rng: Random) -> None:
 def test_a_matrix_times_something_else_is_refused() -> None:
     about.read = "the docstring at the top of matrix.py"
     v, m = Vector3(1.0, 2.0, 3.0), Matrix3(*IDENTITY)
-    about.cause = "The argument was a tuple. Raise TypeError for anything but a Vector3."
+    about.cause = "The check passed a tuple. Raise TypeError for anything but a Vector3."
     expect_error(
         lambda: m.transform((1.0, 2.0, 3.0)),
         TypeError,
@@ -168,9 +168,9 @@ def determinant_slips(m: Nine) -> dict[str, float]:
     }
     return signs | {
         "the determinant with the wrong sign": -right,
-        "This is only the product of the three numbers on the diagonal, but the numbers beside the "
-        "diagonal count as well.": a * e * i,
-        "All six products have been added, but three of them need a minus sign.": a * e * i
+        "This is only the product of the three numbers on the diagonal, but the others count "
+        "too.": a * e * i,
+        "You added all six products, but three of them need a minus sign.": a * e * i
         + b * f * g
         + c * d * h
         + c * e * g
@@ -185,7 +185,7 @@ def test_the_determinant(rng: Random) -> None:
     m = draw_matrix(rng)
     about.cause = (
         "If you treat the rows as vectors, the determinant is first . (second x third). It can be "
-        "negative, so do not take an absolute value."
+        "negative, so don't take the absolute value."
     )
     for rows in ((0, 1, 2), (1, 0, 2), (2, 0, 1)):
         n = tuple(m[3 * row + column] for row in rows for column in range(3))
@@ -194,13 +194,13 @@ def test_the_determinant(rng: Random) -> None:
         # Six products of up to 700.
         why = named(got, about.cause, determinant_slips(n))
         expect_close(got, determinant(n), cause=why, tolerance=1e-10)
-    about.cause += " Zeros on the diagonal do not make it zero."
+    about.cause += " Zeros on the diagonal don't make it zero."
     for n in ring_and_swap():
         about.call = f"{written(n)}.determinant()"
         got = Matrix3(*n).determinant()
         expect_close(got, determinant(n))
     about.cause = (
-        "The determinant is small, but it is not zero. Return it as it is, without rounding it to "
+        "The determinant is small, but it is not zero. Return it as is, without rounding it to "
         "zero."
     )
     n = tuple(number * 1e-7 for number in m)
@@ -218,8 +218,8 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
         "divided by the determinant."
     )
     small = (
-        "A matrix with small numbers is not singular. Compare the determinant with SINGULAR times "
-        "the product of the lengths of the rows."
+        "A matrix isn't singular just because its numbers are small. Compare the determinant with "
+        "SINGULAR times the product of the row lengths."
     )
     mirrored = (*m[3:6], *m[0:3], *m[6:9])  # its determinant has the other sign
     for rows, scale, how in (
@@ -232,18 +232,16 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
         matrix = Matrix3(*n)
         about.call = f"m = {written(n)}; m @ m.inverse()"
         about.cause = (
-            f"The determinant is {determinant(n):.4g}, so the matrix has an inverse and must not "
-            "be refused."
+            f"The determinant is {determinant(n):.4g}, so the matrix has an inverse. Don't raise "
+            "an error."
         )
         if scale != 1.0:
             about.cause = small
         got = entries(matrix.inverse())
         product = times(n, got) if isinstance(got, tuple) and len(got) == 9 else got
         slips = {
-            "The result has not been divided by the determinant.": [
-                determinant(n) * one for one in IDENTITY
-            ],
-            "The result has been divided by the determinant twice instead of once.": [
+            "You didn't divide by the determinant.": [determinant(n) * one for one in IDENTITY],
+            "You divided by the determinant twice instead of once.": [
                 one / determinant(n) for one in IDENTITY
             ],
             "the result without the sign of the determinant": [-one for one in IDENTITY],
@@ -254,8 +252,7 @@ def test_the_inverse_undoes_the_matrix(rng: Random) -> None:
             back = times(n, transposed(got))
             if all(abs(b - one) < 1e-9 for b, one in zip(back, IDENTITY, strict=True)):
                 slips[
-                    "The rows and columns of the inverse have been swapped, which gives its "
-                    "transpose."
+                    "You swapped the rows and columns of the inverse, which gives its transpose."
                 ] = product
         why = named(product, how, slips)
         expect_close(product, IDENTITY, cause=why, tolerance=TIGHT)
@@ -287,14 +284,14 @@ def expect_no_inverse(m: Nine) -> None:
 def test_a_singular_matrix_has_no_inverse(rng: Random) -> None:
     about.cause = (
         "The rows lie in a plane, or one of them is zero, so the determinant is 0 and there is no "
-        "inverse. Refuse a determinant that is equal to the limit as well."
+        "inverse. Reject a determinant that equals the limit, too."
     )
     expect_no_inverse((0.0,) * 9)
     expect_no_inverse((1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0))
     about.cause = (
-        "This matrix is singular, but because of rounding errors its determinant is not exactly 0. "
-        "It is about 1e-15 times the product of the lengths of the rows, so compare it with "
-        "SINGULAR times that product."
+        "This matrix is singular, but rounding errors keep its determinant from being exactly 0. "
+        "It is about 1e-15 times the product of the row lengths, so compare it with SINGULAR times "
+        "that product."
     )
     for scale in (1.0, 1e6):
         for _ in range(6):
@@ -312,13 +309,13 @@ def test_how_near_to_singular_is_too_near() -> None:
     for small, regular in ((1.1e-13, True), (1e-13, False), (0.9e-13, False)):
         m = (2.0, 0.0, 0.0, 4.0, 4.0 * small, 0.0, 0.0, 0.0, 8.0)
         about.cause = (
-            "|determinant| is more than 1e-13 of the product of the lengths of the rows, so this "
-            "matrix has an inverse."
+            "|determinant| is more than 1e-13 of the product of the row lengths, so this matrix "
+            "has an inverse."
         )
         if not regular:
             about.cause = (
-                f"|determinant| is only {small} of the product of the lengths of the rows. This is "
-                "not more than 1e-13, so refuse the matrix."
+                f"|determinant| is only {small} of the product of the row lengths. That is not "
+                "more than 1e-13, so reject the matrix."
             )
             expect_no_inverse(m)
             continue
@@ -333,7 +330,7 @@ def test_how_near_to_singular_is_too_near() -> None:
 def test_what_is_not_finite_has_no_inverse(bad: float) -> None:
     about.cause = (
         "Every comparison with NaN is False. Write `if not abs(determinant) > limit`, which also "
-        "refuses NaN."
+        "catches NaN."
     )
     expect_no_inverse((bad, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0))
     expect_no_inverse((1.0, 2.0, 0.0, 3.0, bad, 0.0, 0.0, 0.0, 1.0))

@@ -49,13 +49,14 @@ def test_a_point_is_transformed_and_moved(rng: Random) -> None:
     )
     got = xyz(Matrix4(*twelve).transform(v))
     slips = {
-        "The translation is missing from the result.": applied(m, a),
-        "The point has been translated before it was rotated, so the translation has been rotated "
+        "You left out the translation.": applied(m, a),
+        "You translated the point before you rotated it, so the translation got rotated "
         "too.": applied(m, added(a, p)),
         "the result with rows and columns swapped": moved(transposed(m), p, a),
-        "The translation has been subtracted from the rotated point instead of added to "
-        "it.": subtracted(applied(m, a), p),
-        "The first nine entries have been used as the rotation, but every fourth entry is a "
+        "You subtracted the translation from the rotated point instead of adding it.": subtracted(
+            applied(m, a), p
+        ),
+        "You used the first nine entries as the rotation, but every fourth entry belongs to the "
         "translation.": applied(twelve[:9], a),
     }
     why = named(got, about.cause, slips)
@@ -74,25 +75,21 @@ def test_one_transformation_after_another(rng: Random) -> None:
     one, other = Matrix4(*first), Matrix4(*second)
     about.call = f"{written(first)}.product({written(second)})"
     about.cause = (
-        "The matrix m acts first, and self then transforms every point, even the one to which m "
-        "has moved the origin. So transform the translation of m by self to get the last column."
+        "The matrix m acts first, and self then transforms every point, including the one that m "
+        "has moved the origin to. So apply self to the translation of m to get the last column."
     )
     got = entries(one.product(other))
     wanted = joined(times(m, n), moved(m, p, q))
     slips = {
-        "The last column is wrong, because the two translations have only been added.": joined(
+        "The last column is wrong: you only added the two translations.": joined(
             times(m, n), added(p, q)
         ),
-        "The last column is wrong, because the translation of self is missing from it.": joined(
+        "The last column is wrong: it lacks the translation of self.": joined(
             times(m, n), applied(m, q)
         ),
-        "The last column is wrong, because it is only the translation of self.": joined(
-            times(m, n), p
-        ),
-        "The last column is wrong, because it is only the translation of m.": joined(
-            times(m, n), q
-        ),
-        "The last column is wrong, because both translations were rotated.": joined(
+        "The last column is wrong: it is only the translation of self.": joined(times(m, n), p),
+        "The last column is wrong: it is only the translation of m.": joined(times(m, n), q),
+        "The last column is wrong: you rotated both translations.": joined(
             times(m, n), applied(m, added(p, q))
         ),
         "the product in the other order": joined(times(n, m), moved(n, q, p)),
@@ -148,8 +145,8 @@ def test_the_translation_has_no_part_in_the_determinant(rng: Random) -> None:
     twelve = joined(m, p)
     about.call = f"{written(twelve)}.determinant()"
     about.cause = (
-        "The translation does not change volumes, so the determinant is that of the nine numbers "
-        "without the last column."
+        "A translation doesn't change volumes, so the determinant is that of the nine numbers to "
+        "the left of the last column."
     )
     got = Matrix4(*twelve).determinant()
     slips = {
@@ -161,7 +158,7 @@ def test_the_translation_has_no_part_in_the_determinant(rng: Random) -> None:
     why = named(got, about.cause, slips)
     expect_close(got, determinant(m), cause=why, tolerance=1e-10)
     about.cause = (
-        "The determinant is small, but it is not zero. Return it as it is, without rounding it to "
+        "The determinant is small, but it is not zero. Return it as is, without rounding it to "
         "zero."
     )
     small = tuple(1e-7 * number for number in m)
@@ -178,15 +175,15 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
     ring = (0.0, 2.0, 0.0, 0.0, 0.0, 3.0, -5.0, 0.0, 0.0)
     listing = (
         "A Matrix4 has only the entries 0 to 11, but the book's listing also reads entry 15 "
-        "(E-13). Do not copy this listing."
+        "(E-13). Don't copy that listing."
     )
     tiny = (
-        "A matrix with small numbers is not singular. Call Matrix3.inverse for the nine numbers "
-        "without the last column."
+        "A matrix isn't singular just because its numbers are small. Call Matrix3.inverse on the "
+        "nine numbers to the left of the last column."
     )
     zeros = (
-        "Zeros on the diagonal do not make a matrix singular. Call Matrix3.inverse for the nine "
-        "numbers without the last column."
+        "Zeros on the diagonal don't make a matrix singular. Call Matrix3.inverse on the nine "
+        "numbers to the left of the last column."
     )
     for m, size, how in ((drawn, 1.0, listing), (small, 1e-7, tiny), (ring, 1.0, zeros)):
         p, a = tuple(size * component for component in components(rng)), components(rng)
@@ -197,8 +194,8 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
         about.cause = how
         got = entries(matrix.inverse())
         about.cause = (
-            "Invert the nine numbers without the last column by Matrix3.inverse. With this "
-            "inverse I and the translation p, the new translation is -I p."
+            "Invert the nine numbers to the left of the last column with Matrix3.inverse. If the "
+            "inverse is I and the translation is p, the new translation is -I p."
         )
         if isinstance(got, tuple) and len(got) == 12:
             linear, move = (*got[0:3], *got[4:7], *got[8:11]), (got[3], got[7], got[11])
@@ -221,9 +218,9 @@ def test_the_inverse_takes_a_point_back(rng: Random) -> None:
                 "the result of the book's determinant, with a plus in place of a minus (E-28)": [
                     determinant(m) / printed_determinant(m) * component for component in a
                 ],
-                "This is the result of the book's listing. It reads entries that it has already "
-                "overwritten (E-30), so compute all entries "
-                "before you store them.": moved(*overwritten(m, p), there),
+                "This is the result of the book's listing, which reads entries that it has already "
+                "overwritten (E-30). Compute all entries before you store "
+                "them.": moved(*overwritten(m, p), there),
             }
             about.cause = named(got, about.cause, slips)
         expect_close(got, a, tolerance=LOOSE)
@@ -236,8 +233,8 @@ def test_a_flat_transformation_has_no_inverse(rng: Random) -> None:
     about.read = INVERSE
     flat = (1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0)
     about.cause = (
-        "The nine numbers without the last column are singular, so there is no inverse, whatever "
-        "the translation is. Call Matrix3.inverse for them, which refuses them."
+        "The nine numbers to the left of the last column are singular, so there is no inverse, "
+        "whatever the translation is. Call Matrix3.inverse, which rejects them."
     )
     planes = []
     for _ in range(6):  # rows in one plane, apart from rounding errors, which may be zero
@@ -266,8 +263,8 @@ def test_only_vectors_and_matrices_of_twelve() -> None:
     about.read = FIRST_LINES
     matrix, nine, three = small_pair()
     about.cause = (
-        "This argument has the wrong type. Raise TypeError for it, whether it is a tuple or a "
-        "matrix or vector of another type."
+        "This argument has the wrong type. Raise TypeError, whether it is a tuple or the wrong "
+        "kind of matrix or vector."
     )
     v = Vector3(1.0, 2.0, 3.0)
     for name, attempt, allowed in (

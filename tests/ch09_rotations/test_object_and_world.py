@@ -56,14 +56,12 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
     m = matrix_of(q)
     wanted = joined(m, p)
     slips = {
-        "The last column is wrong, because the position has been rotated.": joined(
-            m, applied(m, p)
-        ),
-        "The last column is wrong, because the position has the wrong sign.": joined(
+        "The last column is wrong: you rotated the position.": joined(m, applied(m, p)),
+        "The last column is wrong: the position has the wrong sign.": joined(
             m, subtracted((0.0, 0.0, 0.0), p)
         ),
-        "The nine numbers are followed by the position. The entries go row by row, so each "
-        "number of the position belongs at the end of its row.": (
+        "You put the position after the nine numbers of the rotation. The entries go row by row, "
+        "so each component of the position belongs at the end of its row.": (
             *m,
             *p,
         ),
@@ -75,10 +73,7 @@ def test_the_matrix_of_orientation_and_position(rng: Random) -> None:
     near = tuple(component * (1.0 + 5e-7) for component in q)
     orientation = Quaternion(*near)
     about.call = f"Matrix4.from_orientation_and_position(Quaternion{near}, Vector3{p})"
-    about.cause = (
-        "The length of this quaternion is close enough to 1 for is_unit(), so accept the "
-        "quaternion."
-    )
+    about.cause = "The length of this quaternion is close enough to 1 for is_unit(), so accept it."
     got = entries(Matrix4.from_orientation_and_position(orientation, place))
     expect_close(got, wanted, tolerance=1e-5)
     expect_unchanged("q", rijk(orientation), near, cause=UNCHANGED)
@@ -91,7 +86,7 @@ def test_no_matrix_of_what_is_no_orientation() -> None:
     p, q = Vector3(1.0, 2.0, 3.0), Quaternion(0.6, 0.0, 0.8, 0.0)
     off = (
         "The length of this quaternion is not 1, so it is not an orientation. Call "
-        "Matrix3.from_quaternion, which refuses it."
+        "Matrix3.from_quaternion, which rejects it."
     )
     for name, attempt, error, cause in (
         (
@@ -106,8 +101,8 @@ def test_no_matrix_of_what_is_no_orientation() -> None:
                 Quaternion(0.6000012, 0.0, 0.8000016, 0.0), p
             ),
             ValueError,
-            "The length of this quaternion is 1 + 2e-6, which is too far from 1 for is_unit. "
-            "Refuse the quaternion.",
+            "The length of this quaternion is 1 + 2e-6, which is too far from 1 for is_unit, so "
+            "reject it.",
         ),
         (
             "Quaternion(nan, 0, 0, 0), Vector3(1, 2, 3)",
@@ -119,13 +114,13 @@ def test_no_matrix_of_what_is_no_orientation() -> None:
             "(0.6, 0, 0.8, 0), Vector3(1, 2, 3)",
             lambda: Matrix4.from_orientation_and_position((0.6, 0.0, 0.8, 0.0), p),
             TypeError,
-            "The argument q was a tuple. Raise TypeError for anything but a Quaternion.",
+            "The check passed a tuple as q. Raise TypeError for anything but a Quaternion.",
         ),
         (
             "Quaternion(0.6, 0, 0.8, 0), (1, 2, 3)",
             lambda: Matrix4.from_orientation_and_position(q, (1.0, 2.0, 3.0)),
             TypeError,
-            "The argument p was a tuple. Raise TypeError for anything but a Vector3.",
+            "The check passed a tuple as p. Raise TypeError for anything but a Vector3.",
         ),
     ):
         about.cause = cause
@@ -155,11 +150,11 @@ def world_slips(m: Nine, p: Components, a: Components) -> dict[str, Components]:
         "the vector rotated back first and then translated back": subtracted(applied(back, a), p),
         "the vector rotated back first and then translated forward": moved(back, p, a),
         "the vector translated forward and then rotated back": applied(back, added(a, p)),
-        "The result was computed with a general inverse, which is slower and also undoes the scale "
-        "of this matrix, 1 + 4e-6. Subtract the translation and rotate back by the transpose "
+        "You used a general inverse, which is slower and also undoes this matrix's scale of 1 + "
+        "4e-6. Subtract the translation and rotate back by the transpose "
         "instead.": applied(inverse, subtracted(a, p)),
-        "The result was computed with a general inverse, which is slower and also undoes the scale "
-        "of this matrix, 1 + 4e-6. Rotate back by the transpose instead.": applied(inverse, a),
+        "You used a general inverse, which is slower and also undoes this matrix's scale of 1 + "
+        "4e-6. Rotate back by the transpose instead.": applied(inverse, a),
     }
 
 
@@ -174,16 +169,16 @@ def test_points_and_directions_there_and_back(rng: Random, method: str) -> None:
     wanted, about.cause = {
         "transform_inverse": (
             applied(transposed(m), subtracted(a, p)),
-            "To go back, undo the two steps in the opposite order: subtract the translation first, "
-            "and then rotate back by the transpose.",
+            "To go back, undo the two steps in reverse order: first subtract the translation, then "
+            "rotate back by the transpose.",
         ),
         "transform_direction": (
             applied(m, a),
-            "A direction has no position, so rotate it but do not translate it.",
+            "A direction has no position, so rotate it but don't translate it.",
         ),
         "transform_inverse_direction": (
             applied(transposed(m), a),
-            "A direction has no position, so rotate it back by the transpose but do not translate "
+            "A direction has no position, so rotate it back by the transpose but don't translate "
             "it.",
         ),
     }[method]
@@ -208,7 +203,7 @@ def test_only_vectors_go_there_and_back(rng: Random, method: str) -> None:
         TypeError,
         call=f"{written(twelve)}.{method}({a})",
         allowed=lambda: getattr(matrix, method)(Vector3(*a)),
-        cause="The argument was a tuple. Raise TypeError for anything but a Vector3.",
+        cause="The check passed a tuple. Raise TypeError for anything but a Vector3.",
         read=FIRST_LINES,
     )
 
@@ -246,8 +241,8 @@ def test_any_matrix_in_any_axes(rng: Random) -> None:
     one, other = Matrix3(*m), Matrix3(*basis)
     about.call = f"change_basis({written(m)}, {written(basis)}) @ basis"
     about.cause = (
-        "The result is the product basis * m * basis^-1. The new axes need not be at right "
-        "angles, so use the inverse and not the transpose."
+        "The result is the product basis * m * basis^-1. The new axes don't have to be at right "
+        "angles, so use the inverse, not the transpose."
     )
     got = entries(change_basis(one, other))
     product = times(got, basis) if isinstance(got, tuple) and len(got) == 9 else got
@@ -267,8 +262,8 @@ def test_a_motion_told_from_another_place(rng: Random) -> None:
     a = components(rng)
     about.call = f"change_basis({written(first)}, {written(second)}) @ (basis @ Vector3{a})"
     about.cause = (
-        "The result is the product basis * m * basis^-1. Both matrices have a translation here, "
-        "so multiply complete Matrix4s and not only their rotations."
+        "The result is the product basis * m * basis^-1. Both matrices have a translation here, so "
+        "multiply complete Matrix4s, not just their rotations."
     )
     told = change_basis(Matrix4(*first), Matrix4(*second))
     got = entries(told)
@@ -289,11 +284,11 @@ def test_a_basis_must_fit(rng: Random) -> None:
     flat = Matrix3(*(0.0,) * 9)
     v = Vector3(1.0, 2.0, 3.0)
     sizes = (
-        "The two matrices have different sizes, so they cannot be multiplied. Check that type(m) "
-        "is type(basis), and raise TypeError."
+        "The two matrices have different sizes, so you can't multiply them. Check that type(m) is "
+        "type(basis), and raise TypeError."
     )
     none = (
-        "One of the arguments is a vector and not a matrix. Check the types of both, and raise "
+        "One of the arguments is a vector, not a matrix. Check the types of both, and raise "
         "TypeError."
     )
     for name, attempt, error, cause in (
@@ -307,8 +302,8 @@ def test_a_basis_must_fit(rng: Random) -> None:
             "Matrix3(...), a Matrix3 of zeros",
             lambda: change_basis(small, flat),
             ValueError,
-            "This basis is singular, so it has no inverse. inverse() raises ValueError for it, so "
-            "let this error pass to the caller.",
+            "This basis is singular, so it has no inverse. inverse() raises ValueError, so let "
+            "that error through.",
         ),
     ):
         about.cause = cause

@@ -24,8 +24,8 @@ MASS = "book 9.1.3, and the docstring of center_of_mass"
 def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
     about.read = WRAP
     about.cause = (
-        "Angles that differ by whole turns of 2 pi give the same direction. Add or subtract such "
-        "turns until the angle is above -pi and at most pi."
+        "Angles that differ by full turns of 2 pi point in the same direction. Add or subtract "
+        "full turns until the angle is above -pi and at most pi."
     )
     for turns in (0, 1, -1, 7, -12):
         for low, high in ((0.01, 1.5), (1.6, 3.1)):
@@ -37,10 +37,10 @@ def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
                 slips = {
                     "an angle from 0 to 2 pi": angle % math.tau,
                     "the original angle": angle + turns * math.tau,
-                    "The angle was reduced by only one turn. It can contain many turns, so "
-                    "subtract as many as needed.": angle + (turns - 1) * math.tau,
-                    "The angle was increased by only one turn. It can lack many turns, so add as "
-                    "many as needed.": angle + (turns + 1) * math.tau,
+                    "You subtracted only one turn. The angle can contain many, so subtract as many "
+                    "as needed.": angle + (turns - 1) * math.tau,
+                    "You added only one turn. The angle can be many turns below the range, so add "
+                    "as many as needed.": angle + (turns + 1) * math.tau,
                     "the angle in degrees": math.degrees(angle),
                 }
                 why = named(got, about.cause, slips)
@@ -51,8 +51,8 @@ def test_an_angle_is_wrapped_whole_turns_do_not_count(rng: Random) -> None:
 def test_an_angle_of_many_turns_is_wrapped(rng: Random) -> None:
     about.read = WRAP
     about.cause = (
-        "This angle contains many turns. A loop that removes one at a time adds up rounding "
-        "errors, so remove all of them at once, with math.remainder or %."
+        "This angle contains many turns. A loop that removes one at a time accumulates rounding "
+        "errors, so remove them all at once with math.remainder or %."
     )
     size = positive_number(rng, 0.1, 3.0)
     for turns, angle in ((160_000, size), (160_000, -size), (-160_000, size), (-160_000, -size)):
@@ -65,17 +65,15 @@ def test_an_angle_of_many_turns_is_wrapped(rng: Random) -> None:
 @pytest.mark.exercise("B9.1")
 def test_half_a_turn_is_pi_and_not_minus_pi() -> None:
     about(
-        cause="The angles pi and -pi are the same direction. The range contains pi but not -pi, "
-        "so return pi for both.",
+        cause="pi and -pi point in the same direction. The range includes pi but not -pi, so "
+        "return pi for both.",
         read=WRAP,
     )
     for angle in (math.pi, -math.pi):
         about.call = f"wrap_angle({angle})"
         got = wrap_angle(angle)
         expect_close(got, math.pi, tolerance=0.0)
-    about.cause = (
-        "This angle is already in the range, so it must not change. Only -pi itself becomes pi."
-    )
+    about.cause = "This angle is already in range, so don't change it. Only -pi itself becomes pi."
     for angle in (1e-6 - math.pi, math.pi - 1e-6):
         about.call = f"wrap_angle({angle})"
         got = wrap_angle(angle)
@@ -98,7 +96,7 @@ def test_no_angle_is_no_direction() -> None:
 def test_the_direction_of_an_angle(rng: Random) -> None:
     about.read = "book 9.1.1, Eq. 9.1"
     about.cause = (
-        "The direction of an angle is (cos(angle), sin(angle)), where the angle is in radians."
+        "The direction of an angle is (cos(angle), sin(angle)), with the angle in radians."
     )
     angle, small = positive_number(rng, 1.7, 3.0), positive_number(rng, 0.1, 1.4)
     for t in (angle, -angle, small, -small, small + 2.0 * math.tau, 0.0, 0.5 * math.pi, 4.0):
@@ -120,19 +118,19 @@ def slips_of(point: Point, angle: float, origin: Point) -> dict[str, Point]:
     start, place, turn = complex(*point), complex(*origin), cmath.rect(1.0, angle)
     ends = {
         "a clockwise rotation": place + start / turn,
-        "The point has been moved before it was rotated, so the position of the object has been "
-        "rotated too.": (start + place) * turn,
-        "The point has been rotated, but the position of the object has not been added.": start
+        "You moved the point before you rotated it, so the object's position got rotated too.": (
+            start + place
+        )
         * turn,
-        "The position of the object has been added, but the point has not been rotated.": place
-        + start,
+        "You rotated the point but didn't add the object's position.": start * turn,
+        "You added the object's position but didn't rotate the point.": place + start,
         "This is a rotation about origin. The point is given relative to the object, so rotate it "
         "about (0, 0) first and then add origin.": place + (start - place) * turn,
         "the result for an angle in degrees": place + start * cmath.rect(1.0, math.radians(angle)),
     }
     # y computed from an x that has been changed already.
     x = turn.real * point[0] - turn.imag * point[1]
-    ends["This y was computed from the new x. Keep the old x until both results are computed."] = (
+    ends["You computed y from the new x. Keep the old x until you have both results."] = (
         place + complex(x, turn.imag * x + turn.real * point[1])
     )
     return {name: (end.real, end.imag) for name, end in ends.items()}
@@ -189,11 +187,15 @@ def test_the_center_of_two_masses_is_nearer_to_the_larger() -> None:
     )
     got = center_of_mass([6.0, 2.0], [(0.0, 0.0), (4.0, 8.0)])
     slips = {
-        "The sums of m x and m y have been returned as they are, without dividing them by the "
-        "total mass.": (8.0, 16.0),
-        "The sums of m x and m y have been divided by the number of masses instead of the total "
-        "mass.": (4.0, 8.0),
-        "This is the mean of the positions, so the masses have been ignored.": (2.0, 4.0),
+        "You returned the sums of m x and m y without dividing them by the total mass.": (
+            8.0,
+            16.0,
+        ),
+        "You divided the sums of m x and m y by the number of masses instead of the total mass.": (
+            4.0,
+            8.0,
+        ),
+        "This is the plain mean of the positions, which ignores the masses.": (2.0, 4.0),
         "the result with the masses swapped": (3.0, 6.0),
     }
     expect_close(got, (1.0, 2.0), cause=named(got, about.cause, slips))
@@ -217,10 +219,11 @@ def test_the_center_of_many_masses(rng: Random) -> None:
         got = center_of_mass([*masses], [*positions])
         last = dict(pairs)
         slips = {
-            "The result has been rounded down to a whole number, as // does. Divide with / "
-            "instead.": [math.floor(w) for w in wanted],
-            "Equal masses were lost, probably because the masses are the keys of a dictionary. "
-            "Use zip to go through both lists together.": [
+            "The result is rounded down to a whole number, as // does. Divide with / instead.": [
+                math.floor(w) for w in wanted
+            ],
+            "You lost equal masses, probably because you used the masses as dictionary keys. Use "
+            "zip to go through both lists together.": [
                 math.fsum(m * p[axis] for m, p in last.items()) / math.fsum(last) for axis in (0, 1)
             ],
         }
@@ -228,8 +231,8 @@ def test_the_center_of_many_masses(rng: Random) -> None:
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
         after = masses_after(masses, positions)
         cause_lists = (
-            "The call has changed a list that it should only read. If you sort a list or remove "
-            "something from it, work on a copy."
+            "The call has changed a list that it should only read. If you need to sort a list or "
+            "remove something from it, work on a copy."
         )
         for name, now, before in (("masses", after[0], masses), ("positions", after[1], positions)):
             expect_unchanged(name, now, before, cause=cause_lists)

@@ -17,8 +17,8 @@ LENGTH = "the docstrings of Quaternion.magnitude and is_unit"
 NORMALIZE = "book 9.4.8, and the docstring of normalize"
 PRODUCT = "book 9.4.9"
 ONLY_LOOKS = (
-    "This method has changed the quaternion, but it should only read it. Compute with local "
-    "numbers instead."
+    "This method has changed the quaternion, although it should only read it. Use local variables "
+    "instead."
 )
 
 
@@ -67,21 +67,21 @@ def test_near_which_length_it_is_a_turn(rng: Random) -> None:
         scaled = tuple(component * length for component in q)
         about.call = f"Quaternion{scaled}.is_unit(), of length {abs(length)}"
         about.cause = (
-            "A quaternion is accepted if its length differs from 1 by at most UNIT_TOLERANCE "
-            "(1e-6), whether it is above or below 1."
+            "Accept a quaternion if its length differs from 1 by at most UNIT_TOLERANCE (1e-6) in "
+            "either direction."
         )
         if 0.0 < abs(length - 1.0) < 1e-5:
             about.cause += (
-                f" Here it is off by {abs(length - 1.0):.2g}. Compare the length and not its "
-                "square, which is off by twice as much."
+                f" Here it is off by {abs(length - 1.0):.2g}. Compare the length, not its square, "
+                "which is off by twice as much."
             )
         quaternion = Quaternion(*scaled)
         got = quaternion.is_unit()
         expect_exactly(got, wanted)
         expect_unchanged("q", rijk(quaternion), scaled, cause=ONLY_LOOKS)
     cause = (
-        "The length of this quaternion is 1, so return True. In a half-turn r is 0, but that does "
-        "not change its length."
+        "The length of this quaternion is 1, so return True. For a half-turn r is 0, but that "
+        "doesn't affect the length."
     )
     about("Quaternion(0, 0.6, 0, 0.8).is_unit()", cause=cause)
     got = Quaternion(0.0, 0.6, 0.0, 0.8).is_unit()
@@ -97,7 +97,7 @@ def test_normalized_it_has_length_one(rng: Random) -> None:
         length = math.hypot(*q)
         about.cause = (
             "Compute the length before you change any component, and then divide all four "
-            "components by this same number."
+            "components by it."
         )
         quaternion = Quaternion(*q)
         about.call = f"q = Quaternion{q}; q.normalize(); q"
@@ -105,18 +105,18 @@ def test_normalized_it_has_length_one(rng: Random) -> None:
         wanted = tuple(component / length for component in q)
         got = rijk(quaternion)
         slips = {
-            "The quaternion has not changed. Assign the new values to the components of self, "
-            "because a new quaternion would be lost.": q,
+            "The quaternion hasn't changed. Assign the new values to the components of self; a new "
+            "quaternion would be lost.": q,
             "the result of dividing by the squared length": [c / length**2 for c in q],
         }
         if length != 1.0 and abs(length - 1.0) < 1e-6:
             slips = {"the original quaternion, whose length is not exactly 1": q}
             about.cause = (
-                "is_unit accepts this length, but it is not exactly 1. Divide by the length in "
-                "this case as well."
+                "is_unit accepts this length, but it is not exactly 1. Divide by it in this case "
+                "too."
             )
         expect_close(got, wanted, cause=named(got, about.cause, slips))
-    about.cause = "This method works in place, so it must not return anything."
+    about.cause = "This method works in place, so it shouldn't return anything."
     about.call = f"Quaternion{q}.normalize()"
     expect_exactly(returned, None)
 
@@ -125,8 +125,8 @@ def test_normalized_it_has_length_one(rng: Random) -> None:
 def test_zero_becomes_the_reference() -> None:
     about("q = Quaternion(0, 0, 0, 0); q.normalize(); q", read=NORMALIZE)
     about.cause = (
-        "The zero quaternion has no direction, so its length cannot be used. Set it to (1, 0, 0, "
-        "0), which is the rotation by 0."
+        "The zero quaternion has a length of 0, so you can't divide by it. Set it to (1, 0, 0, 0), "
+        "which is the rotation by 0."
     )
     quaternion = Quaternion(0.0, 0.0, 0.0, 0.0)
     quaternion.normalize()
@@ -139,8 +139,8 @@ def test_what_is_huge_or_not_finite_is_no_turn(rng: Random) -> None:
     about.read = LENGTH
     q = draw_quad(rng)
     about.cause = (
-        "Every comparison with NaN is False, so a test for a length that is far from 1 does not "
-        "notice NaN. Test whether the length is near 1 instead."
+        "Every comparison with NaN is False, so a test for a length far from 1 doesn't catch NaN. "
+        "Test whether the length is close to 1 instead."
     )
     for length in (math.nan, math.inf):
         scaled = tuple(component * length for component in q)
@@ -163,8 +163,8 @@ def test_huge_and_tiny_components_have_a_length(rng: Random) -> None:
     length = math.hypot(*q)
     wanted = tuple(component / length for component in q)
     about.cause = (
-        "The squares of these components do not fit into a float. Use math.hypot, which takes all "
-        "four numbers and does not overflow."
+        "The squares of these components don't fit into a float. Use math.hypot, which takes all "
+        "four numbers and doesn't overflow."
     )
     for scale in (1e200, 1e-200):
         scaled = tuple(component * scale for component in q)
@@ -184,20 +184,19 @@ def test_the_conjugate_turns_back(rng: Random) -> None:
     quaternion = Quaternion(*q)
     about.call = f"q = Quaternion{q}; q.conjugate()"
     about.cause = (
-        "The conjugate has the same r, but the signs of i, j and k are reversed. Return it as a "
-        "new quaternion."
+        "The conjugate keeps r and reverses the signs of i, j and k. Return it as a new quaternion."
     )
     got = rijk(quaternion.conjugate())
     r, i, j, k = q
     wanted = (r, -i, -j, -k)
     slips = {
-        "All four signs have been reversed, which gives -q, the same orientation as q.": (
+        "You reversed all four signs, which gives -q, the same orientation as q.": (
             -r,
             -i,
             -j,
             -k,
         ),
-        "The sign of r has been reversed instead of the signs of i, j and k.": (-r, i, j, k),
+        "You reversed the sign of r instead of those of i, j and k.": (-r, i, j, k),
         "the original quaternion": q,
     }
     why = named(got, about.cause, slips)
@@ -215,8 +214,8 @@ def test_the_table_of_i_j_and_k() -> None:
         "k": (0.0, 0.0, 0.0, 1.0),
     }
     about.cause = (
-        "The rules are i i = j j = k k = -1, i j = k, j k = i and k i = j. If the factors are "
-        "swapped, the product of two different ones changes its sign."
+        "The rules are i i = j j = k k = -1, i j = k, j k = i and k i = j. If you swap two "
+        "different factors, their product changes sign."
     )
     products = []
     for first, a in units.items():

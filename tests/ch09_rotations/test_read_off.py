@@ -81,7 +81,7 @@ def test_nothing_is_read_off_what_scales(rng: Random) -> None:
     about.call = f"len(read_off({written(joined(near, p))}))"
     about.cause = (
         "The rows of this rotation have a length of 1 + 4e-6, which is_rotation() accepts, so your "
-        "function must accept it as well."
+        "function should accept it too."
     )
     expect_exactly(len(read_off(Matrix4(*joined(near, p)))), 2)
     about.cause = (
@@ -137,8 +137,8 @@ def test_the_easy_inverse(rng: Random) -> None:
         f"{last} rotated forward instead of back": joined(
             t, subtracted((0.0, 0.0, 0.0), turned_on)
         ),
-        "The position is right, but the rotation has not been transposed.": joined(m, (-x, -y, -z)),
-        "The rotation has not been transposed, and the position is only -p.": joined(
+        "The position is right, but you didn't transpose the rotation.": joined(m, (-x, -y, -z)),
+        "You didn't transpose the rotation, and the position is only -p.": joined(
             m, subtracted((0.0, 0.0, 0.0), p)
         ),
     }
@@ -171,9 +171,9 @@ def test_the_easy_inverse_divides_by_nothing(rng: Random) -> None:
         twelve = joined(linear, p)
         about.call = f"easy_inverse({written(twelve)}), which is not a rotation"
         about.cause = (
-            "This matrix is not a rotation, but easy_inverse must not check that and must always "
-            "use the transpose. Perhaps you used a general inverse, which divides by the "
-            "determinant and gives another result."
+            "This matrix is not a rotation, but easy_inverse doesn't check that: it always uses "
+            "the transpose. Perhaps you used a general inverse, which divides by the determinant "
+            "and gives a different result."
         )
         got = entries(easy_inverse(Matrix4(*twelve)))
         x, y, z = applied(transposed(linear), p)
@@ -190,8 +190,8 @@ def test_the_easy_inverse_undoes_a_motion(rng: Random) -> None:
     there = moved(m, p, a)
     about.call = f"m = {written(twelve)}; easy_inverse(m) @ (m @ Vector3{a})"
     about.cause = (
-        "The inverse undoes the two steps in the opposite order, so it subtracts the position "
-        "first and then rotates back."
+        "The inverse undoes the two steps in reverse order: it first subtracts the position and "
+        "then rotates back."
     )
     got = entries(easy_inverse(Matrix4(*twelve)))
     if isinstance(got, tuple) and len(got) == 12:

@@ -55,8 +55,8 @@ def expect_rotation(m: Nine, wanted: bool) -> None:
 @pytest.mark.exercise("B9.6")
 def test_rotations_are_known(rng: Random) -> None:
     about.cause = (
-        "The rows have length 1, they are at right angles to each other, and they are "
-        "right-handed, so this matrix is a rotation. Return True."
+        "The rows have length 1, are at right angles to each other and are right-handed, so this "
+        "matrix is a rotation. Return True."
     )
     expect_rotation(IDENTITY, True)
     about.cause += (
@@ -71,8 +71,8 @@ def test_what_is_no_rotation(rng: Random) -> None:
     m = matrix_of(draw_quad(rng))
     a, b, c, d, e, f, g, h, i = m
     about.cause = (
-        "This matrix changes lengths, so it is not a rotation. The scalar product of each row "
-        "with itself must be 1."
+        "This matrix changes lengths, so it is not a rotation. Check that the scalar product of "
+        "each row with itself is 1."
     )
     expect_rotation(tuple(2.0 * number for number in m), False)
     expect_rotation((0.0,) * 9, False)
@@ -81,9 +81,8 @@ def test_what_is_no_rotation(rng: Random) -> None:
         n[3 * row : 3 * row + 3] = [1.5 * number for number in n[3 * row : 3 * row + 3]]
         expect_rotation(tuple(n), False)
     about.cause = (
-        "This matrix stretches one axis and shrinks another one, so its determinant is still 1. "
-        "It is not a rotation, because the scalar product of each row with itself must be 1 as "
-        "well."
+        "This matrix stretches one axis and shrinks another, so its determinant is still 1, but it "
+        "is not a rotation. Check that the scalar product of each row with itself is 1."
     )
     expect_rotation((2.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 1.0), False)
     about.cause = (
@@ -112,13 +111,13 @@ def test_what_is_no_rotation(rng: Random) -> None:
 def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
     m = draw_slight_turn(rng)
     limit = (
-        "Compare the scalar products of the rows with 1 and 0, and accept differences of up to "
+        "Compare the scalar products of the rows with 1 and 0, and allow differences of up to "
         "ROTATION_TOLERANCE (1e-5)."
     )
     for scale, wanted in ((4e-6, True), (-4e-6, True), (7e-6, False), (-7e-6, False)):
         about.cause = (
             f"{limit} Here the product of each row with itself is off by {2.0 * scale:.2g}. The "
-            "determinant only excludes reflections, so it only has to be positive."
+            "determinant serves only to rule out reflections, so it just has to be positive."
         )
         expect_rotation(tuple(number * (1.0 + scale) for number in m), wanted)
     for angle, wanted in ((8e-6, True), (1.3e-5, False), (-1.3e-5, False)):
@@ -132,8 +131,8 @@ def test_how_near_to_a_rotation_is_near_enough(rng: Random) -> None:
 def test_what_is_huge_is_no_rotation(rng: Random) -> None:
     m = matrix_of(draw_quad(rng))
     about.cause = (
-        "The square of 1e200 is too large for a float. The operator ** raises OverflowError in "
-        "this case, so multiply with * instead."
+        "The square of 1e200 is too large for a float. ** then raises OverflowError, so multiply "
+        "with * instead."
     )
     expect_rotation(tuple(1e200 * number for number in m), False)
 
@@ -143,8 +142,8 @@ def test_what_is_huge_is_no_rotation(rng: Random) -> None:
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 def test_what_is_not_finite_is_no_rotation(bad: float) -> None:
     about.cause = (
-        "Every comparison with NaN is False, so a test for products that are too far off does not "
-        "notice NaN. Test whether each product is close enough instead."
+        "Every comparison with NaN is False, so a test for products that are too far off doesn't "
+        "catch NaN. Test whether each product is close enough instead."
     )
     for place in range(9):
         m = [*IDENTITY]
@@ -172,8 +171,8 @@ def test_ninety_degrees_about_each_axis() -> None:
     about.read = FROM
     half = math.sqrt(0.5)
     about.cause = (
-        "The columns of the matrix are the axes X, Y and Z after the rotation. Compare each "
-        "column with the axis that it should be."
+        "The columns of the matrix are the axes X, Y and Z after the rotation. Compare each column "
+        "with the axis that it should match."
     )
     for q, axes, wanted in (
         ((half, half, 0.0, 0.0), "X", (1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0)),
@@ -210,7 +209,7 @@ def test_no_matrix_of_what_is_no_turn(rng: Random) -> None:
     about.read = "the docstring of from_quaternion"
     q = draw_quad(rng)
     about.cause = (
-        "The length of this quaternion is not 1. Call is_unit() first, which accepts rounding "
+        "The length of this quaternion is not 1. Call is_unit() first, which allows rounding "
         "errors of up to 1e-6."
     )
 
@@ -224,7 +223,7 @@ def test_no_matrix_of_what_is_no_turn(rng: Random) -> None:
             call=f"Matrix3.from_quaternion(q) for a q of length {length}",
             allowed=lambda: [of_length(1.0 + 5e-7), of_length(1.0 - 5e-7)],
         )
-    about.cause = "The argument was a tuple. Raise TypeError for anything but a Quaternion."
+    about.cause = "The check passed a tuple. Raise TypeError for anything but a Quaternion."
     expect_error(
         lambda: Matrix3.from_quaternion(q),
         TypeError,
@@ -250,7 +249,7 @@ def expect_back(q: Quad) -> None:
     r, i, j, k = q
     slips = {
         "Either the sign of r is wrong, or the signs of i, j and k are wrong.": (-r, i, j, k),
-        "All four components are positive, so their signs have been lost in a square root.": [
+        "All four components are positive, so you lost their signs in a square root.": [
             abs(component) for component in q
         ],
         "twice the quaternion": [2.0 * component for component in q],
@@ -262,8 +261,8 @@ def expect_back(q: Quad) -> None:
     # If r is nearly 0, the conjugate cannot be told apart from the right result.
     slips = {name: same_sign(tuple(slip), q) for name, slip in slips.items() if abs(r) > 1e-6}
     signs = (
-        "The signs of the components come from the numbers on both sides of the diagonal, because "
-        "h - f = 4 i r, c - g = 4 j r and d - b = 4 k r."
+        "The signs of the components come from the numbers off the diagonal, because h - f = 4 i "
+        "r, c - g = 4 j r and d - b = 4 k r."
     )
     why = named(got, signs, slips)
     if why != signs:
@@ -275,8 +274,8 @@ def expect_back(q: Quad) -> None:
 @pytest.mark.exercise("B9.13", weight=2)
 def test_back_from_a_matrix(rng: Random) -> None:
     about.cause = (
-        "The sum of the diagonal is 4 r^2 - 1, which gives r. The numbers on both sides of the "
-        "diagonal then give the other three: h - f = 4 i r, c - g = 4 j r and d - b = 4 k r."
+        "The sum of the diagonal is 4 r^2 - 1, which gives r. The numbers off the diagonal then "
+        "give the other three: h - f = 4 i r, c - g = 4 j r and d - b = 4 k r."
     )
     expect_back((1.0, 0.0, 0.0, 0.0))
     for longest in range(3):
@@ -290,7 +289,7 @@ def test_back_from_a_matrix(rng: Random) -> None:
     expect_back(quad(components(rng), -0.9))
     about.cause = (
         "This matrix is a rotation, although the product of its diagonal is negative. Check it "
-        "with is_rotation(), which uses the whole determinant."
+        "with is_rotation(), which uses the full determinant."
     )
     expect_back(quad((2.0, 2.1, 1.0), 3.0))
 
@@ -298,7 +297,7 @@ def test_back_from_a_matrix(rng: Random) -> None:
 @pytest.mark.exercise("B9.13")
 def test_back_from_a_half_turn(rng: Random) -> None:
     about.cause = (
-        "Here r is 0 or almost 0, so you cannot divide by it. Find the largest of the four "
+        "Here r is 0 or almost 0, so you can't divide by it. Find the largest of the four "
         "components, and divide by that one."
     )
     for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)):
@@ -310,14 +309,12 @@ def test_back_from_a_half_turn(rng: Random) -> None:
         for short in (1e-3, 1e-9, -1e-9):
             expect_back(quad(axis, math.pi - short))
     about.cause = (
-        "Two or three components are equally large here. You may divide by any of them, so check "
-        "that your comparison always chooses one of them."
+        "Two or three components are equally large here. You can divide by any of them, so check "
+        "that your comparison always picks one."
     )
     for axis in ((1.0, 1.0, 0.0), (1.0, 0.0, -1.0), (0.0, -1.0, 1.0), (1.0, 1.0, 1.0)):
         expect_back(half_turn(axis))
-    about.cause = (
-        "The largest component is not r here. Compare all four components to find the largest one."
-    )
+    about.cause = "The largest component is not r here. Compare all four to find the largest."
     for axis in permutations((0.0, 1e-6, 1.0)):
         expect_back(half_turn(axis))
 
@@ -325,7 +322,7 @@ def test_back_from_a_half_turn(rng: Random) -> None:
 @pytest.mark.exercise("B9.13")
 def test_what_comes_back_has_length_one(rng: Random) -> None:
     cause = (
-        "The matrix may differ slightly from a rotation. Normalize the quaternion, so that its "
+        "The matrix may be slightly off from a rotation. Normalize the quaternion, so that its "
         "length is 1."
     )
     about(cause=cause, read=TO)
@@ -345,7 +342,7 @@ def test_only_a_rotation_has_a_quaternion(rng: Random) -> None:
     m = draw_slight_turn(rng)
     about.cause = (
         "This matrix is not a rotation, so no quaternion represents it. Call is_rotation() first, "
-        "and raise ValueError if it returns False."
+        "and raise ValueError if the answer is False."
     )
     for n in (
         tuple(2.0 * number for number in m),

@@ -92,9 +92,7 @@ def center_slips(stones: Stones) -> dict[str, tuple[float, float]]:
 @pytest.mark.exercise("9.7")
 def test_the_center_of_a_box_with_stones(rng: Random) -> None:
     about.read = CENTER
-    about.cause = (
-        "Call center_of_mass, and pass it the masses and the (x, y) positions of the stones."
-    )
+    about.cause = "Call center_of_mass with the masses and the (x, y) positions of the stones."
     for count in (1, 4):
         stones = draw_stones(rng, count)
         about.call = f"center_of_stones({stones})"
@@ -112,14 +110,15 @@ def offset_slips(stones: Stones, angle: float) -> dict[str, float]:
     half = 0.5 * math.fsum(mass for _, mass in sides)
     offset = next(side for (side, _), mass in zip(sides, passed, strict=True) if mass >= half)
     return {
-        "This offset is measured to the right instead of the left, so its sign is wrong.": -left_of(
+        "You measured the offset to the right instead of the left, so its sign is wrong.": -left_of(
             center, angle
         ),
-        "This distance is measured along the edge instead of to the left of it.": left_of(
+        "You measured the distance along the edge instead of to the left of it.": left_of(
             center, angle - 0.5 * math.pi
         ),
         "the result for an angle in degrees": left_of(center, math.radians(angle)),
-        "Equal masses are on both sides of this edge, but the box does not balance (E-32).": offset,
+        "This edge has equal masses on both sides, but the box doesn't balance on it "
+        "(E-32).": offset,
     }
 
 
@@ -129,7 +128,7 @@ def test_where_the_edge_must_lie(rng: Random) -> None:
     stones = draw_stones(rng)
     cause = (
         "The box balances on an edge that passes below its center of mass. This edge is parallel "
-        "to X, so the offset is the y of the center of mass."
+        "to X, so the offset is the center of mass's y."
     )
     about(f"balance_offset({stones}, 0)", cause=cause)
     got = balance_offset(stones, 0.0)
@@ -159,7 +158,7 @@ def test_it_balances_though_the_masses_differ() -> None:
     )
     got = masses_beside(stones, 0.0)
     slips = {
-        "The mass has been divided equally between the two sides, as in the book (E-32).": (
+        "You divided the mass equally between the two sides, as the book does (E-32).": (
             2.0,
             2.0,
         ),
@@ -181,8 +180,8 @@ def test_it_balances_though_the_masses_differ() -> None:
 def test_the_masses_on_both_sides(rng: Random) -> None:
     about.read = BESIDE
     about.cause = (
-        "Compute the offset of each stone from the corner. A stone is on the left of the edge if "
-        "its offset is greater than that of the edge."
+        "Compute the offset of each stone from the corner. A stone is to the left of the edge if "
+        "its offset is greater than the edge's."
     )
     cases = [(draw_telling_stones(rng), 0.3)]
     while len(cases) < 4:
@@ -209,14 +208,14 @@ def test_a_stone_over_the_edge_is_on_neither_side(rng: Random) -> None:
     ]
     about.call = f"masses_beside({stones}, {angle})"
     about.cause = (
-        "Because of rounding, this stone seems to be 1e-16 m beside the edge. A stone up to 1e-9 "
-        "m from the edge counts as on it."
+        "Rounding puts this stone 1e-16 m to one side of the edge. A stone within 1e-9 m of the "
+        "edge counts as on it."
     )
     got = tuple(masses_beside(stones, angle))
     expect_close(got, (0.7, 0.7), tolerance=TIGHT)
     for off, wanted in ((3e-9, (0.4, 0.4)), (3e-10, (0.0, 0.0))):
         about.cause = (
-            f"A stone up to 1e-9 m from the edge counts as on it. Here {off:.0e} m is "
+            f"A stone within 1e-9 m of the edge counts as on it. Here {off:.0e} m is "
             f"{'less' if off < 1e-9 else 'more'}."
         )
         stones = [("left", 0.4, 0.3, 0.5 + off), ("right", 0.4, 0.6, 0.5 - off)]
@@ -232,8 +231,8 @@ def test_the_stones_stay_as_they_were(rng: Random, name: str) -> None:
     stones = draw_telling_stones(rng)
     about.call = f"{name}({stones}{'' if name == 'center_of_stones' else ', 0.3'})"
     about.cause = (
-        "The call has changed its list, which it should only read. If you sort the list or remove "
-        "something from it, work on a copy."
+        "The call has changed its list, which it should only read. If you need to sort the list or "
+        "remove something from it, work on a copy."
     )
     center = middle(stones)
     wanted = {
@@ -260,7 +259,7 @@ def test_a_box_of_nothing_has_no_center(rng: Random) -> None:
         ("masses_beside", masses_beside, (0.3,)),
     )
     about.cause = (
-        "These stones have no center of mass. Pass all of them to center_of_mass, which raises the "
+        "These stones have no center of mass. Pass them all to center_of_mass, which raises the "
         "error for you."
     )
     for name, function, more in calls:
@@ -306,8 +305,8 @@ def test_your_own_stones() -> None:
     )
     expect_exactly(min(len(stones), 4), 4, call=name)
     about.cause = (
-        "Some stones in your file have the same position, which is not possible in a box. "
-        "Measure the position of each stone separately."
+        "Some stones in your file have the same position, but two stones can't be in the same "
+        "spot. Measure the position of each stone separately."
     )
     places = {(x, y) for _, _, x, y in stones}
     name = "your stones.csv: the number of different positions, of which at most 3 count"
@@ -315,7 +314,5 @@ def test_your_own_stones() -> None:
     about.call = "center_of_stones(your stones)"
     got = center_of_stones(stones)
     wanted = middle(stones)
-    about.cause = (
-        "Call center_of_mass, and pass it the masses and the (x, y) positions of the stones."
-    )
+    about.cause = "Call center_of_mass with the masses and the (x, y) positions of the stones."
     expect_close(got, (wanted.real, wanted.imag), tolerance=TIGHT)

@@ -44,15 +44,15 @@ def make_slips(axis: Components, angle: float) -> dict[str, Quad]:
     """Return the results of likely mistakes in from_axis_angle."""
     cosine, sine, length = math.cos(0.5 * angle), math.sin(0.5 * angle), math.hypot(*axis)
     return {
-        "The result uses the whole angle instead of half of it.": quad(axis, 2.0 * angle),
+        "You used the whole angle instead of half of it.": quad(axis, 2.0 * angle),
         "the result for the whole angle, with an axis that is not normalized": (
             math.cos(angle),
             *(component * math.sin(angle) for component in axis),
         ),
-        "The axis has not been normalized.": (cosine, *(c * sine for c in axis)),
+        "You didn't normalize the axis.": (cosine, *(c * sine for c in axis)),
         "the result for an angle in degrees": quad(axis, math.radians(angle)),
         "the result with sine and cosine swapped": (sine, *(c / length * cosine for c in axis)),
-        "The axis has been used as it is, without multiplying it by the sine.": (
+        "You used the axis as is, without multiplying it by the sine.": (
             cosine,
             *(c / length for c in axis),
         ),
@@ -106,7 +106,7 @@ def test_the_length_of_the_axis_does_not_matter(rng: Random) -> None:
 def test_an_axis_may_be_huge_or_tiny(rng: Random) -> None:
     for scale in (1e200, 1e-200):
         about.cause = (
-            "The squares of these components do not fit into a float. Call normalized of Vector3, "
+            "The squares of these components don't fit into a float. Call Vector3's normalized, "
             "which handles such vectors."
         )
         expect_any_length(rng, scale, about.cause)
@@ -134,7 +134,9 @@ def test_no_axis_or_no_angle_is_refused() -> None:
             error,
             allowed=lambda: Quaternion.from_axis_angle(Vector3(0.0, 1.0, 1.0), 1.0),
         )
-    about.cause = "The axis was a tuple. Raise TypeError for anything but a Vector3."
+    about.cause = (
+        "The check passed a tuple as the axis. Raise TypeError for anything but a Vector3."
+    )
     expect_error(
         lambda: Quaternion.from_axis_angle((0.0, 1.0, 1.0), 1.0),
         TypeError,
@@ -182,7 +184,7 @@ def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
         about.call = f"Quaternion{(r, i, j, k)}.to_axis_angle(), "
         if r < 0.0:
             about.cause += (
-                " If r is negative, use -q, which is the same rotation. So reverse the axis."
+                " If r is negative, use -q, which is the same rotation, and so reverse the axis."
             )
         got, turn = axis_angle_of((r, i, j, k))
         slips = {
@@ -190,15 +192,13 @@ def test_axis_and_angle_of_a_quaternion(rng: Random) -> None:
             "This angle is greater than pi, so it is the longer way around.": math.tau - angle,
             "the angle in degrees": math.degrees(angle),
             "the angle with the wrong sign": -angle,
-            "This is half of the angle of the longer way around.": math.pi - 0.5 * angle,
+            "This is half of the angle for the longer way around.": math.pi - 0.5 * angle,
         }
         why = named(turn, about.cause, slips)
         expect_close(turn, angle, then="the angle", cause=why, tolerance=TIGHT)
         slips = {
-            "The axis points in the opposite direction, so it does not fit the angle.": [
-                -c for c in wanted
-            ],
-            "This is (i, j, k), which has not been normalized.": (i, j, k),
+            "The axis points the wrong way for this angle.": [-c for c in wanted],
+            "This is (i, j, k) without normalizing it.": (i, j, k),
         }
         why = named(got, about.cause, slips)
         expect_close(got, wanted, then="the axis", cause=why, tolerance=TIGHT)
@@ -221,8 +221,8 @@ def test_axis_and_angle_at_the_ends(rng: Random) -> None:
         expect_close(got, X_AXIS, then="the axis", tolerance=0.0)
     about.cause = "Here r is 0, so the angle is pi. The axis may point in either direction."
     by_asin = (
-        "This angle has too few correct digits. Near pi asin loses half of the digits, and so "
-        "does acos near 0, so use atan2."
+        "This angle has too few correct digits. asin loses half of them near pi, and acos near 0, "
+        "so use atan2."
     )
     q = (0.0, *unit)
     about.call = f"Quaternion{q}.to_axis_angle(), "
@@ -240,7 +240,7 @@ def test_axis_and_angle_at_the_ends(rng: Random) -> None:
         expect_close(turn, wanted, then="the angle", tolerance=TIGHT)
         expect_close(got, unit, then="the axis", tolerance=TIGHT)
     about.cause = (
-        "Near 0 the cosine of the angle rounds to 1, so acos cannot find the angle. Use atan2."
+        "Near 0 the cosine of the angle rounds to 1, so acos can't recover the angle. Use atan2."
     )
     for small in (1e-5, 1e-9):
         expect_small_turn(unit, small)
@@ -253,8 +253,8 @@ def test_axis_and_angle_of_the_smallest_turn(rng: Random) -> None:
     length = math.hypot(*axis)
     unit = tuple(component / length for component in axis)
     about.cause = (
-        "The squares of these components are rounded to 0. Use magnitude() and normalize() of "
-        "Vector3, which handle such vectors."
+        "The squares of these components round to 0. Use Vector3's magnitude() and normalize(), "
+        "which handle such vectors."
     )
     expect_small_turn(unit, 1e-200)
 
@@ -266,8 +266,8 @@ def test_axis_and_angle_though_the_length_is_a_little_off(rng: Random) -> None:
     length = math.hypot(*drawn[1:])
     unit = tuple(component / length for component in drawn[1:])
     about.cause = (
-        "A length that is_unit accepts may be slightly above or below 1. Use atan2, for which "
-        "this does not matter."
+        "A length that is_unit accepts may be slightly above or below 1. Use atan2, which doesn't "
+        "care."
     )
     for off in (1.0 + 5e-7, 1.0 - 5e-7):
         for whole in (drawn, (0.0, *unit), (1.0, 0.0, 0.0, 0.0)):
@@ -287,8 +287,8 @@ def test_each_axis_is_a_new_vector() -> None:
     about.call = "axis, _ = Quaternion().to_axis_angle(); axis.invert(); "
     about.call += "Quaternion().to_axis_angle()[0]"
     about.cause = (
-        "The returned axis is shared by all calls, so a caller that changes it changes it for "
-        "everyone. Return a new vector in every call."
+        "All calls return the same axis, so a caller that changes it changes it for everyone. "
+        "Return a new vector on every call."
     )
     first, _ = Quaternion().to_axis_angle()
     first.invert()
@@ -300,8 +300,8 @@ def test_each_axis_is_a_new_vector() -> None:
 def expect_unit_wanted(what: str, use: object, q: Quad, read: str) -> None:
     """Expect a quaternion to be refused if its length is off by 2e-6, but not by 5e-7."""
     about(
-        cause="The length of this quaternion is not 1. Call is_unit() first, which accepts "
-        "rounding errors of up to 1e-6.",
+        cause="The length of this quaternion is not 1. Call is_unit() first, which allows rounding "
+        "errors of up to 1e-6.",
         read=read,
     )
     for length in (1.0 + 2e-6, 1.0 - 2e-6, 0.0, 2.0, math.nan):
@@ -328,7 +328,7 @@ def rotate_slips(q: Quad, v: Components) -> dict[str, Components]:
     back = (q[0], -q[1], -q[2], -q[3])
     once = hamilton(q, (0.0, *v))
     return {
-        "The sign of r has been lost in the computation.": turned((abs(q[0]), *q[1:]), v),
+        "Your computation loses the sign of r.": turned((abs(q[0]), *q[1:]), v),
         "q* (0, v) q, which rotates in the opposite direction": turned(back, v),
         "q (0, v), without q* on the right": once[1:],
         "(0, v) q*, without q on the left": hamilton((0.0, *v), back)[1:],
@@ -343,8 +343,8 @@ def test_a_vector_is_turned(rng: Random) -> None:
     half = math.sqrt(0.5)
     about.call = f"Quaternion({half}, 0, 0, {half}).rotate(Vector3(1, 0, 0)), 90 degrees about Z"
     about.cause = (
-        "The result must be q (0, v) q*, where q* is the conjugate of q. This rotation by 90 "
-        "degrees about Z takes X to Y."
+        "The result is q (0, v) q*, where q* is the conjugate of q. This rotation by 90 degrees "
+        "about Z takes X to Y."
     )
     got = xyz(Quaternion(half, 0.0, 0.0, half).rotate(Vector3(1.0, 0.0, 0.0)))
     why = named(got, about.cause, rotate_slips((half, 0.0, 0.0, half), (1.0, 0.0, 0.0)))
@@ -366,8 +366,8 @@ def test_a_vector_is_turned(rng: Random) -> None:
         expect_unchanged("q", rijk(quaternion), q, cause=UNCHANGED)
     about.call = f"v = Vector3{a}; Quaternion().rotate(v).invert(); v"
     about.cause = (
-        "The result is the same vector as v, so a change of one also changes the other. Return a "
-        "new vector, even if nothing rotates."
+        "You returned v itself, so changing one changes the other. Return a new vector, even if "
+        "nothing rotates."
     )
     same = Quaternion().rotate(v)
     same.invert()

@@ -42,8 +42,8 @@ def by_vector_slips(q: Quad, a: Components) -> dict[str, Quad]:
     """Return the results of likely mistakes in rotate_by."""
     left, right, size = hamilton((0.0, *a), q), hamilton(q, (0.0, *a)), math.hypot(*a)
     product = (
-        "This is q times (0, vector), as in the book's listing. The quaternion (0, vector) is not "
-        "a rotation (E-12), so make one from the vector with from_axis_angle."
+        "This is q times (0, vector), as in the book's listing. (0, vector) is not a rotation "
+        "(E-12), so make one from the vector with from_axis_angle."
     )
     return {
         product: right,
@@ -59,8 +59,8 @@ def by_vector_slips(q: Quad, a: Components) -> dict[str, Quad]:
         "a rotation by twice the angle": hamilton(quad(a, 2.0 * size), q),
         "a rotation by 1 radian, no matter how long the vector is": hamilton(quad(a, 1.0), q),
         "a rotation in the opposite direction": hamilton(quad(a, -size), q),
-        "The quaternion has not changed. Assign the new values to the components of self, because "
-        "a new quaternion would be lost.": q,
+        "The quaternion hasn't changed. Assign the new values to the components of self; a new "
+        "quaternion would be lost.": q,
     }
 
 
@@ -68,9 +68,9 @@ def by_vector_slips(q: Quad, a: Components) -> dict[str, Quad]:
 def test_a_quaternion_is_turned_on_by_a_vector(rng: Random) -> None:
     about.read = BY_VECTOR
     about.cause = (
-        "The length of the vector is the angle, and its direction is the axis. Make a rotation "
-        "from both with from_axis_angle, and multiply it by q. The axis is in world axes, so the "
-        "rotation belongs on the left of q."
+        "The vector's length is the angle, and its direction is the axis. Make a rotation from the "
+        "two with from_axis_angle, and put it on the left of q in the product, because the axis is "
+        "given in world coordinates."
     )
     for size in (0.3, 1.0, 9.0):
         q, a = draw_quad(rng), tuple(size * component for component in components(rng))
@@ -84,7 +84,7 @@ def test_a_quaternion_is_turned_on_by_a_vector(rng: Random) -> None:
         expect_close(got, wanted, cause=why, tolerance=1e-11)
         expect_unchanged("the vector", xyz(v), a, cause=UNCHANGED)
         about.call = f"Quaternion{q}.rotate_by(Vector3{a})"
-        cause_none = "This method works in place, so it must not return anything."
+        cause_none = "This method works in place, so it shouldn't return anything."
         expect_exactly(returned, None, cause=cause_none)
 
 
@@ -92,8 +92,8 @@ def test_a_quaternion_is_turned_on_by_a_vector(rng: Random) -> None:
 def test_a_steady_turn_is_exact_in_any_parts() -> None:
     about.read = BY_VECTOR
     about.cause = (
-        "Each of the parts must be an exact rotation by the length of its vector, so that all "
-        "parts together give the same result, no matter how many there are."
+        "Each part should be an exact rotation by the length of its vector, so that all parts "
+        "together give the same result, however many there are."
     )
     for parts in (1, 7, 100):
         about.call = f"{parts} times q.rotate_by(Vector3(0.3, -0.5, 0.8) * 2 / {parts}), from "
@@ -110,8 +110,8 @@ def expect_tiny_turn(tiny: float) -> None:
     """Expect rotate_by to add half of a very small vector."""
     about.read = BY_VECTOR
     about.cause = (
-        "This small angle was treated as 0. Rotate by it as usual, so that the vector part "
-        "becomes half of the vector."
+        "You treated this small angle as 0. Rotate by it as usual, so that the vector part becomes "
+        "half of the vector."
     )
     quaternion = Quaternion()
     about.call = f"q = Quaternion(); q.rotate_by(Vector3(0, {tiny}, 0)); q.j / {tiny}"
@@ -127,8 +127,8 @@ def test_turned_on_by_next_to_nothing(rng: Random) -> None:
     quaternion = Quaternion(*q)
     about.call = f"q = Quaternion{q}; q.rotate_by(Vector3(0, 0, 0)); q"
     about.cause = (
-        "The vector is zero, so it has no direction and the angle is 0. The quaternion must not "
-        "change."
+        "The vector is zero, so it has no direction and the angle is 0. Leave the quaternion as it "
+        "is."
     )
     quaternion.rotate_by(Vector3(0.0, 0.0, 0.0))
     # Normalizing at the end causes a rounding error here.
@@ -149,26 +149,27 @@ def add_slips(q: Quad, a: Components, scale: float) -> dict[str, Quad]:
     for place in range(4):
         in_turn[place] += 0.5 * scale * hamilton((0.0, *a), in_turn)[place]
     return {
-        "The factor 1/2 of Eq. 9.5 is missing from this step.": stepped(q, left, scale),
-        "The vector has not been multiplied by the scale in this step.": stepped(q, left, 0.5),
-        "The factors are in the wrong order, so the step rotates about an axis of the object and "
-        "not of the world.": stepped(q, right, 0.5 * scale),
-        "The result has been normalized. The step of Eq. 9.5 changes the length a little (E-31), "
-        "but the exercises measure this error, so add_scaled must not correct "
+        "You left out the factor 1/2 of Eq. 9.5.": stepped(q, left, scale),
+        "You didn't multiply the vector by the scale.": stepped(q, left, 0.5),
+        "The factors are in the wrong order, so the step rotates about an axis of the object "
+        "instead of the world.": stepped(q, right, 0.5 * scale),
+        "You normalized the result. A step of Eq. 9.5 changes the length a little (E-31), but the "
+        "exercises measure that error, so add_scaled should not correct "
         "it.": unit(stepped(q, left, 0.5 * scale)),
-        "This is the exact rotation that rotate_by makes. Here you must make the first-order step "
-        "of Eq. 9.5, which adds scale/2 times (0, vector) q to q.": hamilton(
+        "This is the exact rotation that rotate_by makes. add_scaled makes the first-order step of "
+        "Eq. 9.5, which adds scale/2 times (0, vector) q to q.": hamilton(
             quad(a, scale * math.hypot(*a)), q
         ),
-        "This was computed from components that had already been changed. Compute all four from "
-        "the old q before you assign them.": in_turn,
-        "The old q is missing from the result. Add the change to the components of q instead of "
-        "replacing them.": stepped((0.0, 0.0, 0.0, 0.0), left, 0.5 * scale),
-        "The change consists of (0, vector) alone, which has not been multiplied by q.": stepped(
+        "You computed this from components that you had already changed. Compute all four from the "
+        "old q before you assign them.": in_turn,
+        "You lost the old q. Add the change to its components instead of replacing them.": stepped(
+            (0.0, 0.0, 0.0, 0.0), left, 0.5 * scale
+        ),
+        "You added (0, vector) alone, without multiplying it by q.": stepped(
             q, (0.0, *a), 0.5 * scale
         ),
-        "The quaternion has not changed. Change its components in place, because a new quaternion "
-        "would be lost.": q,
+        "The quaternion hasn't changed. Change its components in place; a new quaternion would be "
+        "lost.": q,
     }
 
 
@@ -190,7 +191,7 @@ def test_the_step_of_the_book(rng: Random) -> None:
         why = named(got, about.cause, add_slips(q, a, scale))
         expect_close(got, wanted, cause=why, tolerance=TIGHT)
         expect_unchanged("the vector", xyz(v), a, cause=UNCHANGED)
-    about.cause = "This method works in place, so it must not return anything."
+    about.cause = "This method works in place, so it shouldn't return anything."
     about.call = f"Quaternion{q}.add_scaled(Vector3{a}, {scale})"
     expect_exactly(returned, None)
 
@@ -231,6 +232,6 @@ def test_turned_by_what_is_no_vector(rng: Random, method: str) -> None:
         TypeError,
         call=f"Quaternion{q}.{method}({shown})",
         allowed=lambda: use(Quaternion(*q), Vector3(*good), scale),
-        cause="The argument was a tuple. Raise TypeError for anything but a Vector3.",
+        cause="The check passed a tuple. Raise TypeError for anything but a Vector3.",
         read=FIRST_LINES,
     )

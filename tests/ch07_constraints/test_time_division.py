@@ -279,6 +279,15 @@ def test_a_frame_uses_the_forces_up(rng: Random) -> None:
     # Some roundings of 5 m/s.
     name = f"{about.call}position"
     wanted = (3.0 * h, height, 0.0)
+    alone = own[1]  # the acceleration without the forces
+    early = (4.0 - math.sqrt(16.0 - 2.0 * alone * high)) / alone
+    left = h - early
+    up = 0.5 * (4.0 - alone * early)
+    blame(bouncing[0], [
+        ((3.0 * h, up * left + 0.5 * alone * left * left, 0.0),
+         "You used only the constant acceleration. The force accelerates the particle too, so add "
+         "f / m, before the impact and after it."),
+    ])  # fmt: skip
     expect_close(bouncing[0], wanted, call=name, tolerance=1e-13)
     about.cause = "Apply the damping once for the whole step: multiply the velocity by damping ** "
     about.cause += "duration at the end."

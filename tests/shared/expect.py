@@ -25,9 +25,9 @@ from autograder.message import ExpectationError, Message
 # 1e-16 of the numbers involved. A limit a thousand times as large still catches a wrong formula.
 ROUNDING = 1e-13
 NAN = (
-    "Your check of the argument let a NaN pass. Every comparison with NaN is False, so a test such "
-    "as x <= 0 does not catch it. Test for the valid range instead, such as 0.0 < x < math.inf, or "
-    "use the functions in arguments.py."
+    "The NaN was accepted. Every comparison with NaN is False, so a test such as x <= 0 does not "
+    "catch it. Test for the valid range instead, such as 0.0 < x < math.inf, or use the functions "
+    "in arguments.py."
 )
 UNCHANGED = "The call changed a value that it should only read. Work on a copy or on plain numbers."
 LOST = (

@@ -69,7 +69,7 @@ def test_the_sign_of_a_scalar_product_names_the_angle(rng: Random, word: str) ->
         if got == "right":
             about.cause = (
                 "Only a scalar product of exactly 0 means a right angle. This product is small, "
-                "but its sign still decides between acute and obtuse, so do not round it."
+                "but its sign still decides between acute and obtuse, so don't round it."
             )
         expect_exactly(got, word, then=", the second")
 
@@ -218,8 +218,8 @@ def test_the_angles_by_the_vector_product(rng: Random, kind: str) -> None:
     about.call = f"v, w = Vector3{a}, Vector3{b}; angles_by_vector_product(v, w)"
     about.cause = (
         "The sine of the angle is |v x w| divided by both lengths. Compute its arcsine t, and "
-        "return t and pi - t in radians. Do not use sqrt(1 - (v . w)^2), which is the sine only "
-        "for unit vectors."
+        "return t and pi - t in radians. Don't use sqrt(1 - (v . w)^2), which is the sine only for "
+        "unit vectors."
     )
     about.read = "book 2.1.8, Eq. 2.6"
     got = exercises.angles_by_vector_product(v, w)

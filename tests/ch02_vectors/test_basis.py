@@ -169,8 +169,8 @@ def expect_refusal(a: Components, b: Components) -> None:
 @pytest.mark.robust
 def test_vectors_along_one_axis_are_refused() -> None:
     about.cause = (
-        "Parallel vectors, even those that point in opposite directions, do not span a plane and "
-        "so do not define a basis. Raise ValueError."
+        "Parallel vectors, even those that point in opposite directions, don't span a plane and so "
+        "don't define a basis. Raise ValueError."
     )
     for scale in (2.0, -3.0):
         expect_refusal(Y_AXIS, (0.0, scale, 0.0))

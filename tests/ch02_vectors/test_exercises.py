@@ -94,7 +94,7 @@ def test_split_gives_two_factors_of_the_vector(rng: Random) -> None:
 def test_split_the_zero_vector() -> None:
     about.call = "split(Vector3(0, 0, 0))"
     about.cause = (
-        "The length of this vector is 0, so do not divide by it. Return the zero vector as the "
+        "The length of this vector is 0, so don't divide by it. Return the zero vector as the "
         "direction."
     )
     about.read = "the docstring of split"
@@ -134,8 +134,8 @@ def test_the_perpendicular_vector_of_the_book() -> None:
 def test_the_component_makes_the_scalar_product_zero(rng: Random) -> None:
     (ax, ay, az), x, y = components(rng), number(rng), number(rng)
     about(
-        cause="Solve a.x x + a.y y + a.z z = 0 for z. This works for every a.z except 0, so do "
-        "not reject an a.z that is merely small.",
+        cause="Solve a.x x + a.y y + a.z z = 0 for z. This works for every a.z except 0, so don't "
+        "reject an a.z that is merely small.",
         read="book 2.1.7",
     )
     for z in (az, -az, az * 1e-12, az * -1e-12):
@@ -244,7 +244,7 @@ def remove_projection_of_length(length: float) -> object:
 def test_what_is_not_a_unit_vector_is_refused() -> None:
     about.cause = (
         "This length differs from 1 by only 5e-7, which is within the tolerance of 1e-6, so accept "
-        "it. Do not compare lengths with ==."
+        "it. Don't compare lengths with ==."
     )
     about.read = "the docstring of remove_projection"
     for length in (1.0 - 5e-7, 1.0 + 5e-7):

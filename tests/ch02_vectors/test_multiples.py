@@ -108,8 +108,8 @@ def test_division_by_zero_is_an_error(rng: Random) -> None:
     a = components(rng)
     v = Vector3(*a)
     about.cause = (
-        "Division by zero has no meaningful result. Python raises ZeroDivisionError for you, so do "
-        "not catch it."
+        "Division by zero has no meaningful result. Python raises ZeroDivisionError for you, so "
+        "don't catch it."
     )
     about.read = "the docstring of Vector3.__truediv__"
     for call, attempt, allowed in (

@@ -132,7 +132,7 @@ def test_the_component_product_is_a_new_vector(rng: Random) -> None:
     got = xyz(v.component_product(w))
     scalar = (
         "The result is the scalar product, a single number. The component product is a vector, so "
-        "do not add up the three products."
+        "don't add up the three products."
     )
     mistakes = [
         (dot(a, b), scalar),
@@ -245,7 +245,7 @@ def test_the_scalar_product_is_the_lengths_times_the_cosine(rng: Random) -> None
     about.call = f"v, w = Vector3{a}, Vector3{b}; v.dot(w)"
     about.cause = (
         "The angle between v and w is obtuse, so the scalar product is negative, if only slightly. "
-        "Do not round it to 0."
+        "Don't round it to 0."
     )
     about.read = "book 2.1.7, Eq. 2.4"
     got = Vector3(*a).dot(Vector3(*b))

@@ -62,7 +62,7 @@ def test_infinite_durations_and_nan_are_refused() -> None:
         "duration with a ValueError."
     )
     nan = (
-        "Every comparison with NaN is False, so a test such as duration <= 0 does not catch NaN. "
+        "Every comparison with NaN is False, so a test such as duration <= 0 doesn't catch NaN. "
         "Test for the valid range, 0.0 < duration < math.inf, and reject everything else."
     )
     expect_refusal(math.inf, ValueError, infinite)
@@ -85,7 +85,7 @@ def test_what_is_not_a_number_is_refused(value: Any) -> None:
 def test_the_message_names_the_argument_and_shows_the_value(value: Any) -> None:
     about(
         "checked_duration(0.5)",
-        cause="Every positive, finite number is a valid duration, so do not raise an error for it.",
+        cause="Every positive, finite number is a valid duration, so don't raise an error for it.",
     )
     about.read = READ
     exercises.checked_duration(0.5)

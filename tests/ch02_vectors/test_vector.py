@@ -73,7 +73,7 @@ def test_clear_leaves_zero(rng: Random) -> None:
         [
             (
                 a,
-                f"{LOST} Assigning to the name self, as in self = Vector3(), does not change v.",
+                f"{LOST} Assigning to the name self, as in self = Vector3(), doesn't change v.",
             )
         ],
     )

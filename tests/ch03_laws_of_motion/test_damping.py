@@ -55,7 +55,7 @@ def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) ->
         if d == 0.0:
             undamped = (
                 "A damping of 0 should remove the whole velocity, but all of it is still there. "
-                "Python treats 0 as false in an if statement, so do not use the damping itself as "
+                "Python treats 0 as false in an if statement, so don't use the damping itself as "
                 "the condition."
             )
         mistakes = [

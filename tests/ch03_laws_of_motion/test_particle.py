@@ -354,7 +354,7 @@ def test_kinetic_energy_is_half_of_m_v_squared(rng: Random) -> None:
 def test_a_kilogram_at_2_meters_a_second_has_2_joules() -> None:
     about.call = "p = Particle(velocity=Vector3(0, 0, -2)); p.kinetic_energy()"
     about.cause = (
-        "The kinetic energy is 1 kg * (2 m/s)^2 / 2 = 2 J. It does not depend on the direction of "
+        "The kinetic energy is 1 kg * (2 m/s)^2 / 2 = 2 J. It doesn't depend on the direction of "
         "the velocity, so it is never negative."
     )
     about.read = "book 3, exercise 3.3"

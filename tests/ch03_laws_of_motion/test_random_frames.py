@@ -101,7 +101,7 @@ def test_the_frames_spread_evenly_about_the_mean(rng: Random) -> None:
 def test_without_jitter_all_frames_are_equal() -> None:
     about.cause = (
         "Without jitter, every frame has the mean duration. Rounding can leave about 1e-16 s of "
-        "the total, so make sure that it does not become a frame of its own."
+        "the total, so make sure that it doesn't become a frame of its own."
     )
     about.read = "the docstring of random_frames"
     for mean, count in ((0.125, 8), (0.1, 10)):

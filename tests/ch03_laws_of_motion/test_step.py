@@ -217,7 +217,7 @@ def test_a_damping_of_0_stops_the_particle(rng: Random) -> None:
     about.call = f"{words}; p.integrate({h})"
     about.cause = (
         "Since 0^h is 0, a damping of 0 must stop the particle. Python treats 0 as false in an if "
-        "statement, so do not use the damping itself as the condition."
+        "statement, so don't use the damping itself as the condition."
     )
     about.read = "the docstring of integrate"
     p.integrate(h)
@@ -231,7 +231,7 @@ def test_a_damping_of_0_stops_the_particle(rng: Random) -> None:
 def test_the_mass_does_not_matter_to_a_given_acceleration(rng: Random) -> None:
     v, a, mass = components(rng), components(rng), round(rng.uniform(2.0, 90.0), 3)
     about.cause = (
-        "An acceleration is not a force, so it already takes the mass into account. Do not use the "
+        "An acceleration is not a force, so it already takes the mass into account. Don't use the "
         "mass in this step."
     )
     about.read = "book 3.2"

@@ -61,7 +61,7 @@ def test_the_axes_of_aiming(rng: Random) -> None:
         about(f"aim({speed}, {azimuth}, {elevation})", cause=cause)
         got = xyz(ballistics.aim(speed, azimuth, elevation))
         small = math.radians(QUARTER)
-        degrees = "The angles are already in radians, so do not convert them with math.radians."
+        degrees = "The angles are already in radians, so don't convert them with math.radians."
         mistakes = {
             (0.0, 0.0): [
                 (

@@ -44,7 +44,7 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
     blame(got, mistakes)
     expect_close(got, wanted, tolerance=1e-12)
     given = probes.speeds_after(start, list(speeds), a, 0.5, t)
-    about.cause = "The list of speeds belongs to the caller, so do not change it."
+    about.cause = "The list of speeds belongs to the caller, so don't change it."
     expect_unchanged("the list of speeds", given, speeds)
     about.cause = (
         "The position of each spark is start + speed x gone + acceleration x fallen. Return the "
@@ -74,7 +74,7 @@ def test_each_spark_is_where_its_own_speed_takes_it(rng: Random) -> None:
 def test_the_factors_are_worked_out_once_for_all_sparks() -> None:
     about.call = "burst_positions(1, [2.0] * 50, -10, 0.5, 1); calls of drag_factors"
     about.cause = (
-        "The factors do not depend on the speed, so they are the same for all sparks. Call "
+        "The factors don't depend on the speed, so they are the same for all sparks. Call "
         "drag_factors once, before the loop."
     )
     about.read = BURST

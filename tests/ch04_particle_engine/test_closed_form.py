@@ -293,7 +293,7 @@ def test_an_immovable_particle_is_found_where_it_is(rng: Random) -> None:
     about.call += "; position.x = velocity.x = 99"
     about.cause = (
         "You returned one of the particle's own vectors. Return copies, so that a change to the "
-        "result does not change the particle."
+        "result doesn't change the particle."
     )
     expect_unchanged("p.position", xyz(p.position), x)
     expect_unchanged("p.velocity", xyz(p.velocity), v)

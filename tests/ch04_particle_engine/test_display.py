@@ -140,7 +140,7 @@ def test_a_click_bursts_the_rocket_and_launches_another() -> None:
     hit = display.click(a_game, 9.0, 20.0)
     expect_exactly(hit, True)
     about.cause = (
-        "After a hit, launch another rocket of the same type. Do not remove the rocket that was "
+        "After a hit, launch another rocket of the same type. Don't remove the rocket that was "
         "hit, because it burns until the next update."
     )
     expect_exactly(types(a_game), [1, 3, 3], then="; types in the show")
@@ -197,7 +197,7 @@ def test_a_late_click_scores_more() -> None:
         expect_exactly(a_game.misses, 0, call=name)
     about.call = "two rockets; click(display, 0, 20); click(display, 9, 20); display.score"
     about.cause = (
-        "Each hit adds its points to the score. Do not overwrite the points of earlier hits."
+        "Each hit adds its points to the score. Don't overwrite the points of earlier hits."
     )
     a_game = game((1, 0.0, 20.0), (3, 9.0, 20.0))
     display.click(a_game, 0.0, 20.0)

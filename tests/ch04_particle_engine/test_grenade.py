@@ -150,8 +150,8 @@ def test_the_fragments_share_the_mass_and_the_momentum(rng: Random) -> None:
         expect_close(piece[2:5], x, then=", a position")
         expect_close(piece[8:], a, then=", an acceleration")
     about.cause = (
-        "A burst does not change the total momentum, so the velocities of the fragments relative "
-        "to the grenade must add up to 0."
+        "A burst doesn't change the total momentum, so the velocities of the fragments relative to "
+        "the grenade must add up to 0."
     )
     total = tuple(math.fsum(piece[0] * piece[axis] for piece in pieces) for axis in (5, 6, 7))
     wanted = tuple(mass * component for component in v)

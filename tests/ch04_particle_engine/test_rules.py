@@ -36,12 +36,12 @@ def test_rules_that_end_have_no_endless_types() -> None:
         if got == [*leaves]:
             about.cause = (
                 "You returned every type. A type counts as reached only if a payload leads to it, "
-                "so do not mark the type that you start from."
+                "so don't mark the type that you start from."
             )
         elif got == [1]:
             about.cause = (
                 "Type 1 leads to type 4 in two ways, through 2 and through 3, but nothing leads "
-                "back to 1. Reaching a type twice does not make it endless, so compare each type "
+                "back to 1. Reaching a type twice doesn't make it endless, so compare each type "
                 "with the one that you started from."
             )
         expect_exactly(got, [])

@@ -182,7 +182,7 @@ def test_the_payload_starts_where_the_burnt_out_one_is_with_its_velocity(rng: Ra
         got = xyz(firework.particle.velocity)
         expect_close(got, wanted, then=", a velocity", read=READ, tolerance=1e-13)
         about.cause = (
-            "The payload must still have its whole fuse, which does not start to burn until the "
+            "The payload must still have its whole fuse, which doesn't start to burn until the "
             "next step. Light payloads after you have shortened all fuses."
         )
         expect_close(firework.age, 1.5, then=", an age", read=READ)

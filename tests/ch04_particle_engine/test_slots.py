@@ -55,7 +55,7 @@ def test_a_launch_lights_one_firework_on_the_ground(rng: Random) -> None:
     places = probes.places_of_launches(simple(type), type, 80)
     if len(places) == 1:
         about.cause = (
-            "All fireworks start at the same position. Do not pass a parent to make_firework, and "
+            "All fireworks start at the same position. Don't pass a parent to make_firework, and "
             "pass it self.random instead of a new Random in each call."
         )
     wanted = [(-5.0, 0.0), (0.0, 0.0), (5.0, 0.0)]
@@ -84,7 +84,7 @@ def test_keep_old_lights_none_when_all_slots_are_taken() -> None:
     about.call = 'capacity 3, "keep_old"; launch 1, 2, 3, 4, 1; the types of show.fireworks'
     about.cause = (
         "With keep_old, the fireworks that are already burning keep their slots, as in the book's "
-        "text (E-20). Do not light a new firework if all slots are taken."
+        "text (E-20). Don't light a new firework if all slots are taken."
     )
     about.read = "the docstring of FireworksShow; errata.md"
     a_show = show(3, "keep_old")
@@ -247,8 +247,8 @@ def test_births_that_mean_nothing_are_refused() -> None:
     )
     expect_exactly(len(a_show.fireworks), 0, then="; how many burn")
     about.cause = (
-        "One of these births is not valid, so do not light any of them. Check all births before "
-        "you light the first one."
+        "One of these births is not valid, so don't light any of them. Check all births before you "
+        "light the first one."
     )
     for bad, births in (
         ("a type without a rule", [(1, 2, None), (7, 1, None)]),

@@ -27,7 +27,7 @@ def test_a_block_gets_the_momentum_of_the_shot_along_the_ground(rng: Random) -> 
     )
     about.cause = (
         "Along X and Z, the shot passes its momentum on to the block, so v' = v + m v_shot / M. "
-        "Along Y, the velocity does not change, because the ground absorbs the momentum."
+        "Along Y, the velocity doesn't change, because the ground absorbs the momentum."
     )
     block = TargetBlock(Vector3(0.0, 1.0, 5.0), (2.0, 2.0, 2.0), mass=block_mass)
     block.particle.velocity = Vector3(*before)
@@ -147,7 +147,7 @@ def test_a_shot_that_starts_inside_a_block_hits_that_one() -> None:
 @pytest.mark.exercise("4.3c")
 def test_a_shot_that_hits_nothing_changes_nothing() -> None:
     about.call = "strike_first(Vector3(0, 1, 0), p at z = 20, a block at x = 9)"
-    about.cause = "There is no block on this shot's path. Return None, and do not count a hit."
+    about.cause = "There is no block on this shot's path. Return None, and don't count a hit."
     block = TargetBlock(Vector3(9.0, 1.0, 5.0), (2.0, 2.0, 1.0), mass=5.0)
     p = Particle(Vector3(0.0, 1.0, 20.0), Vector3(0.0, 0.0, 50.0))
     got = targets.strike_first(Vector3(0.0, 1.0, 0.0), p, [block])

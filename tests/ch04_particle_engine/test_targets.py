@@ -78,8 +78,8 @@ def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
 @pytest.mark.exercise("4.3b")
 def test_a_way_along_an_axis_has_two_others_to_ask_without_dividing() -> None:
     about.cause = (
-        "The path does not move along one or two of the axes, so there is no displacement to "
-        "divide by. On such an axis, it is between the two faces either all the time or never."
+        "The path doesn't move along one or two of the axes, so there is no displacement to divide "
+        "by. On such an axis, it is between the two faces either all the time or never."
     )
     for start, end, wanted in (
         ((2.0, 4.0, 1.0), (2.0, 4.0, 9.0), 0.25),

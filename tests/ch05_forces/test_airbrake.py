@@ -183,8 +183,8 @@ def test_a_hard_brake_leaves_other_forces_and_itself_alone(rng: Random) -> None:
         about.call += "; in another frame, brake.update_force(p, 0.25)"
     about.call = f"p = Particle(velocity=Vector3{v}, mass=math.inf); brake.update_force(p, 0.5); "
     about.call += "p.integrate(0.5)"
-    about.cause = "No force can stop an immovable particle, so its velocity must stay the same. Do "
-    about.cause += "not add a force, and do not raise an error."
+    about.cause = "No force can stop an immovable particle, so its velocity must stay the same. "
+    about.cause += "Don't add a force, and don't raise an error."
     p = Particle(velocity=Vector3(*v), mass=math.inf)
     brake.update_force(p, 0.5)
     p.integrate(0.5)

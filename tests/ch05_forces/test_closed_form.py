@@ -82,7 +82,7 @@ def test_one_kind_of_drag_is_enough_for_a_terminal_speed(rng: Random) -> None:
     about.read = TERMINAL
     weight, k = positive_number(rng, 5.0, 900.0), positive_number(rng)
     about.cause = "With k2 = 0 the terminal speed is W / k1. Use the form 2 W / (k1 + root), which "
-    about.cause += "does not divide by k2."
+    about.cause += "doesn't divide by k2."
     about.call = f"terminal_speed({weight}, {k}, 0.0)"
     got = terminal_speed(weight, k, 0.0)
     expect_close(got, weight / k, tolerance=ROUNDED * got)
@@ -167,7 +167,7 @@ def test_a_fall_with_quadratic_drag(rng: Random) -> None:
         expect_close(speed, wanted_speed, then=", the speed", tolerance=tolerance)
         # From v dv = (g - k2 v^2 / m) dx: v^2 = u^2 (1 - e^(-2 k2 x / m)).
         total = speed * speed + u * u * math.exp(-2.0 * k2 * distance / mass)
-        about.cause = "The speed v and the distance x do not agree with each other. They must "
+        about.cause = "The speed v and the distance x don't agree with each other. They must "
         about.cause += "satisfy v^2 = u^2 (1 - e^(-2 k2 x / m)), where u is the terminal speed."
         expect_close(
             total, u * u, then=" = (v, x); v^2 + u^2 e^(-2 k2 x / m)", tolerance=ROUNDED * u * u
@@ -320,8 +320,8 @@ def test_coasting_with_one_kind_of_drag_or_none(rng: Random) -> None:
             0.0,
             k,
             v / (1.0 + k * v * time / mass),
-            "With k1 = 0 there is only quadratic drag, so the speed is v / (1 + k2 v t / m). Do "
-            "not divide by k1 in this case.",
+            "With k1 = 0 there is only quadratic drag, so the speed is v / (1 + k2 v t / m). "
+            "Don't divide by k1 in this case.",
         ),
         (
             1e-13,

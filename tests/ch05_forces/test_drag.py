@@ -44,8 +44,8 @@ def drag_slips(v: Components, k1: float, k2: float) -> dict[str, Components]:
         "This force is -v (k1 + k2), which lacks a factor |v|. Multiply k2 by the speed.": along(
             -(k1 + k2)
         ),
-        "This force is -v^ (k1 + k2), which does not depend on the speed. Multiply k1 by |v| and "
-        "k2 by |v|^2.": along(-(k1 + k2) / speed),
+        "This force is -v^ (k1 + k2), which doesn't depend on the speed. Multiply k1 by |v| and k2 "
+        "by |v|^2.": along(-(k1 + k2) / speed),
         "You computed the drag for each axis separately. It depends on the whole speed, so use |v| "
         "for all three components.": (x, y, z),
     }
@@ -128,7 +128,7 @@ def test_at_rest_there_is_no_drag(rng: Random) -> None:
     about.read = READ
     k1, k2 = draw_coefficient(rng), draw_coefficient(rng)
     about.cause = "The particle is at rest, so there is no drag. The zero vector has no direction, "
-    about.cause += "so do not divide by its length."
+    about.cause += "so don't divide by its length."
     about.call = f"v = Vector3(); f = drag_force(v, {k1}, {k2})"
     v = Vector3()
     force = drag_force(v, k1, k2)
@@ -138,7 +138,7 @@ def test_at_rest_there_is_no_drag(rng: Random) -> None:
     about.cause += "in every case."
     expect_unchanged("v", xyz(v), ZERO, then="; f.x = 99.0")
     about.call = f"drag_force(Vector3(0, 1e-9, 0), {k1}, {k2})"
-    about.cause = "The speed is low, so the drag is small, but it is not zero. Do not treat a slow "
+    about.cause = "The speed is low, so the drag is small, but it is not zero. Don't treat a slow "
     about.cause += "particle as if it were at rest."
     got = xyz(drag_force(Vector3(0, 1e-9, 0), k1, k2))
     wanted = (0.0, -k1 * 1e-9 - k2 * 1e-18, 0.0)
@@ -155,7 +155,7 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     about.call = f"p = Particle(velocity=Vector3{v}, mass={mass}); p.add_force(Vector3{f}); drag = "
     about.call += f"Drag({k1}, {k2}); drag.update_force(p, {h}); p.force_accumulator"
     about.cause = "Compute the drag from the particle's velocity, and add it with add_force. Drag "
-    about.cause += "is a force, so it does not depend on the mass."
+    about.cause += "is a force, so it doesn't depend on the mass."
     p, drag = Particle(velocity=Vector3(*v), mass=mass), Drag(k1, k2)
     p.add_force(Vector3(*f))
     drag.update_force(p, h)

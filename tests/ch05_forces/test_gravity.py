@@ -38,7 +38,7 @@ def test_the_weight_is_mass_times_gravity(rng: Random) -> None:
             ],
             "You added m g times the duration. Add m g itself, and let the step multiply it by the "
             "duration.": [mass * g[i] * 0.5 for i in range(3)],
-            "The force points opposite to g. The vector g already points down, so do not add a "
+            "The force points opposite to g. The vector g already points down, so don't add a "
             "minus sign.": [-mass * g[i] for i in range(3)],
             "The force has only a y component, but g may point in any direction. Multiply the "
             "whole vector by the mass.": (

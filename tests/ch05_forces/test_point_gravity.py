@@ -47,7 +47,7 @@ def test_the_force_is_m_g_towards_the_center_at_every_distance(rng: Random) -> N
             "The mass is missing, so this is an acceleration. Multiply it by particle.mass to get "
             "a force.": [part / mass for part in wanted],
             "This force falls off with the square of r, as in exercise 5.4. Here its strength "
-            "must be the same at every distance, so do not divide by the distance.": [
+            "must be the same at every distance, so don't divide by the distance.": [
                 part / distance**2 for part in wanted
             ],
             "This force pulls toward (0, 0, 0), but the center is somewhere else. Measure both "
@@ -80,8 +80,7 @@ def test_at_the_center_point_gravity_has_no_direction(rng: Random) -> None:
     center = components(rng)
     about.call = f"p = Particle(Vector3{center}); PointGravity(Vector3{center}, "
     about.call += "10.0).update_force(p, 0.5)"
-    about.cause = "The particle is exactly at the center, so the force has no direction. Do not "
-    about.cause += "add a force, and do not divide by 0."
+    about.cause = "The particle is exactly at the center, so the force has no direction. Don't "
     p = Particle(Vector3(*center))
     PointGravity(Vector3(*center), 10.0).update_force(p, 0.5)
     got = xyz(p.force_accumulator)

@@ -102,7 +102,7 @@ def test_one_generator_may_serve_many_particles() -> None:
 @pytest.mark.exercise("B5.3")
 def test_a_pair_that_is_added_twice_acts_twice() -> None:
     about.cause = "The same pair was added more than once, so its generator must act that many "
-    about.cause += "times. Do not check whether the pair is already registered."
+    about.cause += "times. Don't check whether the pair is already registered."
     about.read = "the docstring of add"
     about.call = "registry.add(p, generator) twice; registry.update_forces(0.5); number of calls"
     got = asked((), [("add", 1, 1), ("add", 1, 1), ("update", 0.5)])
@@ -134,7 +134,7 @@ def test_remove_takes_back_one_call_of_add() -> None:
 @pytest.mark.exercise("B5.3")
 def test_remove_looks_for_both_the_particle_and_the_generator() -> None:
     about.read = "the docstring of remove"
-    about.cause = "Two different generators can be equal, so == does not tell them apart. Compare "
+    about.cause = "Two different generators can be equal, so == doesn't tell them apart. Compare "
     about.cause += "with `is`, and remove the pair whose particle and generator are the very "
     about.cause += "objects that were passed in."
     pairs = [("add", 0, 0), ("add", 0, 1), ("add", 1, 0), ("add", 1, 1)]
@@ -147,8 +147,7 @@ def test_remove_looks_for_both_the_particle_and_the_generator() -> None:
 @pytest.mark.exercise("B5.3")
 def test_remove_of_what_is_absent_changes_nothing() -> None:
     about.read = "the docstring of remove"
-    about.cause = "This pair is not registered, so remove must do nothing. Do not raise an error, "
-    about.cause += "and do not remove another pair."
+    about.cause = "This pair is not registered, so remove must do nothing. Don't raise an error, "
     acts = [("remove", 0, 0), ("add", 0, 1), ("add", 1, 0), ("remove", 0, 0), ("update", 0.5)]
     expect_asked(acts, [(0, 1, 0.5), (1, 0, 0.5)], cause=about.cause)
 
@@ -189,7 +188,7 @@ def test_an_update_adds_to_the_forces_that_are_there(rng: Random) -> None:
     about.call += "registry.update_forces(0.5); p.force_accumulator"
     about(
         cause="The sum must contain the forces of both generators and the one that was added by "
-        "hand. Do not clear the forces in update_forces, because only a step does that.",
+        "hand. Don't clear the forces in update_forces, because only a step does that.",
         read="book 5.2.2",
     )
     before, after, emptied = gathered(by_hand, [first, second])
@@ -240,7 +239,7 @@ def test_an_update_takes_a_positive_and_finite_duration(duration: float) -> None
 @pytest.mark.robust
 def test_what_a_generator_raises_comes_out() -> None:
     about.call = "a generator raises ArithmeticError; registry.update_forces(0.5)"
-    about.cause = "An error raised in a generator must reach the caller, so do not catch it in "
+    about.cause = "An error raised in a generator must reach the caller, so don't catch it in "
     about.cause += "update_forces."
     about.read = "the docstring of update_forces"
     registry = failing()

@@ -128,7 +128,7 @@ def test_one_bullet_flies_at_a_time(rng: Random) -> None:
     about.call = f"range = SniperRange(1); range.shoot({a}, {e}); a step of 1/60 s later"
     at = SniperRange(1)
     about.cause = "One step must move the bullet by v h, exactly once. Check that update "
-    about.cause += "integrates the bullet and that shoot does not."
+    about.cause += "integrates the bullet and that shoot doesn't."
     at.shoot(a, e)
     at.update(1.0 / 60.0)
     bullet: Any = at.bullet
@@ -352,13 +352,13 @@ def test_a_way_beside_the_target_or_short_of_it_makes_no_hole() -> None:
         (
             (-1.5, 1.5, 50.1),
             (-1.5, 1.5, 60.0),
-            "This path starts behind the target, so it does not cross the target's plane. Return "
+            "This path starts behind the target, so it doesn't cross the target's plane. Return "
             "None.",
         ),
         (
             (-1.5, 1.5, 51.0),
             (-1.5, 1.5, 49.0),
-            "This path crosses the target's plane from behind, which does not count as a hit. "
+            "This path crosses the target's plane from behind, which doesn't count as a hit. "
             "Return None.",
         ),
         (
@@ -370,7 +370,7 @@ def test_a_way_beside_the_target_or_short_of_it_makes_no_hole() -> None:
         (
             (3.5, 1.5, 49.0),
             (-1.5, 1.5, 51.0),
-            "Where this path crosses the target's plane, x is 1, so it misses the target. Do not "
+            "Where this path crosses the target's plane, x is 1, so it misses the target. Don't "
             "use the end of the path, where x is -1.5.",
         ),
         (

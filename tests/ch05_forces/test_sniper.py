@@ -63,8 +63,7 @@ def test_a_shot_that_hits_makes_a_hole_and_scores() -> None:
         expect_close(
             holes[0], wanted, then="; distance, x, y and points of the hole", tolerance=1e-10
         )
-        about.cause = "Add the points of the hole to the score. Do not multiply them again, "
-        about.cause += "because they already include the target's factor."
+        about.cause = "Add the points of the hole to the score. Don't multiply them again, "
         expect_exactly(came["score"], points, then="; range.score")
 
 

@@ -49,8 +49,8 @@ def test_a_force_changes_the_velocity_by_f_h_over_m(rng: Random) -> None:
     wanted = tuple(v[i] + f[i] / mass * h for i in range(3))
     got = xyz(p.velocity)
     slips = {
-        "The velocity did not change. Either the kick does not use the force, or it clears the "
-        "sum too early. Move the sum to self._forces[1] before you use last_acceleration.": v,
+        "The velocity did not change. Either the kick doesn't use the force, or it clears the sum "
+        "too early. Move the sum to self._forces[1] before you use last_acceleration.": v,
         "This is v + f h, so the mass is missing. Divide the force by it.": [
             v[i] + f[i] * h for i in range(3)
         ],
@@ -103,7 +103,7 @@ def test_several_forces_and_the_constant_acceleration_act_together(rng: Random) 
     about.cause = "p.acceleration has changed, but a step must leave it alone. Forces act for one "
     about.cause += "step only, so keep them apart from it."
     slips = {
-        "p.acceleration is now a + f / m. Compute this sum in a new vector, and do not store it in "
+        "p.acceleration is now a + f / m. Compute this sum in a new vector, and don't store it in "
         "p.acceleration.": [a[i] + sums[i] for i in range(3)]
     }
     blame(xyz(p.acceleration), slips)

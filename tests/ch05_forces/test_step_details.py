@@ -120,8 +120,8 @@ def test_no_force_moves_an_immovable_particle(rng: Random) -> None:
     about.cause += "will pile up until the particle becomes movable."
     got = xyz(p.force_accumulator)
     expect_close(got, ZERO, then="; p.force_accumulator")
-    about.cause = "Forces do not accelerate an immovable particle, so its last_acceleration must "
-    about.cause += "be the constant acceleration alone."
+    about.cause = "Forces don't accelerate an immovable particle, so its last_acceleration must be "
+    about.cause += "the constant acceleration alone."
     expect_close(xyz(p.last_acceleration), a, then="; p.last_acceleration")
     p.mass = mass
     p.add_force(Vector3(*f))

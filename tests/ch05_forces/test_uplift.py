@@ -66,7 +66,7 @@ def test_inside_the_column_the_force_acts_and_outside_it_does_not(rng: Random) -
             "before you add the force."
         ): [True for _ in ways],
         (
-            "The force does not act anywhere. Check that you call particle.add_force when the "
+            "The force doesn't act anywhere. Check that you call particle.add_force when the "
             "particle is inside the column."
         ): [False for _ in ways],
     }

@@ -102,8 +102,7 @@ def test_the_wind_adds_a_force_and_changes_nothing_else(rng: Random) -> None:
     f, v, w = components(rng), components(rng), components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.add_force(Vector3{f}); wind = Wind(0.5, "
     about.call += f"0.0); wind.velocity = Vector3{w}; wind.update_force(p, 0.5)"
-    about.cause = "Add the force with add_force, which adds to the other forces. Do not change the "
-    about.cause += "velocity of the particle or of the wind."
+    about.cause = "Add the force with add_force, which adds to the other forces. Don't change the "
     p, wind = Particle(velocity=Vector3(*v)), Wind(0.5, 0.0)
     p.add_force(Vector3(*f))
     wind.velocity = Vector3(*w)

@@ -26,7 +26,7 @@ from autograder.message import ExpectationError, Message
 ROUNDING = 1e-13
 NAN = (
     "A NaN slipped past your check of the argument. Every comparison with NaN is False, so a test "
-    "such as x <= 0 does not catch it. Test for the valid range instead, as in 0.0 < x < math.inf, "
+    "such as x <= 0 doesn't catch it. Test for the valid range instead, as in 0.0 < x < math.inf, "
     "or use the functions in arguments.py."
 )
 UNCHANGED = (

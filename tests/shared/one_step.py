@@ -110,9 +110,9 @@ def wrong_steps(
         half, whole = x + v * h + 0.5 * first * h * h, x + v * h + first * h * h
         second, later = force(half, v + first * h), force(whole, v + first * h)
         return {
-            "You add a h^2 to the position. The velocity does not reach v + a h until the end "
-            "of the step, so on average only half of that change counts. The term must be a h^2 "
-            "/ 2.": (
+            "You add a h^2 to the position. The velocity doesn't reach v + a h until the end of "
+            "the step, so on average only half of that change counts. The term must be a h^2 / "
+            "2.": (
                 whole,
                 (v + 0.5 * (first + later) * h) * keep,
             ),

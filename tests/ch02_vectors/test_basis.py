@@ -51,8 +51,8 @@ def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
             )
             if i == j:
                 about.cause = (
-                    f"Vector {i + 1} must have length 1, so its squared length, which is compared "
-                    "here, must be 1 as well. Check that you normalize this vector."
+                    f"Vector {i + 1} must have length 1. The check compares its squared length, "
+                    "which must then be 1 too. Make sure that you normalize this vector."
                 )
             along = dot(a, b) / math.sqrt(dot(a, a) * dot(b, b))
             mistakes = [
@@ -63,7 +63,7 @@ def test_three_unit_vectors_at_right_angles(rng: Random) -> None:
                 ),
                 (
                     1.0 - along**2,
-                    "You did not normalize a x b. Even if a and b are unit vectors, its length is "
+                    "You didn't normalize a x b. Even if a and b are unit vectors, its length is "
                     "only the sine of the angle between them, so divide it by its length.",
                 ),
             ]
@@ -180,8 +180,8 @@ def test_vectors_along_one_axis_are_refused() -> None:
 @pytest.mark.robust
 def test_parallel_vectors_in_any_direction_are_refused(rng: Random) -> None:
     about.cause = (
-        "These vectors are parallel, but rounding leaves them a vector product of about 1e-16. "
-        "Compare its length with a small limit instead of 0."
+        "These vectors are parallel, but rounding leaves a vector product of about 1e-16. Compare "
+        "its length with a small limit instead of 0."
     )
     # In nearly all of the 40 pairs, rounding leaves a vector product that is not exactly zero.
     for _ in range(40):

@@ -67,7 +67,7 @@ def test_division_by_a_number(rng: Random) -> None:
     mistakes = [
         (
             tuple(n // divisor for n in a),
-            "The operator // rounds down to a whole number. Divide with / instead.",
+            "The operator // rounds down to a whole number. Use / instead.",
         ),
         (
             scaled(a, divisor),

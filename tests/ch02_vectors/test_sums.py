@@ -100,8 +100,7 @@ def test_plus_and_minus_equals_change_the_vector_itself(
     mistakes = [
         (
             opposite,
-            f"The result is v {wrong_sign} other, so the components were combined "
-            "with the wrong sign.",
+            f"The result is v {wrong_sign} other. Check the sign between the components.",
         )
     ]
     blame(xyz(v), mistakes)

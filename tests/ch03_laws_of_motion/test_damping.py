@@ -49,7 +49,7 @@ def test_damping_per_frame_takes_the_same_share_from_every_frame(rng: Random) ->
         )
         got = forms.damp_per_frame(Vector3(*v), Vector3(*a), d, h)
         undamped = (
-            "You did not damp the velocity. Multiply it by d before you add the acceleration times "
+            "You didn't damp the velocity. Multiply it by d before you add the acceleration times "
             "h."
         )
         if d == 0.0:

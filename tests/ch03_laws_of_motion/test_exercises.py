@@ -31,7 +31,7 @@ def test_twice_the_mass_gets_half_the_speed() -> None:
     )
     mistakes = [
         (2.0, faster),
-        (0.0, "The operator // rounds down to a whole number. Divide with / instead."),
+        (0.0, "The operator // rounds down to a whole number. Use / instead."),
     ]
     expect_close(got, 0.5, cause=cause_of(got, mistakes, about.cause))
 

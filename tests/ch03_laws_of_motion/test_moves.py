@@ -112,7 +112,7 @@ def test_a_kick_changes_the_velocity_alone(rng: Random) -> None:
             ),
             (
                 tuple(v[i] + a[i] * h for i in range(3)),
-                "You did not damp the velocity. Multiply it by d^h after you add the acceleration.",
+                "You didn't damp the velocity. Multiply it by d^h after you add the acceleration.",
             ),
             (
                 tuple((v[i] + a[i] * h / mass) * keep for i in range(3)),

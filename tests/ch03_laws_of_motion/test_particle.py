@@ -292,8 +292,8 @@ def test_momentum_is_a_vector_of_its_own(rng: Random) -> None:
     v = components(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.momentum()"
     about.cause = (
-        "momentum must return a new vector and leave the velocity unchanged. self.velocity * "
-        "self.mass creates one."
+        "momentum must return a new vector and leave the velocity unchanged. The expression "
+        "self.velocity * self.mass creates one."
     )
     about.read = "the docstring of momentum"
     p = Particle(velocity=Vector3(*v))

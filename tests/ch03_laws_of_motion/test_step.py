@@ -95,8 +95,8 @@ def test_the_velocity_gains_what_the_acceleration_gives(rng: Random) -> None:
         f"{words}; p.integrate({h}); p.acceleration = Vector3{x}; p.integrate({h}); p.velocity"
     )
     about.cause = (
-        "The acceleration changed between the two steps, and the second step must use the new one. "
-        "Read self.acceleration in every step."
+        "The check changes the acceleration between the two steps, and the second step must use "
+        "the new one. Read self.acceleration in every step."
     )
     p.integrate(h)
     wanted = tuple(v[i] + a[i] * h + x[i] * h for i in range(3))
@@ -154,7 +154,7 @@ def test_damping_is_the_share_that_is_kept_in_a_second(rng: Random) -> None:
                 "You used the factor d^h of the first step in all steps. Compute it again in each "
                 "step, because the durations differ.",
             ),
-            (v, "You did not damp the velocity. Multiply it by d^h in every step."),
+            (v, "You didn't damp the velocity. Multiply it by d^h in every step."),
         ]
         blame(got, mistakes)
         wanted = (v[0] * kept, v[1] * kept, v[2] * kept)
@@ -197,8 +197,8 @@ def test_a_new_damping_counts_from_the_next_step_on(rng: Random) -> None:
         "p.integrate(0.5); p.velocity"
     )
     about.cause = (
-        "The damping changed between the two steps. Compute d^h from self.damping in every step, "
-        "because a stored factor can go out of date."
+        "The check changes the damping between the two steps. Compute d^h from self.damping in "
+        "every step, because a stored factor can go out of date."
     )
     about.read = "the docstring of integrate"
     p = Particle(velocity=Vector3(*v))
@@ -314,8 +314,8 @@ def test_the_last_acceleration_is_the_constant_one_and_a_vector_of_its_own(rng: 
     )
     expect_unchanged("p.acceleration", xyz(p.acceleration), a)
     about.cause = (
-        "The acceleration changed before the last step. Return the one that the last step used, "
-        "not that of an earlier step."
+        "The check changes the acceleration before the last step. Return the one that the last "
+        "step used, not that of an earlier step."
     )
     p.acceleration = Vector3(a[1], a[2], a[0])
     p.integrate(0.5)

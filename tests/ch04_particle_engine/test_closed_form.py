@@ -215,7 +215,7 @@ def test_two_times_one_after_the_other_are_their_sum(rng: Random) -> None:
             "state_after changed the particle itself. Leave the particle alone, and return the "
             "state in new vectors."
         )
-    undamped = "You did not damp the start velocity. Multiply it by kept."
+    undamped = "You didn't damp the initial velocity. Multiply it by kept."
     gone = (1.0 - damping**first) / -math.log(damping)
     gain = tuple(v[i] + a[i] * gone for i in range(3))
     blame(xyz(middle[1]), [(gain, undamped)])

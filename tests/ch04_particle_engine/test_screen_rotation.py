@@ -24,7 +24,7 @@ def test_the_angle_grows_by_the_rate(rng: Random) -> None:
         about.call = f"screen_angle({start}, {turning}, 2.5)"
         about.cause = (
             "The angle is start + rate x time, reduced to the range from -pi to pi. A negative "
-            "rate turns the square backward and can make the angle negative."
+            "rate turns the spark backward and can make the angle negative."
         )
         got = screen_rotation.screen_angle(start, turning, 2.5)
         angle = start + 2.5 * turning

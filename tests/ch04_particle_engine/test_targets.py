@@ -57,8 +57,8 @@ def test_a_fast_shot_does_not_pass_through_a_thin_block(rng: Random) -> None:
 @pytest.mark.exercise("4.3b")
 def test_a_way_through_the_box_hits_it_where_it_enters() -> None:
     about.cause = (
-        "On each axis, the path is between the two faces of the box for a while, starting at the "
-        "smaller of two fractions. The path enters the box at the latest of these three starts."
+        "On each axis, the path is between the two faces of the box from the smaller of two "
+        "fractions to the larger. It enters the box at the largest of the three smaller ones."
     )
     for start, end, wanted in (
         ((1.5, 3.0, 1.0), (2.5, 5.0, 9.0), 0.25),

@@ -112,15 +112,15 @@ def test_a_gentle_brake_is_linear_drag(rng: Random) -> None:
         wanted = tuple(f[i] - k * v[i] for i in range(3))
         got = xyz(p.force_accumulator)
         slips = {
-            "The force was limited to -v / h, which lacks the mass. The limit must be -v m / h.": [
+            "You limited the force to -v / h, which lacks the mass. The limit must be -v m / h.": [
                 f[i] - v[i] / h for i in range(3)
             ],
-            "The force was limited to -v m, which lacks the duration. The limit must be -v m / "
+            "You limited the force to -v m, which lacks the duration. The limit must be -v m / "
             "h.": [f[i] - v[i] * mass for i in range(3)],
-            "The force was limited to -v m h. Divide by the duration instead of multiplying by it, "
+            "You limited the force to -v m h. Divide by the duration instead of multiplying by it, "
             "so that the limit is -v m / h.": [f[i] - v[i] * mass * h for i in range(3)],
-            "The force was limited to half of what a full stop takes. The limit must be the force "
-            "that stops the particle completely, -v m / h.": [
+            "You limited the force to half of what a full stop takes. The limit must be the "
+            "force that stops the particle completely, -v m / h.": [
                 f[i] - 0.5 * v[i] * mass / h for i in range(3)
             ],
         }

@@ -179,8 +179,8 @@ def test_the_generator_adds_the_drag_of_its_particle(rng: Random) -> None:
     # A few roundings of numbers up to 150.
     expect_close(got, wanted, tolerance=1e-12)
     about.call += f"; p.clear_forces(); drag.k1 = {k2}; drag.k2 = {k1}; drag.update_force(p, {h})"
-    about.cause = "k1 and k2 have changed since the last call. Read self.k1 and self.k2 in every "
-    about.cause += "call."
+    about.cause = "The check changes k1 and k2 between the two calls. Read self.k1 and self.k2 in "
+    about.cause += "every call."
     p.clear_forces()
     drag.k1, drag.k2 = k2, k1
     drag.update_force(p, h)

@@ -88,7 +88,7 @@ def test_a_new_gravity_counts_from_the_next_frame_on(rng: Random) -> None:
     about.call = f"gravity = Gravity(Vector3{first}); gravity.acceleration = Vector3{second}; "
     about.call += "gravity.update_force(Particle(mass=2.0), 0.5)"
     about(
-        cause="The generator's acceleration has changed since it was created. Read "
+        cause="The check gives the generator a new acceleration after creating it. Read "
         "self.acceleration in every call.",
         read="the docstring of Gravity",
     )

@@ -162,8 +162,8 @@ def test_inverse_square_gravity_may_push_and_its_center_may_move(rng: Random) ->
     expect_unchanged("p.position", xyz(p.position), (2, 0, 0))
     about.call += "; gravity.center = Vector3(6, 0, 0); gravity.mu = 4.0; p.clear_forces(); "
     about.call += "gravity.update_force(p, 0.5)"
-    about.cause = "The center or mu has changed since the last call. Read self.center and self.mu "
-    about.cause += "in every call."
+    about.cause = "The check changes the center and mu between the two calls. Read self.center and "
+    about.cause += "self.mu in every call."
     gravity.center, gravity.mu = Vector3(6, 0, 0), 4.0
     p.clear_forces()
     gravity.update_force(p, 0.5)

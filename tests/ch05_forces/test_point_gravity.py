@@ -95,7 +95,7 @@ def test_at_the_center_point_gravity_has_no_direction(rng: Random) -> None:
 @pytest.mark.exercise("5.3")
 @pytest.mark.robust
 def test_a_distance_whose_square_is_zero_has_a_direction() -> None:
-    about.cause = "The distance is tiny but not 0, although its square rounds to 0 in a float, so "
+    about.cause = "The distance is tiny but not 0. Only its square rounds to 0 in a float, so "
     about.cause += "check magnitude() instead of the squared magnitude."
     expect_full_strength(1e-170, about.cause)
 
@@ -136,8 +136,8 @@ def test_point_gravity_may_push_and_its_center_may_move(rng: Random) -> None:
     expect_unchanged("p.position", xyz(p.position), (3, 0, 0))
     about.call += f"; gravity.center = Vector3{center}; gravity.strength = 1.5; p.clear_forces(); "
     about.call += "gravity.update_force(p, 0.5)"
-    about.cause = "The center or the strength has changed since the last call. Read self.center "
-    about.cause += "and self.strength in every call."
+    about.cause = "The check changes the center and the strength between the two calls. Read "
+    about.cause += "self.center and self.strength in every call."
     gravity.center, gravity.strength = Vector3(*center), 1.5
     p.clear_forces()
     gravity.update_force(p, 0.5)

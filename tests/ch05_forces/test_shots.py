@@ -76,7 +76,7 @@ def test_a_bullet_leaves_the_muzzle_as_it_was_aimed(rng: Random) -> None:
             ),
             "The sine and the cosine of the azimuth are swapped. At an azimuth of 0 the bullet "
             "must fly along Z.": wanted[::-1],
-            "The bullet is too fast, because you did not multiply the horizontal part by "
+            "The bullet is too fast, because you didn't multiply the horizontal part by "
             "cos(elevation).": (
                 120.0 * math.sin(azimuth),
                 wanted[1],
@@ -108,7 +108,7 @@ def test_the_wind_acts_on_the_bullet() -> None:
     about("range = SniperRange(1); range.wind.velocity = Vector3(4, 0, 20); ", read=SHOOT)
     about.call += "range.shoot(0.0, 0.0); range.forces.update_forces(0.5); "
     about.call += "range.bullet.force_accumulator"
-    about.cause = "The wind must act on the bullet exactly once. In every shot, add the pair of "
+    about.cause = "The wind must act on the bullet exactly once. For every shot, add the pair of "
     about.cause += "bullet and wind to self.forces once."
     at = SniperRange(1)
     at.wind.velocity = Vector3(4, 0, 20)

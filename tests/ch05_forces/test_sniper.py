@@ -72,7 +72,7 @@ def test_the_wind_carries_the_bullet_away() -> None:
     about.call = "range with a wind of 10 m/s along X; range.shoot(0.0, 0.02); range.update(1/60)"
     once = "In each step, update the forces exactly once, and then integrate."
     about(
-        cause=f"{once} The shot has landed when z is larger than END_OF_RANGE, 210 m.", read=UPDATE
+        cause=f"{once} The shot has landed once z is larger than END_OF_RANGE, 210 m.", read=UPDATE
     )
     still = play([(0.0, 0.02)], FRAME, wind=(0.0, 0.0, 0.0), k1=0.05)["positions"]
     blown = play([(0.0, 0.02)], FRAME, wind=(10.0, 0.0, 0.0), k1=0.05)["positions"]
@@ -93,8 +93,8 @@ def test_the_wind_carries_the_bullet_away() -> None:
     got = (blown[-1][0], still[-1][0])
     about.cause = once
     if got[1] != 0.0:
-        about.cause = "The bullet drifted to the side although there was no wind. Change the wind "
-        about.cause += "only after the shot has landed."
+        about.cause = "The bullet drifted to the side even though there was no wind. Change the "
+        about.cause += "wind only after the shot has landed."
     expect_close(got, wanted, then=": x at the end, and in still air", tolerance=1e-10)
     z = 120.0 * math.cos(0.02) * FRAME * (1.0 - keep**109) / (1.0 - keep)
     about.cause = "Drag must slow the bullet down. Call update_forces with the duration before "
@@ -125,7 +125,7 @@ def test_a_frame_lasts_as_long_as_it_is_told(rng: Random) -> None:
     got = xyz(bullet.velocity)
     windy = tuple(v[i] + (gained[i] - 0.25 * v[i]) * h for i in range(3))
     only = "Only the wind acted on the bullet. Call update_forces of the registry, so that the "
-    blame(got, [(windy, f"{only}Drag that was added here acts as well.")])
+    blame(got, [(windy, f"{only}Drag that the check added acts too.")])
     expect_close(got, wanted, then="; the velocity")
 
 
@@ -223,13 +223,13 @@ def test_nothing_acts_on_a_bullet_that_has_landed() -> None:
     )
     at.forces.update_forces(0.5)
     expect_close(xyz(bullet.force_accumulator), (0, 0, 0))
-    about.cause = "A bullet that has landed must not move any more. If no bullet is in flight, "
-    about.cause += "return from update early."
+    about.cause = "A bullet that has landed must no longer move. If no bullet is in flight, return "
+    about.cause += "from update early."
     place, wind = xyz(bullet.position), xyz(at.wind.velocity)
     at.update(FRAME)
     expect_unchanged("bullet.position", xyz(bullet.position), place, call="range.update(1/60)")
-    about.cause = "The wind has changed although no bullet is in flight. In that case, update must "
-    about.cause += "change nothing."
+    about.cause = "The wind has changed even though no bullet is in flight. In that case, update "
+    about.cause += "must change nothing."
     got = xyz(at.wind.velocity)
     expect_unchanged("the wind", got, wind, call="range.update(1/60)")
     about.cause = "This shot has landed, so the next one can be fired. Set self.bullet to None "

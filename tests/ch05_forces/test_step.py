@@ -185,8 +185,8 @@ def test_a_new_damping_and_a_new_mass_count_from_the_next_step_on(rng: Random) -
     v, f, mass = components(rng), components(rng), draw_mass(rng)
     about.call = f"p = Particle(velocity=Vector3{v}); p.integrate(0.5); p.damping = 0.25; p.mass = "
     about.call += f"{mass}; p.add_force(Vector3{f}); p.integrate(0.5); p.velocity"
-    about.cause = "The damping and the mass have changed since the last step. Compute d^h and 1 / "
-    about.cause += "m afresh in every step instead of storing them."
+    about.cause = "The check changes the damping and the mass between the two steps. Compute d^h "
+    about.cause += "and 1 / m afresh in every step instead of storing them."
     about.read = "the docstring of kick"
     p = Particle(velocity=Vector3(*v))
     p.integrate(0.5)

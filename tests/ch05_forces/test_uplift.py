@@ -142,15 +142,15 @@ def test_the_uplift_adds_to_the_other_forces(rng: Random) -> None:
     expect_unchanged("p.position", xyz(p.position), (1, 2, 1))
     about.call = "uplift.origin = Vector3(9, 0, 9); p.clear_forces(); uplift.update_force(p, 0.5); "
     about.call += f"then uplift.radius = 20.0, uplift.force = Vector3{moved}, and again"
-    about.cause = "The column has moved since the last call, so the particle is now outside. Read "
-    about.cause += "self.origin in every call."
+    about.cause = "The check moves the column before this call, so the particle is now outside it. "
+    about.cause += "Read self.origin in every call."
     uplift.origin = Vector3(9, 0, 9)
     p.clear_forces()
     uplift.update_force(p, 0.5)
     expect_close(xyz(p.force_accumulator), ZERO, then="; the first force")
     uplift.radius, uplift.force = 20.0, Vector3(*moved)
     uplift.update_force(p, 0.5)
-    about.cause = "The radius or the force has changed since the last call. Read self.radius and "
-    about.cause += "self.force in every call."
+    about.cause = "The check changes the radius and the force between the two calls. Read "
+    about.cause += "self.radius and self.force in every call."
     got = xyz(p.force_accumulator)
     expect_close(got, moved, then="; the second force")

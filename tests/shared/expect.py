@@ -203,7 +203,7 @@ def expect_finite_numbers(
     refused += [(place, "1.0", TypeError) for place in range(len(good))]
     for place, value, error in refused:
         if error is TypeError:
-            cause = "A string is not a number, even if it contains only digits, so raise TypeError."
+            cause = "A string is not a number, even if it looks like one, so raise TypeError."
         arguments = [*good]
         arguments[place] = value
         expect_error(
